@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_base_input_error_h
+#define biface_base_input_error_h
+
+#include <stdexcept>
+#include <string>
+
+namespace Biface
+{
+  /**
+   * A value from outside the program that cannot be used.
+   *
+   * Thrown where the value enters: every message is one plain sentence that
+   * names the entry, its value, and what is allowed. The name of the file is
+   * put in front by the reader of the file.
+   *
+   * It must be thrown on all ranks alike, which holds for everything that is
+   * decided from the parameters alone.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    /** A sentence of the form "`entry` is `value`, but `allowed`." */
+    InputError(const std::string &entry,
+               const std::string &value,
+               const std::string &allowed)
+      : InputError("the entry '" + entry + "' is '" + value + "', but " +
+                   allowed + ".")
+    {}
+
+    /** Any other sentence. */
+    explicit InputError(const std::string &sentence)
+      : std::runtime_error(sentence)
+    {}
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_base_parameter_tools_h
+#define biface_base_parameter_tools_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  /** Throw an InputError that names @p entry unless @p value is a finite
+   * number above 0. */
+  void check_positive(const std::string &entry, const double value);
+
+  /** Throw an InputError that names @p entry unless @p value is a finite
+   * number, 0 or above. */
+  void check_not_negative(const std::string &entry, const double value);
+
+  /** A number in the shortest form that is read back as the same. */
+  std::string number_to_string(const double value);
+
+  /**
+   * Read a whole text as a finite number. Throws InputError that says
+   * "@p entry is @p text, but @p allowed" where it is anything else.
+   */
+  double parse_number(const std::string &entry,
+                      const std::string &text,
+                      const std::string &allowed);
+
+  /** Declare the entry @p name, whose value is one of @p names, and set
+   * @p value to the enumerator whose place in @p names the text has. */
+  template <typename Enum>
+  void add_choice(dealii::ParameterHandler       &prm,
+                  const std::string              &name,
+                  Enum                           &value,
+                  const std::vector<std::string> &names,
+                  const std::string              &documentation)
+  {
+    std::string selection;
+    for (const std::string &n : names)
+      selection += (selection.empty() ? "" : "|") + n;
+    prm.declare_entry(name,
+                      names[static_cast<unsigned int>(value)],
+                      dealii::Patterns::Selection(selection),
+                      documentation);
+    prm.add_action(name, [&value, names](const std::string &text) {
+      for (unsigned int i = 0; i < names.size(); ++i)
+        if (names[i] == text)
+          value = static_cast<Enum>(i);
+    });
+  }
+} // namespace Biface
+
+#endif

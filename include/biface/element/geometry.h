@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_geometry_h
+#define biface_element_geometry_h
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+
+#include <biface/element/strain.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /**
+   * What an element needs to know of the surface: computed once from
+   * FEValues, then used in every iteration. Independent of the kind of
+   * surface.
+   *
+   * Vertices are numbered as in deal.II, lexicographically with
+   * @f$\alpha_1@f$ running fastest. The neighbor of vertex q along
+   * @f$\alpha_1@f$ is `q ^ 1`, along @f$\alpha_2@f$ is `q ^ 2`.
+   */
+  struct ElementGeometry
+  {
+    struct Vertex
+    {
+      /** @f$N_{q,a}/A_a@f$ of the vertex's own shape function; that of its
+       * neighbor along @f$\alpha_a@f$ is the negative, the others vanish. Unit:
+       * 1/length. */
+      std::array<double, 2> slope;
+
+      /** See SurfacePoint::connection(). */
+      std::array<dealii::Tensor<2, 3>, 2> connection;
+
+      ThicknessMetric metric;
+    };
+
+    std::array<Vertex, 4> vertices;
+
+    /** The shell's thickness h. */
+    double thickness;
+
+    /**
+     * The constant weight of all integrals over the element,
+     * @f$w=\bar\mu\,4l_1l_2@f$: the area of the surface midway between the
+     * faces, with @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the element's
+     * center.
+     */
+    double weight;
+  };
+
+
+  /**
+   * Compute the geometry of the current cell of two FEValues objects of a
+   * bilinear scalar element on a manifold-exact mapping.
+   *
+   * @param at_vertices with the quadrature QTrapezoid and the flags
+   * update_quadrature_points, update_gradients.
+   * @param at_center with the quadrature QMidpoint and the flags
+   * update_quadrature_points, update_JxW_values.
+   * @param surface the manifold of the cell, whose sides must be coordinate
+   * lines.
+   * @param faces see Laminate::faces().
+   */
+  ElementGeometry
+  compute_element_geometry(const dealii::FEValues<2, 3> &at_vertices,
+                           const dealii::FEValues<2, 3> &at_center,
+                           const ReferenceSurface       &surface,
+                           const std::array<double, 2>  &faces);
+} // namespace Biface
+
+#endif

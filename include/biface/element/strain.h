@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_strain_h
+#define biface_element_strain_h
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+#include <biface/laminate/resultants.h>
+
+namespace Biface
+{
+  /** How far the faces are from the reference surface, at one point:
+   * @f$\zeta_a^\pm = 1 + k_a\delta^\pm@f$ and
+   * @f$\bar\zeta_a = 1 + k_a(\delta^-+\delta^+)/2@f$. */
+  struct ThicknessMetric
+  {
+    /** `zeta[face][a]` */
+    std::array<std::array<double, 2>, 2> zeta;
+    /** `zeta_bar[a]` */
+    std::array<double, 2> zeta_bar;
+
+    ThicknessMetric() = default;
+
+    ThicknessMetric(const std::array<double, 2> &curvature,
+                    const std::array<double, 2> &faces)
+    {
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          for (unsigned int face = 0; face < 2; ++face)
+            zeta[face][a] = 1 + curvature[a] * faces[face];
+          zeta_bar[a] = 1 + curvature[a] * (faces[0] + faces[1]) / 2;
+        }
+    }
+  };
+
+
+  /**
+   * What the strains at a point depend on: five vectors, in components of the
+   * frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ at that point.
+   *
+   * In the notation of @cite GrigolyukKulikovPlotnikova2004, eq. (3), the
+   * components of @f$\mathbf g_1@f$ are
+   * @f$(\lambda_1,\omega_1,-\theta_1)@f$, those of @f$\mathbf g_2@f$ are
+   * @f$(\omega_2,\lambda_2,-\theta_2)@f$. They are linear in the
+   * displacements, which is why tangents are exact in closed form.
+   */
+  struct DisplacementGradient
+  {
+    /**
+     * `g[face][a]` is @f$\mathbf g_a^\pm=\mathbf v^\pm_{,a}/A_a@f$, the
+     * derivative of a face's displacement vector.
+     */
+    std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> g;
+
+    /** @f$\boldsymbol\beta = (\mathbf v^+-\mathbf v^-)/h@f$ */
+    dealii::Tensor<1, 3> beta;
+  };
+
+
+  /**
+   * The Green-Lagrange strains of @cite GrigolyukKulikovPlotnikova2004,
+   * eqs. (2)-(3), in the order of Resultants:
+   * @f{align*}{
+   *  \varepsilon_{aa}^\pm &= \mathbf e_a\cdot\mathbf g_a/\zeta_a
+   *    + \mathbf g_a\cdot\mathbf g_a/2\zeta_a^2, \\
+   *  2\varepsilon_{12}^\pm &= \mathbf e_2\cdot\mathbf g_1/\zeta_1
+   *    + \mathbf e_1\cdot\mathbf g_2/\zeta_2
+   *    + \mathbf g_1\cdot\mathbf g_2/\zeta_1\zeta_2, \\
+   *  2\varepsilon_{a3}^\pm &= (\zeta_a\,\mathbf e_a\cdot\boldsymbol\beta
+   *    + \mathbf e_3\cdot\mathbf g_a
+   *    + \boldsymbol\beta\cdot\mathbf g_a)/\bar\zeta_a, \\
+   *  \varepsilon_{33} &= \mathbf e_3\cdot\boldsymbol\beta
+   *    + \boldsymbol\beta\cdot\boldsymbol\beta/2 .
+   * @f}
+   * They vanish for every finite rigid motion.
+   */
+  inline Resultants::Vector green_lagrange_strain(const DisplacementGradient &u,
+                                                  const ThicknessMetric &metric)
+  {
+    using namespace Resultants;
+
+    Vector strain;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        const auto &g    = u.g[face];
+        const auto &zeta = metric.zeta[face];
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            strain[tangential(a, face)] =
+              g[a][a] / zeta[a] + (g[a] * g[a]) / (2 * zeta[a] * zeta[a]);
+            strain[transverse(a, face)] =
+              (zeta[a] * u.beta[a] + g[a][2] + u.beta * g[a]) /
+              metric.zeta_bar[a];
+          }
+        strain[tangential(2, face)] = g[0][1] / zeta[0] + g[1][0] / zeta[1] +
+                                      (g[0] * g[1]) / (zeta[0] * zeta[1]);
+      }
+    strain[thickness] = u.beta[2] + (u.beta * u.beta) / 2;
+    return strain;
+  }
+
+
+  /**
+   * The first variation of the strains at @p u in the direction @p du.
+   */
+  inline Resultants::Vector strain_variation(const DisplacementGradient &u,
+                                             const DisplacementGradient &du,
+                                             const ThicknessMetric      &metric)
+  {
+    using namespace Resultants;
+
+    Vector strain;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        const auto &g    = u.g[face];
+        const auto &dg   = du.g[face];
+        const auto &zeta = metric.zeta[face];
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            strain[tangential(a, face)] =
+              dg[a][a] / zeta[a] + (g[a] * dg[a]) / (zeta[a] * zeta[a]);
+            strain[transverse(a, face)] = (zeta[a] * du.beta[a] + dg[a][2] +
+                                           u.beta * dg[a] + du.beta * g[a]) /
+                                          metric.zeta_bar[a];
+          }
+        strain[tangential(2, face)] =
+          dg[0][1] / zeta[0] + dg[1][0] / zeta[1] +
+          (g[0] * dg[1] + dg[0] * g[1]) / (zeta[0] * zeta[1]);
+      }
+    strain[thickness] = du.beta[2] + u.beta * du.beta;
+    return strain;
+  }
+
+
+  /**
+   * The second variation of the strains, weighted by resultants @f$H@f$: the
+   * strains are quadratic in the five vectors, and every quadratic term is a
+   * scalar product of two of them, so that
+   * @f$\sum_s H_s\,\delta^2\varepsilon_s@f$ couples them by these numbers.
+   */
+  struct GeometricCoupling
+  {
+    /** `gg[face]`: of @f$\mathbf g_1\mathbf g_1@f$,
+     * @f$\mathbf g_2\mathbf g_2@f$, @f$\mathbf g_1\mathbf g_2@f$ */
+    std::array<std::array<double, 3>, 2> gg;
+    /** `gb[face][a]`: of @f$\mathbf g_a\boldsymbol\beta@f$ */
+    std::array<std::array<double, 2>, 2> gb;
+    /** of @f$\boldsymbol\beta\boldsymbol\beta@f$ */
+    double bb;
+
+    GeometricCoupling(const Resultants::Vector &H,
+                      const ThicknessMetric    &metric)
+    {
+      using namespace Resultants;
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          const auto &zeta = metric.zeta[face];
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              gg[face][a] = H[tangential(a, face)] / (zeta[a] * zeta[a]);
+              gb[face][a] = H[transverse(a, face)] / metric.zeta_bar[a];
+            }
+          gg[face][2] = H[tangential(2, face)] / (zeta[0] * zeta[1]);
+        }
+      bb = H[thickness];
+    }
+
+    /** The coupling applied to @p u: the work-conjugate vectors of the
+     * quadratic part of the strains. */
+    DisplacementGradient apply(const DisplacementGradient &u) const
+    {
+      DisplacementGradient result;
+      result.beta = bb * u.beta;
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            result.g[face][a] = gg[face][a] * u.g[face][a] +
+                                gg[face][2] * u.g[face][1 - a] +
+                                gb[face][a] * u.beta;
+            result.beta += gb[face][a] * u.g[face][a];
+          }
+      return result;
+    }
+  };
+} // namespace Biface
+
+#endif

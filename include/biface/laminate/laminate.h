@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_laminate_h
+#define biface_laminate_laminate_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/laminate/material.h>
+#include <biface/laminate/resultants.h>
+
+namespace Biface
+{
+  /**
+   * How the thickness strain @f$E_{33}@f$, constant over the thickness, enters
+   * the constitutive law.
+   */
+  enum class ThicknessLaw
+  {
+    /**
+     * The thickness stress @f$S_{33}@f$ is taken constant over the thickness
+     * and eliminated. Energy-consistent, and free of Poisson thickness
+     * locking.
+     */
+    symmetric,
+    /**
+     * The law of @cite GrigolyukKulikovPlotnikova2004, eq. (9), as understood:
+     * the tangential resultants of plane stress (no column of
+     * @f$E_{33}@f$), the thickness resultant of the full law. Not symmetric.
+     */
+    asymmetric,
+    /**
+     * The full three-dimensional law with a constant @f$E_{33}@f$, for
+     * comparison: it locks in bending where Poisson's ratio is not zero.
+     */
+    full
+  };
+
+
+  /** One ply. */
+  struct Ply
+  {
+    /** Stiffness in the ply's own axes. Unit: force/area. */
+    dealii::SymmetricTensor<4, 3> stiffness;
+    /** Unit: length. */
+    double thickness;
+    /** From @f$\mathbf e_1@f$ towards @f$\mathbf e_2@f$, radians. */
+    double angle;
+    /** Initial stress in the ply's own axes. Unit: force/area. */
+    dealii::SymmetricTensor<2, 3> initial_stress;
+  };
+
+
+  /**
+   * A stack of plies, inner ply first, integrated over the thickness with the
+   * linear shape functions @f$N^\pm@f$ of the two faces.
+   */
+  class Laminate
+  {
+  public:
+    /** Where the reference surface lies in the thickness. */
+    enum class Reference
+    {
+      inner,
+      middle,
+      outer
+    };
+
+    struct Parameters
+    {
+      double       E_L   = 510.45;
+      double       E_T   = 6.91;
+      double       G_LT  = 2.33;
+      double       G_TT  = 1.77;
+      double       nu_LT = 0.46;
+      double       nu_TT = 0.95;
+      std::string  plies = "1.2 @ 52, 1.2 @ -52, 1.2 @ 52, 1.2 @ -52";
+      std::string  initial_stresses;
+      ThicknessLaw law       = ThicknessLaw::symmetric;
+      Reference    reference = Reference::inner;
+
+      void add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    /** Throws InputError where the plies or their material are not usable. */
+    explicit Laminate(const Parameters &parameters);
+
+    Laminate(std::vector<Ply>   plies,
+             const ThicknessLaw law,
+             const Reference    reference);
+
+    /** The total thickness h. Unit: length. */
+    double thickness() const;
+
+    /**
+     * The thickness coordinates @f$\delta^-,\delta^+@f$ of the inner and the
+     * outer face. Unit: length.
+     */
+    std::array<double, 2> faces() const;
+
+    /**
+     * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,
+     * eq. (9), in the order of Resultants. Unit: force/length.
+     */
+    Resultants::Matrix stiffness() const;
+
+    /**
+     * The resultants @f$\mathbf H_0@f$ of the initial ply stresses,
+     * @f$H_{0,ij}^\pm = \int N^\pm\sigma_{ij}\,d\alpha_3@f$. Unit:
+     * force/length.
+     */
+    Resultants::Vector initial_resultants() const;
+
+    /** Whether stiffness() is symmetric. */
+    bool is_symmetric() const;
+
+  private:
+    std::vector<Ply>   plies;
+    const ThicknessLaw law;
+    const Reference    reference;
+  };
+} // namespace Biface
+
+#endif

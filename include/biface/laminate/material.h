@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_material_h
+#define biface_laminate_material_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <string>
+
+namespace Biface
+{
+  /**
+   * An orthotropic elastic material, in its own axes 1, 2, 3 (for a ply:
+   * along the fibers or cords, across them in the ply, across the ply). Moduli
+   * in force/area, Poisson's ratios as
+   * @f$\nu_{ij} = -\varepsilon_j/\varepsilon_i@f$ under a stress along i.
+   */
+  struct OrthotropicMaterial
+  {
+    double E_1, E_2, E_3;
+    double G_12, G_13, G_23;
+    double nu_12, nu_13, nu_23;
+
+    /**
+     * Transversely isotropic about axis 1, as @f$E_L, E_T, G_{LT}, G_{TT},
+     * \nu_{LT}, \nu_{TT}@f$. @f$G_{TT}@f$ is given for itself, since measured
+     * constants rarely satisfy @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
+     */
+    static OrthotropicMaterial transversely_isotropic(const double E_L,
+                                                      const double E_T,
+                                                      const double G_LT,
+                                                      const double G_TT,
+                                                      const double nu_LT,
+                                                      const double nu_TT);
+
+    static OrthotropicMaterial isotropic(const double E, const double nu);
+
+    /**
+     * The stiffness @f$b_{ijlm}@f$ in the material's own axes. Unit:
+     * force/area.
+     *
+     * Throws InputError, naming @p name, where the moduli and ratios are not
+     * those of a stable material (stiffness not positive definite).
+     */
+    dealii::SymmetricTensor<4, 3> stiffness(const std::string &name) const;
+  };
+
+
+  /**
+   * The stiffness of a ply whose axis 1 lies at @p angle (radians) from
+   * @f$\mathbf e_1@f$ towards @f$\mathbf e_2@f$, in the axes of the shell.
+   */
+  dealii::SymmetricTensor<4, 3>
+  rotate_about_normal(const dealii::SymmetricTensor<4, 3> &stiffness,
+                      const double                         angle);
+
+  /** The same for a stress. */
+  dealii::SymmetricTensor<2, 3>
+  rotate_about_normal(const dealii::SymmetricTensor<2, 3> &stress,
+                      const double                         angle);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_discretization_h
+#define biface_model_discretization_h
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/types.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_manifold.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/element/geometry.h>
+#include <biface/element/mixed_element.h>
+#include <biface/model/supports.h>
+#include <biface/surface/chart_grid.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /** A node of the mesh: a vertex with the displacements of both faces. */
+  struct Node
+  {
+    /** The node's coordinates @f$(\alpha_1,\alpha_2)@f$, in the surface's
+     * internal unit. */
+    dealii::Point<2> alpha;
+
+    SurfacePoint surface;
+
+    /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
+    std::array<dealii::types::global_dof_index, 6> dofs;
+
+    /** Whether the node belongs to this rank. */
+    bool locally_owned;
+
+    /** Whether any displacement of the outer face is free. */
+    bool outer_face_free;
+  };
+
+
+  /** A locally owned cell of the mesh. */
+  struct Cell
+  {
+    std::array<dealii::types::global_dof_index, MixedElement::n_dofs> dofs;
+    /** Positions in Discretization::nodes. */
+    std::array<unsigned int, 4> nodes;
+    ElementGeometry             geometry;
+  };
+
+
+  /**
+   * The mesh with its degrees of freedom: what is fixed once the surface, the
+   * grid, the faces and the supports are known.
+   *
+   * Cells and nodes are plain arrays, filled once, so that what runs in every
+   * iteration walks through memory in order. Each rank has the cells it owns
+   * and the nodes of these cells and of their neighbors.
+   */
+  class Discretization
+  {
+  public:
+    /**
+     * @param faces see Laminate::faces().
+     *
+     * Throws InputError where @f$A_2@f$ vanishes within the grid, where a face
+     * lies beyond a center of curvature, or where an edge that does not exist
+     * is supported.
+     */
+    Discretization(const MPI_Comm                          communicator,
+                   std::unique_ptr<const ReferenceSurface> surface,
+                   const ChartGrid                        &grid,
+                   const std::array<double, 2>            &faces,
+                   const Supports                         &supports);
+
+    const MPI_Comm communicator;
+
+    std::vector<Cell> cells;
+    std::vector<Node> nodes;
+
+    /** Nodes that share a cell with the node of the same position, itself
+     * included. Complete for locally owned nodes. */
+    std::vector<std::vector<unsigned int>> neighbors;
+
+    dealii::IndexSet                  locally_owned;
+    dealii::IndexSet                  locally_relevant;
+    dealii::AffineConstraints<double> constraints;
+
+    const ReferenceSurface &get_surface() const
+    {
+      return *surface;
+    }
+
+    const dealii::DoFHandler<2, 3> &get_dof_handler() const
+    {
+      return dof_handler;
+    }
+
+    /** See Laminate::faces(). */
+    const std::array<double, 2> &get_faces() const
+    {
+      return faces;
+    }
+
+    /** Displacements that are not given by supports. */
+    dealii::types::global_dof_index n_unknowns() const
+    {
+      return n_free;
+    }
+
+    /** Nodes on all ranks. */
+    dealii::types::global_dof_index n_nodes() const
+    {
+      return dof_handler.n_dofs() / 6;
+    }
+
+    /** Cells on all ranks. */
+    dealii::types::global_dof_index n_cells() const
+    {
+      return triangulation.n_global_active_cells();
+    }
+
+    /** A vector whose entries can be read at all nodes of this rank. */
+    LA::Vector ghosted_vector() const;
+
+    /** A vector of the locally owned entries. */
+    LA::Vector owned_vector() const;
+
+    /** Displacement of a face at a node, in the node's frame. */
+    dealii::Tensor<1, 3> displacement(const LA::Vector  &V,
+                                      const Node        &node,
+                                      const unsigned int face) const;
+
+    /** Position of a face at a node in the deformed shell. */
+    dealii::Point<3> deformed_position(const LA::Vector  &V,
+                                       const Node        &node,
+                                       const unsigned int face) const;
+
+    /** The displacements of a cell. */
+    MixedElement::NodalVector cell_values(const LA::Vector &V,
+                                          const Cell       &cell) const;
+
+  private:
+    void make_constraints(const Supports &supports);
+
+    void collect_cells_and_nodes();
+
+    const std::array<double, 2>                   faces;
+    std::unique_ptr<const ReferenceSurface>       surface;
+    dealii::parallel::shared::Triangulation<2, 3> triangulation;
+    const dealii::MappingManifold<2, 3>           mapping;
+    const dealii::FESystem<2, 3>                  fe;
+    dealii::DoFHandler<2, 3>                      dof_handler;
+    dealii::types::global_dof_index               n_free = 0;
+  };
+} // namespace Biface
+
+#endif

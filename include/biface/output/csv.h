@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_csv_h
+#define biface_output_csv_h
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  /** A table of numbers, distributed over the ranks by rows. */
+  using Rows = std::vector<std::vector<double>>;
+
+  /**
+   * Write the rows of all ranks, sorted by their leading columns, below a line
+   * of column names.
+   *
+   * Must be called on all ranks; the first one writes. Throws InputError on all
+   * ranks where the file cannot be written.
+   *
+   * @param header column names, separated by commas.
+   */
+  void write_csv(const std::string &path,
+                 const std::string &header,
+                 const Rows        &rows,
+                 const MPI_Comm     communicator);
+
+  /** A number with the 12 digits that files show. */
+  std::string csv_number(const double value);
+
+  /**
+   * Write a text to a file on the first rank, at its end or in place of what
+   * it held. Must be called on all ranks. Throws InputError on all of them
+   * where the file cannot be written.
+   */
+  void write_text(const std::string &path,
+                  const std::string &text,
+                  const bool         append,
+                  const MPI_Comm     communicator);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_command_line_h
+#define biface_program_command_line_h
+
+#include <string>
+#include <vector>
+
+#include <biface/program/parameters.h>
+
+namespace Biface
+{
+  /** What the command line asks for. */
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      check,
+      print_parameters,
+      print_version,
+      print_help
+    };
+
+    Action                action = Action::run;
+    std::string           file_name;
+    std::vector<Override> overrides;
+
+    /** Throws InputError where the words make no sense. */
+    CommandLine(int argc, char **argv);
+
+    static std::string help();
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_parameters_h
+#define biface_program_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/contact/contact_conditions.h>
+#include <biface/laminate/laminate.h>
+#include <biface/model/supports.h>
+#include <biface/output/results_writer.h>
+#include <biface/solver/load_stepping.h>
+#include <biface/solver/newton.h>
+#include <biface/surface/chart_grid.h>
+#include <biface/surface/meridian.h>
+
+namespace Biface
+{
+  /**
+   * All parameters of a run. Each part is declared by the class that uses it;
+   * here they are put together in reading order.
+   */
+  struct Parameters
+  {
+    /** Which curve is turned about the axis. */
+    enum class MeridianType
+    {
+      circular_arc
+    };
+
+    MeridianType                  meridian = MeridianType::circular_arc;
+    CircularArc::Parameters       circular_arc;
+    ChartGrid::Parameters         mesh;
+    Laminate::Parameters          laminate;
+    Supports                      supports;
+    ContactConditions::Parameters contact;
+    std::vector<Stage>            stages;
+    Newton::Parameters            newton;
+    LoadStepping::Parameters      load_stepping;
+    ResultsWriter::Parameters     output;
+
+    /** Declare all entries. @p n_stages sections of stages are there. The
+     * object must outlive @p prm. */
+    void add_parameters(dealii::ParameterHandler &prm,
+                        const unsigned int        n_stages);
+
+    /** Check what can be checked of single values. Throws InputError. */
+    void check() const;
+  };
+
+
+  /** A setting from the command line, "Section/Entry=value". */
+  using Override = std::string;
+
+
+  /**
+   * Read a parameter file.
+   *
+   * The file is read on the first rank only. Throws InputError, on all ranks,
+   * where it cannot be read, holds an unknown entry or a value that is not
+   * allowed; the sentence names file, line, entry, value, and what is allowed.
+   *
+   * @param file_name the file; empty for defaults only.
+   * @param overrides settings that take precedence over the file.
+   * @param communicator the ranks.
+   * @param parameters the result.
+   * @param prm gets the declared entries and their values.
+   */
+  void read_parameters(const std::string           &file_name,
+                       const std::vector<Override> &overrides,
+                       const MPI_Comm               communicator,
+                       Parameters                  &parameters,
+                       dealii::ParameterHandler    &prm);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_program_h
+#define biface_program_program_h
+
+#include <mpi.h>
+
+#include <iosfwd>
+
+namespace Biface
+{
+  /** What the program `biface` returns to its caller. */
+  enum ExitCode : int
+  {
+    done           = 0,
+    wrong_input    = 1,
+    no_convergence = 2,
+    internal_error = 3
+  };
+
+  /**
+   * The program `biface`, without the set-up of MPI.
+   *
+   * @param argc, argv the command line.
+   * @param communicator the ranks.
+   * @param out where the first rank prints its progress.
+   * @param err where the first rank prints what went wrong.
+   *
+   * Wrong input is found on all ranks alike and answered on the first. Other
+   * exceptions are left to the caller.
+   */
+  ExitCode run_program(int            argc,
+                       char         **argv,
+                       const MPI_Comm communicator,
+                       std::ostream  &out,
+                       std::ostream  &err);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_simulation_h
+#define biface_program_simulation_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include <iosfwd>
+
+#include <biface/contact/contact_conditions.h>
+#include <biface/laminate/laminate.h>
+#include <biface/model/discretization.h>
+#include <biface/model/shell_equations.h>
+#include <biface/program/parameters.h>
+#include <biface/solver/load_stepping.h>
+#include <biface/solver/mumps_solver.h>
+#include <biface/solver/newton.h>
+
+namespace Biface
+{
+  /**
+   * One analysis, from its parameters to its results. It holds no global
+   * state: any number of simulations can live in one program, each on a
+   * communicator of its own.
+   */
+  class Simulation
+  {
+  public:
+    /**
+     * Set up the mesh and the equations.
+     *
+     * @param parameters checked; see Parameters::check().
+     * @param communicator the ranks that share the work.
+     * @param stream what the first rank prints.
+     *
+     * Throws InputError where the parameters do not go together.
+     */
+    Simulation(const Parameters &parameters,
+               const MPI_Comm    communicator,
+               std::ostream     &stream);
+
+    /** Go through all stages, and tell each converged step to @p observer. */
+    LoadSteppingResult run(const LoadStepping::Observer &observer);
+
+    const ShellEquations &get_equations() const
+    {
+      return equations;
+    }
+
+    /** The last converged state. */
+    const State &get_state() const
+    {
+      return state;
+    }
+
+    /** Times of the parts of the run. */
+    dealii::TimerOutput &get_timer()
+    {
+      return timer;
+    }
+
+    dealii::ConditionalOStream &get_stream()
+    {
+      return out;
+    }
+
+  private:
+    const Parameters           parameters;
+    dealii::ConditionalOStream out;
+    dealii::TimerOutput        timer;
+    const Laminate             laminate;
+    const Discretization       discretization;
+    const ContactConditions    contact;
+    ShellEquations             equations;
+    MumpsSolver                linear_solver;
+    State                      state;
+  };
+} // namespace Biface
+
+#endif

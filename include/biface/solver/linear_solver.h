@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_linear_solver_h
+#define biface_solver_linear_solver_h
+
+#include <string>
+
+#include <biface/base/linear_algebra.h>
+
+namespace Biface
+{
+  /** How a linear solve ended. */
+  struct LinearSolverResult
+  {
+    bool success = false;
+    /** Where it failed: a sentence that says why. */
+    std::string message;
+    /** Norm of the residual over that of the right hand side. */
+    double relative_residual = 0;
+  };
+
+
+  /**
+   * Solves a sequence of linear systems whose matrices share one pattern.
+   */
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /**
+     * Solve @f$A x = b@f$. A failure (a singular matrix, say) is an ordinary
+     * result, the same on all ranks.
+     *
+     * @param symmetric whether the matrix is symmetric, so that half of it
+     * will do.
+     */
+    virtual LinearSolverResult solve(const LA::SparseMatrix &A,
+                                     LA::Vector             &x,
+                                     const LA::Vector       &b,
+                                     const bool              symmetric) = 0;
+  };
+
+
+  /**
+   * Compute the residual of a solution and judge it: a direct solver gives
+   * numbers for a singular matrix, too.
+   *
+   * @return success where the solution is finite, its relative residual is at
+   * most 1e-8.
+   */
+  LinearSolverResult check_solution(const LA::SparseMatrix &A,
+                                    const LA::Vector       &x,
+                                    const LA::Vector       &b);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_mumps_solver_h
+#define biface_solver_mumps_solver_h
+
+#include <deal.II/base/timer.h>
+
+#include <mpi.h>
+
+#include <memory>
+
+#include <biface/solver/linear_solver.h>
+
+namespace Biface
+{
+  /**
+   * The multifrontal direct solver MUMPS @cite AmestoyDuffLExcellentKoster2001,
+   * called without an intermediary: @f$LDL^T@f$ where the matrix is symmetric,
+   * @f$LU@f$ where not; each rank hands over its own rows; the analysis of the
+   * pattern is done once.
+   */
+  class MumpsSolver : public LinearSolver
+  {
+  public:
+    /** @param timer gets the sections "Linear solver: ...". */
+    MumpsSolver(const MPI_Comm communicator, dealii::TimerOutput &timer);
+
+    ~MumpsSolver() override;
+
+    LinearSolverResult solve(const LA::SparseMatrix &A,
+                             LA::Vector             &x,
+                             const LA::Vector       &b,
+                             const bool              symmetric) override;
+
+  private:
+    class Instance;
+
+    const MPI_Comm            communicator;
+    dealii::TimerOutput      &timer;
+    std::unique_ptr<Instance> instance;
+  };
+} // namespace Biface
+
+#endif

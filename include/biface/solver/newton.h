@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_newton_h
+#define biface_solver_newton_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <string>
+#include <vector>
+
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+#include <biface/solver/linear_solver.h>
+
+namespace Biface
+{
+  /** How a Newton iteration ended. */
+  struct NewtonResult
+  {
+    bool         converged  = false;
+    unsigned int iterations = 0;
+    /** Where it did not converge: why. */
+    std::string message;
+    /** Relative residuals before each iteration, and after the last. */
+    std::vector<double> residuals;
+  };
+
+
+  /**
+   * Newton's method on the displacements and, in its mixed form, on the
+   * resultants of every element @cite GrigolyukKulikovPlotnikova2004, with the
+   * primal-dual active set of the contact inside: the set is decided anew after
+   * every iteration, and the iteration ends when it is at rest and the residual
+   * or the update is small.
+   */
+  class Newton
+  {
+  public:
+    struct Parameters
+    {
+      NewtonIteration iteration          = NewtonIteration::mixed;
+      unsigned int    max_iterations     = 25;
+      double          residual_tolerance = 1e-8;
+      double          update_tolerance   = 1e-9;
+
+      void add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError where a value is not usable. */
+      void check() const;
+    };
+
+    /** The objects are kept by reference. */
+    Newton(const Parameters           &parameters,
+           ShellEquations             &equations,
+           LinearSolver               &linear_solver,
+           dealii::ConditionalOStream &out,
+           dealii::TimerOutput        &timer);
+
+    /**
+     * Bring a state into equilibrium with the given loads.
+     *
+     * @param state the start, then the result; where the iteration did not
+     * converge, of no use.
+     */
+    NewtonResult
+    solve(State &state, const Loads &loads, const NewtonIteration iteration);
+
+    const Parameters parameters;
+
+  private:
+    ShellEquations             &equations;
+    LinearSolver               &linear_solver;
+    dealii::ConditionalOStream &out;
+    dealii::TimerOutput        &timer;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_chart_grid_h
+#define biface_surface_chart_grid_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /**
+   * A structured, graded grid in the coordinates of a surface: the rectangle
+   * spanned by two lists of coordinate lines, or a ring of it where the second
+   * coordinate closes.
+   */
+  struct ChartGrid
+  {
+    struct Parameters
+    {
+      std::array<std::string, 2> intervals{
+        {"-120:-45:12, -45:45:18, 45:120:12",
+         "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
+      bool closed = true;
+
+      void add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    /** Coordinates of the grid lines, rising, in the surface's internal unit.
+     */
+    std::array<std::vector<double>, 2> lines;
+
+    /** The last line of the second coordinate is its first one. */
+    bool closed = false;
+
+    /**
+     * Read the interval lists in the units of @p surface.
+     *
+     * Throws InputError as parse_intervals() does, and where a closed
+     * coordinate does not span a full turn.
+     */
+    ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
+  };
+
+
+  /** Boundary indicators of the edges of a grid: the edges
+   * @f$\alpha_1@f$ = min, max and @f$\alpha_2@f$ = min, max. */
+  enum class Edge : dealii::types::boundary_id
+  {
+    alpha_1_min = 0,
+    alpha_1_max = 1,
+    alpha_2_min = 2,
+    alpha_2_max = 3
+  };
+
+
+  /**
+   * Build the grid as a triangulation on the surface. The first reference
+   * coordinate of each cell is that of @f$\alpha_1@f$, the second that of
+   * @f$\alpha_2@f$, the boundary indicators are those of Edge, and the surface
+   * is attached as the manifold of all objects: the sides of all cells are
+   * coordinate lines, as the element needs it, also after refinement.
+   *
+   * A parallel triangulation is partitioned by its own settings.
+   */
+  void create_triangulation(const ReferenceSurface      &surface,
+                            const ChartGrid             &grid,
+                            dealii::Triangulation<2, 3> &triangulation);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_surface_of_revolution_h
+#define biface_surface_surface_of_revolution_h
+
+#include <memory>
+
+#include <biface/surface/meridian.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /**
+   * A meridian turned about the y axis:
+   * @f$\mathbf x = (r\cos\varphi,\; y,\; r\sin\varphi)@f$ with
+   * @f$(r,y)@f$ on the meridian at @f$\alpha_1@f$ and
+   * @f$\varphi = \alpha_2@f$ in radians.
+   *
+   * The y axis is a wheel's axle; with it the frame
+   * @f$\mathbf e_1@f$ (along the meridian), @f$\mathbf e_2@f$ (around),
+   * @f$\mathbf e_3@f$ (outward) is right-handed. In terms of the meridian,
+   * @f$A_1 = |(r',y')|@f$, @f$A_2 = r@f$,
+   * @f$k_1 = (r'y''-y'r'')/A_1^3@f$, @f$k_2 = y'/(A_1 r)@f$,
+   * @f$B_1 = r'/(A_1 r)@f$, @f$B_2 = 0@f$.
+   *
+   * A torus is the surface of a CircularArc.
+   */
+  class SurfaceOfRevolution : public ReferenceSurface
+  {
+  public:
+    explicit SurfaceOfRevolution(std::shared_ptr<const Meridian> meridian);
+
+    SurfacePoint evaluate(const dealii::Point<2> &alpha) const override;
+
+    dealii::Point<2> pull_back(const dealii::Point<3> &point) const override;
+
+    std::unique_ptr<dealii::Manifold<2, 3>> clone() const override;
+
+    double coordinate_unit(const unsigned int a) const override;
+
+  private:
+    std::shared_ptr<const Meridian> meridian;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <set>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/model/discretization.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Check that the surface and both faces are regular at all grid points.
+     */
+    void check_geometry(const ReferenceSurface      &surface,
+                        const ChartGrid             &grid,
+                        const std::array<double, 2> &faces)
+    {
+      double size = 0;
+      for (const double alpha_1 : grid.lines[0])
+        size = std::max(size,
+                        surface.evaluate(Point<2>(alpha_1, grid.lines[1][0]))
+                          .position.norm());
+
+      for (const double alpha_1 : grid.lines[0])
+        for (const double alpha_2 : grid.lines[1])
+          {
+            const SurfacePoint point =
+              surface.evaluate(Point<2>(alpha_1, alpha_2));
+            const std::string where =
+              "alpha_1 = " +
+              number_to_string(alpha_1 / surface.coordinate_unit(0));
+
+            if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
+              throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +
+                               where + ", where the radius of the surface is " +
+                               number_to_string(point.lame[1]) +
+                               ", but the surface must keep clear of its axis "
+                               "(A_2 > 0).");
+
+            const ThicknessMetric metric(point.curvature, faces);
+            for (unsigned int face = 0; face < 2; ++face)
+              for (unsigned int a = 0; a < 2; ++a)
+                if (!(metric.zeta[face][a] > 0))
+                  throw InputError(
+                    "the entry 'Laminate/Plies' puts a face at " +
+                    number_to_string(faces[face]) +
+                    " from the reference surface, but at " + where +
+                    " it must stay nearer than the center of curvature, " +
+                    number_to_string(1 / std::abs(point.curvature[a])) +
+                    " away.");
+          }
+    }
+  } // namespace
+
+
+  Discretization::Discretization(
+    const MPI_Comm                          communicator,
+    std::unique_ptr<const ReferenceSurface> surface,
+    const ChartGrid                        &grid,
+    const std::array<double, 2>            &faces,
+    const Supports                         &supports)
+    : communicator(communicator)
+    , faces(faces)
+    , surface(std::move(surface))
+    , triangulation(
+        communicator,
+        Triangulation<2, 3>::none,
+        true,
+        parallel::shared::Triangulation<2, 3>::Settings::partition_metis)
+    , fe(FE_Q<2, 3>(1), 6)
+    , dof_handler(triangulation)
+  {
+    check_geometry(*this->surface, grid, faces);
+    if (grid.closed)
+      for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
+        if (supports.edges[static_cast<unsigned int>(edge)] != Support::free)
+          throw InputError(
+            "the section 'Supports' holds an edge of alpha_2, but the "
+            "coordinate is closed ('Mesh/Closed in alpha_2') and has no edge.");
+
+    create_triangulation(*this->surface, grid, triangulation);
+    dof_handler.distribute_dofs(fe);
+    locally_owned = dof_handler.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+
+    make_constraints(supports);
+    collect_cells_and_nodes();
+  }
+
+
+  void Discretization::make_constraints(const Supports &supports)
+  {
+    constraints.reinit(locally_relevant);
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      {
+        const Support support = supports.edges[edge];
+        if (support == Support::free)
+          continue;
+
+        std::vector<bool> fixed(6, support == Support::fixed);
+        if (support == Support::symmetry)
+          for (unsigned int face = 0; face < 2; ++face)
+            fixed[2 * (edge / 2) + face] = true;
+
+        const IndexSet dofs = DoFTools::extract_boundary_dofs(
+          dof_handler,
+          ComponentMask(fixed),
+          {static_cast<types::boundary_id>(edge)});
+        for (const auto dof : dofs)
+          if (locally_relevant.is_element(dof))
+            constraints.add_line(dof);
+      }
+    constraints.close();
+
+    types::global_dof_index n_owned_free = 0;
+    for (const auto dof : locally_owned)
+      if (!constraints.is_constrained(dof))
+        ++n_owned_free;
+    n_free = Utilities::MPI::sum(n_owned_free, communicator);
+  }
+
+
+  void Discretization::collect_cells_and_nodes()
+  {
+    const FE_Q<2, 3> scalar_fe(1);
+    FEValues<2, 3>   at_vertices(mapping,
+                               scalar_fe,
+                               QTrapezoid<2>(),
+                               update_quadrature_points | update_gradients);
+    FEValues<2, 3>   at_center(mapping,
+                             scalar_fe,
+                             QMidpoint<2>(),
+                             update_quadrature_points | update_JxW_values);
+
+    // from the vertices of the triangulation to nodes of this rank
+    std::vector<unsigned int> node_of_vertex(triangulation.n_vertices(),
+                                             numbers::invalid_unsigned_int);
+
+    const auto add_node =
+      [&](const DoFHandler<2, 3>::active_cell_iterator &cell,
+          const unsigned int                            v) {
+        unsigned int &index = node_of_vertex[cell->vertex_index(v)];
+        if (index != numbers::invalid_unsigned_int)
+          return index;
+
+        Node node;
+        node.alpha   = surface->pull_back(cell->vertex(v));
+        node.surface = surface->evaluate(node.alpha);
+        for (unsigned int i = 0; i < 6; ++i)
+          node.dofs[i] = cell->vertex_dof_index(v, i);
+        node.locally_owned   = locally_owned.is_element(node.dofs[0]);
+        node.outer_face_free = false;
+        for (unsigned int i = 0; i < 3; ++i)
+          if (!constraints.is_constrained(node.dofs[2 * i + Resultants::outer]))
+            node.outer_face_free = true;
+        index = nodes.size();
+        nodes.push_back(node);
+        return index;
+      };
+
+    std::vector<std::set<unsigned int>> adjacent;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+
+        std::array<unsigned int, 4> cell_nodes;
+        for (unsigned int v = 0; v < 4; ++v)
+          cell_nodes[v] = add_node(cell, v);
+        adjacent.resize(nodes.size());
+        for (const unsigned int i : cell_nodes)
+          adjacent[i].insert(cell_nodes.begin(), cell_nodes.end());
+
+        if (!cell->is_locally_owned())
+          continue;
+
+        at_vertices.reinit(
+          static_cast<Triangulation<2, 3>::cell_iterator>(cell));
+        at_center.reinit(static_cast<Triangulation<2, 3>::cell_iterator>(cell));
+
+        Cell local;
+        local.nodes = cell_nodes;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            for (unsigned int i = 0; i < 6; ++i)
+              local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
+          }
+        local.geometry =
+          compute_element_geometry(at_vertices, at_center, *surface, faces);
+        cells.push_back(local);
+      }
+
+    for (const auto &set : adjacent)
+      neighbors.emplace_back(set.begin(), set.end());
+  }
+
+
+  LA::Vector Discretization::ghosted_vector() const
+  {
+    return LA::Vector(locally_owned, locally_relevant, communicator);
+  }
+
+
+  LA::Vector Discretization::owned_vector() const
+  {
+    return LA::Vector(locally_owned, communicator);
+  }
+
+
+  Tensor<1, 3> Discretization::displacement(const LA::Vector  &V,
+                                            const Node        &node,
+                                            const unsigned int face) const
+  {
+    Tensor<1, 3> v;
+    for (unsigned int i = 0; i < 3; ++i)
+      v[i] = V(node.dofs[2 * i + face]);
+    return v;
+  }
+
+
+  Point<3> Discretization::deformed_position(const LA::Vector  &V,
+                                             const Node        &node,
+                                             const unsigned int face) const
+  {
+    return node.surface.position + faces[face] * node.surface.frame[2] +
+           node.surface.from_frame(displacement(V, node, face));
+  }
+
+
+  MixedElement::NodalVector Discretization::cell_values(const LA::Vector &V,
+                                                        const Cell &cell) const
+  {
+    MixedElement::NodalVector values;
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      values[i] = V(cell.dofs[i]);
+    return values;
+  }
+} // namespace Biface

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/model/shell_equations.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ShellEquations::ShellEquations(const Discretization    &discretization,
+                                 const Laminate          &laminate,
+                                 const ContactConditions &contact)
+    : discretization(discretization)
+    , stiffness(laminate.stiffness())
+    , symmetric_stiffness(laminate.is_symmetric())
+    , contact(contact)
+    , initial_resultants(discretization.cells.size(),
+                         Modes::constant(laminate.initial_resultants()))
+    , rhs(discretization.owned_vector())
+    , adder(discretization, matrix)
+  {}
+
+
+  State ShellEquations::initial_state() const
+  {
+    State state;
+    state.displacement = discretization.ghosted_vector();
+    state.resultants.resize(discretization.cells.size());
+    state.active.resize(discretization.nodes.size(), 0);
+    return state;
+  }
+
+
+  void ShellEquations::set_theory(const StrainTheory theory, const State &state)
+  {
+    if (theory == StrainTheory::linear)
+      linearization_point = state;
+    else
+      linearization_point.reset();
+  }
+
+
+  void ShellEquations::take_as_prestress(State &state)
+  {
+    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+      initial_resultants[c] += state.resultants[c];
+    state = initial_state();
+  }
+
+
+  void ShellEquations::cell_equations(const State       &state,
+                                      const Loads       &loads,
+                                      const unsigned int c,
+                                      CellEquations     &equations) const
+  {
+    const Cell  &cell = discretization.cells[c];
+    const State &base = linearization_point ? *linearization_point : state;
+    const auto   V    = discretization.cell_values(base.displacement, cell);
+    const MixedElement element(cell.geometry, V);
+
+    // the residual is that of the displacements, the tangent that of the
+    // current resultants: see NewtonIteration::mixed
+    const Modes::Vector H = stiffness.resultants(element.strain());
+    element.tangent(
+      stiffness, base.resultants[c] + initial_resultants[c], equations.tangent);
+    MixedElement::NodalVector force =
+      element.internal_force(H, initial_resultants[c]);
+
+    if (linearization_point)
+      {
+        const auto dV =
+          discretization.cell_values(state.displacement, cell) - V;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            force[i] += equations.tangent[i][j] * dV[j];
+      }
+
+    equations.residual     = -force;
+    equations.force_square = force.norm_square();
+
+    // the consistent nodal force of a constant pressure
+    const double nodal_load = loads.pressure * cell.geometry.weight / 4;
+    for (unsigned int v = 0; v < 4; ++v)
+      equations.residual[MixedElement::dof(v, 2, Resultants::inner)] +=
+        nodal_load;
+    equations.force_square += 4 * nodal_load * nodal_load;
+
+    if (loads.foundation)
+      add_contact(state, loads, cell, equations);
+  }
+
+
+  void ShellEquations::add_contact(const State   &state,
+                                   const Loads   &loads,
+                                   const Cell    &cell,
+                                   CellEquations &equations) const
+  {
+    bool any_active = false;
+    for (const unsigned int node : cell.nodes)
+      any_active = any_active || state.active[node];
+    if (!any_active)
+      return;
+
+    const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
+
+    // the foundation's normal in the frames of the nodes
+    std::array<Tensor<1, 3>, 4> m;
+    for (unsigned int r = 0; r < 4; ++r)
+      m[r] = discretization.nodes[cell.nodes[r]].surface.to_frame(
+        loads.foundation->normal());
+
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = cell.nodes[s];
+        if (!state.active[node])
+          continue;
+        const double lambda = contact.multiplier(
+          clearance(state, loads, discretization.nodes[node]), true);
+        for (unsigned int r = 0; r < 4; ++r)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const unsigned int row =
+                MixedElement::dof(r, i, Resultants::outer);
+              const double force = M[r][s] * lambda * m[r][i];
+              equations.residual[row] += force;
+              equations.force_square += force * force;
+              for (unsigned int j = 0; j < 3; ++j)
+                equations
+                  .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
+                  M[r][s] * contact.multiplier_stiffness(true) * m[r][i] *
+                  m[s][j];
+            }
+      }
+  }
+
+
+  void ShellEquations::assemble(const State &state, const Loads &loads)
+  {
+    matrix = 0;
+    rhs    = 0;
+
+    double        force_square = 0;
+    CellEquations equations;
+    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+      {
+        cell_equations(state, loads, c, equations);
+        force_square += equations.force_square;
+        adder.add(c, equations.tangent, equations.residual, matrix, rhs);
+      }
+    matrix.compress(VectorOperation::add);
+    rhs.compress(VectorOperation::add);
+    force_scale =
+      std::sqrt(Utilities::MPI::sum(force_square, discretization.communicator));
+  }
+
+
+  double ShellEquations::relative_residual() const
+  {
+    const double norm = rhs.l2_norm();
+    return norm == 0 ? 0. : norm / force_scale;
+  }
+
+
+  bool ShellEquations::is_symmetric() const
+  {
+    return symmetric_stiffness && contact.is_symmetric();
+  }
+
+
+  void ShellEquations::update(State                &state,
+                              const LA::Vector     &increment,
+                              const NewtonIteration iteration) const
+  {
+    if (iteration == NewtonIteration::mixed && !linearization_point)
+      {
+        LA::Vector ghosted_increment = discretization.ghosted_vector();
+        ghosted_increment            = increment;
+        for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+          {
+            const Cell        &cell = discretization.cells[c];
+            const MixedElement element(
+              cell.geometry,
+              discretization.cell_values(state.displacement, cell));
+            state.resultants[c] = stiffness.resultants(
+              element.strain() +
+              element.strain_variation(
+                discretization.cell_values(ghosted_increment, cell)));
+          }
+      }
+
+    LA::Vector displacement = discretization.owned_vector();
+    displacement            = state.displacement;
+    displacement += increment;
+    state.displacement = displacement;
+
+    if (iteration == NewtonIteration::substituted || linearization_point)
+      settle_resultants(state);
+  }
+
+
+  void ShellEquations::settle_resultants(State &state) const
+  {
+    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+      {
+        const Cell &cell = discretization.cells[c];
+        const auto  V    = discretization.cell_values(state.displacement, cell);
+        if (linearization_point)
+          {
+            const auto V_0 = discretization.cell_values(
+              linearization_point->displacement, cell);
+            const MixedElement element(cell.geometry, V_0);
+            state.resultants[c] = stiffness.resultants(
+              element.strain() + element.strain_variation(V - V_0));
+          }
+        else
+          state.resultants[c] =
+            stiffness.resultants(MixedElement(cell.geometry, V).strain());
+      }
+  }
+
+
+  unsigned int ShellEquations::update_active_set(State       &state,
+                                                 const Loads &loads) const
+  {
+    unsigned int n_changes = 0;
+    for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+      {
+        const Node &node = discretization.nodes[n];
+        const bool  active =
+          loads.foundation && node.outer_face_free &&
+          ContactConditions::should_be_active(clearance(state, loads, node));
+        if (active != static_cast<bool>(state.active[n]))
+          {
+            state.active[n] = active;
+            if (node.locally_owned)
+              ++n_changes;
+          }
+      }
+    return Utilities::MPI::sum(n_changes, discretization.communicator);
+  }
+
+
+  double ShellEquations::clearance(const State &state,
+                                   const Loads &loads,
+                                   const Node  &node) const
+  {
+    return loads.foundation->clearance(discretization.deformed_position(
+      state.displacement, node, Resultants::outer));
+  }
+
+
+  double ShellEquations::pressure(const State       &state,
+                                  const Loads       &loads,
+                                  const unsigned int node) const
+  {
+    if (!state.active[node])
+      return 0;
+    return -contact.multiplier(
+      clearance(state, loads, discretization.nodes[node]), true);
+  }
+
+
+  ContactSummary ShellEquations::summarize_contact(const State &state,
+                                                   const Loads &loads) const
+  {
+    double       force = 0, area = 0, max_pressure = 0;
+    unsigned int n_nodes = 0;
+    if (loads.foundation)
+      {
+        for (const Cell &cell : discretization.cells)
+          for (const unsigned int node : cell.nodes)
+            if (state.active[node])
+              {
+                // the columns of both masses add up to a quarter each
+                force +=
+                  pressure(state, loads, node) * cell.geometry.weight / 4;
+                area += cell.geometry.weight / 4;
+              }
+        for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+          if (discretization.nodes[n].locally_owned && state.active[n])
+            {
+              ++n_nodes;
+              max_pressure = std::max(max_pressure, pressure(state, loads, n));
+            }
+      }
+
+    const MPI_Comm communicator = discretization.communicator;
+    ContactSummary summary;
+    summary.force        = Utilities::MPI::sum(force, communicator);
+    summary.area         = Utilities::MPI::sum(area, communicator);
+    summary.n_nodes      = Utilities::MPI::sum(n_nodes, communicator);
+    summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);
+    return summary;
+  }
+
+
+  RigidPlane ShellEquations::touching_plane(const State &state) const
+  {
+    const RigidPlane through_origin(contact.normal(), 0);
+    double           height = -std::numeric_limits<double>::max();
+    for (const Node &node : discretization.nodes)
+      height = std::max(height,
+                        through_origin.height(discretization.deformed_position(
+                          state.displacement, node, Resultants::outer)));
+    return through_origin.moved(
+      -Utilities::MPI::max(height, discretization.communicator));
+  }
+
+
+  double ShellEquations::strain_energy(const State &state) const
+  {
+    double energy = 0;
+    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+      {
+        const Cell        &cell = discretization.cells[c];
+        const MixedElement element(
+          cell.geometry, discretization.cell_values(state.displacement, cell));
+        const Modes::Vector E = element.strain();
+        energy += cell.geometry.weight *
+                  (Modes::mean_product(stiffness.resultants(E), E) / 2 +
+                   Modes::mean_product(initial_resultants[c],
+                                       element.nonlinear_strain()));
+      }
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+} // namespace Biface

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/input_error.h>
+#include <biface/program/command_line.h>
+
+#include <getopt.h>
+
+namespace Biface
+{
+  CommandLine::CommandLine(int argc, char **argv)
+  {
+    const option options[] = {{"set", required_argument, nullptr, 's'},
+                              {"output", required_argument, nullptr, 'o'},
+                              {"print-parameters", no_argument, nullptr, 'p'},
+                              {"check", no_argument, nullptr, 'c'},
+                              {"version", no_argument, nullptr, 'v'},
+                              {"help", no_argument, nullptr, 'h'},
+                              {nullptr, 0, nullptr, 0}};
+    opterr                 = 0; // errors are ours to tell
+    optind                 = 0; // begin anew, also on a second call
+
+    int found;
+    while ((found = getopt_long(argc, argv, ":", options, nullptr)) != -1)
+      switch (found)
+        {
+          case 's':
+            overrides.emplace_back(optarg);
+            break;
+          case 'o':
+            overrides.emplace_back(std::string("Output/Directory=") + optarg);
+            break;
+          case 'p':
+            action = Action::print_parameters;
+            break;
+          case 'c':
+            action = Action::check;
+            break;
+          case 'v':
+            action = Action::print_version;
+            break;
+          case 'h':
+            action = Action::print_help;
+            break;
+          case ':':
+            throw InputError("the option '" + std::string(argv[optind - 1]) +
+                             "' needs a value; see --help.");
+          default:
+            throw InputError("there is no option '" +
+                             std::string(argv[optind - 1]) + "'; see --help.");
+        }
+
+    if (optind < argc)
+      file_name = argv[optind++];
+    if (optind < argc)
+      throw InputError("the command line names '" + file_name + "' and '" +
+                       argv[optind] + "', but one parameter file is allowed.");
+    if (file_name.empty() && (action == Action::run || action == Action::check))
+      throw InputError("the command line names no parameter file; see --help.");
+  }
+
+
+  std::string CommandLine::help()
+  {
+    return "Usage: biface [options] FILE.prm\n"
+           "\n"
+           "Nonlinear analysis of a layered shell in contact, as described by "
+           "a parameter\nfile.\n"
+           "\n"
+           "  --set \"Section/Entry=value\"  override the file (repeatable)\n"
+           "  --output DIR                 where the results go\n"
+           "  --print-parameters           print all entries with their "
+           "documentation\n"
+           "  --check                      read and check the file, do not "
+           "run\n"
+           "  --version                    print the version\n"
+           "  --help                       print this text\n"
+           "\n"
+           "Exit codes: 0 done, 1 wrong input, 2 no convergence (what was "
+           "reached is kept),\n3 internal error.\n";
+  }
+} // namespace Biface

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/parameter_tools.h>
+#include <biface/program/parameters.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void Parameters::add_parameters(ParameterHandler  &prm,
+                                  const unsigned int n_stages)
+  {
+    prm.enter_subsection("Surface");
+    add_choice(prm,
+               "Meridian",
+               meridian,
+               {"circular arc"},
+               "The curve that is turned about the y axis, the axle of a "
+               "wheel, to make the reference surface.");
+    prm.enter_subsection("Circular arc");
+    circular_arc.add_parameters(prm);
+    prm.leave_subsection();
+    prm.leave_subsection();
+
+    prm.enter_subsection("Mesh");
+    mesh.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Laminate");
+    laminate.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Supports");
+    supports.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Contact");
+    contact.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.declare_entry("Number of stages",
+                      std::to_string(n_stages),
+                      Patterns::Integer(1, 1000),
+                      "How many sections 'Stage 1', 'Stage 2', ... there are. "
+                      "Each goes on from the end of the one before it.");
+    stages.resize(n_stages);
+    for (unsigned int i = 0; i < n_stages; ++i)
+      {
+        prm.enter_subsection("Stage " + std::to_string(i + 1));
+        stages[i].add_parameters(prm, i + 1);
+        prm.leave_subsection();
+      }
+
+    prm.enter_subsection("Newton");
+    newton.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Step control");
+    load_stepping.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    output.add_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+  void Parameters::check() const
+  {
+    contact.check();
+    newton.check();
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      stages[i].check("Stage " + std::to_string(i + 1));
+  }
+} // namespace Biface

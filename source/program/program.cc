@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdio>
+#include <iostream>
+
+#include <biface/base/input_error.h>
+#include <biface/base/version.h>
+#include <biface/output/results_writer.h>
+#include <biface/program/command_line.h>
+#include <biface/program/program.h>
+#include <biface/program/simulation.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void print_header(const Simulation &simulation, ConditionalOStream &out)
+    {
+      const Discretization &discretization =
+        simulation.get_equations().discretization;
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(discretization.communicator);
+      const std::string blas = blas_library();
+
+      out << "biface " << version() << ", " << n_ranks
+          << (n_ranks == 1 ? " rank" : " ranks") << ", "
+          << discretization.n_cells() << " cells, "
+          << discretization.n_unknowns() << " unknowns\n"
+          << "BLAS: " << blas << '\n';
+      if (blas.find("openblas") == std::string::npos &&
+          blas.find("mkl") == std::string::npos)
+        out << "  (not OpenBLAS: linear solves may take several times as long; "
+               "on Debian, install libopenblas0-pthread)\n";
+      out << std::endl;
+    }
+
+
+    void print_step(const StepReport &report, ConditionalOStream &out)
+    {
+      char line[160];
+      std::snprintf(line,
+                    sizeof(line),
+                    "  force %.6g, contact %u nodes, area %.6g, greatest "
+                    "pressure %.4g, %u iterations, %.2f s",
+                    report.contact.force,
+                    report.contact.n_nodes,
+                    report.contact.area,
+                    report.contact.max_pressure,
+                    report.iterations,
+                    report.seconds);
+      out << line << std::endl;
+    }
+
+
+    /** Approach and force of all steps with contact. */
+    void print_load_deflection(const std::vector<StepReport> &reports,
+                               ConditionalOStream            &out)
+    {
+      out << "\n  approach        force   nodes         area  greatest "
+             "pressure\n";
+      for (const StepReport &report : reports)
+        if (report.stage->contact)
+          {
+            char line[128];
+            std::snprintf(line,
+                          sizeof(line),
+                          "%10.4g %12.6g %7u %12.6g %18.4g\n",
+                          report.approach,
+                          report.contact.force,
+                          report.contact.n_nodes,
+                          report.contact.area,
+                          report.contact.max_pressure);
+            out << line;
+          }
+      out << std::flush;
+    }
+
+
+    ExitCode run_simulation(const Parameters       &parameters,
+                            const ParameterHandler &prm,
+                            const bool              check_only,
+                            const MPI_Comm          communicator,
+                            std::ostream           &stream,
+                            ConditionalOStream     &err)
+    {
+      Simulation          simulation(parameters, communicator, stream);
+      ConditionalOStream &out = simulation.get_stream();
+      print_header(simulation, out);
+      if (check_only)
+        {
+          out << "The parameters are in order." << std::endl;
+          return done;
+        }
+
+      ResultsWriter writer(parameters.output, simulation.get_equations());
+      writer.write_parameters(prm);
+
+      std::vector<StepReport>  reports;
+      const LoadSteppingResult result =
+        simulation.run([&](const StepReport &report, const State &state) {
+          TimerOutput::Scope scope(simulation.get_timer(), "Output");
+          print_step(report, out);
+          writer.write_step(report, state);
+          reports.push_back(report);
+        });
+
+      print_load_deflection(reports, out);
+      simulation.get_timer().print_summary();
+      out << (result.success ? "Results" : "What was reached") << " in "
+          << parameters.output.directory
+          << ": history.csv, shell.pvd (for ParaView), contact-*.csv, "
+             "profile-*.csv, parameters.prm"
+          << std::endl;
+      if (!result.success)
+        {
+          err << "biface: " << result.message << "; " << reports.size()
+              << " converged steps are kept." << std::endl;
+          return no_convergence;
+        }
+      return done;
+    }
+  } // namespace
+
+
+  ExitCode run_program(int            argc,
+                       char         **argv,
+                       const MPI_Comm communicator,
+                       std::ostream  &out_stream,
+                       std::ostream  &err_stream)
+  {
+    const bool is_root = (Utilities::MPI::this_mpi_process(communicator) == 0);
+    ConditionalOStream out(out_stream, is_root);
+    ConditionalOStream err(err_stream, is_root);
+    limit_blas_threads();
+
+    std::string source;
+    try
+      {
+        const CommandLine command_line(argc, argv);
+        using Action = CommandLine::Action;
+
+        if (command_line.action == Action::print_help)
+          out << CommandLine::help();
+        else if (command_line.action == Action::print_version)
+          out << "biface " << version() << std::endl;
+        else
+          {
+            Parameters       parameters;
+            ParameterHandler prm;
+            read_parameters(command_line.file_name,
+                            command_line.overrides,
+                            communicator,
+                            parameters,
+                            prm);
+            if (command_line.action == Action::print_parameters)
+              {
+                if (is_root)
+                  prm.print_parameters(
+                    out_stream,
+                    ParameterHandler::PRM |
+                      ParameterHandler::KeepDeclarationOrder);
+                return done;
+              }
+            source = command_line.file_name + ": ";
+            return run_simulation(parameters,
+                                  prm,
+                                  command_line.action == Action::check,
+                                  communicator,
+                                  out_stream,
+                                  err);
+          }
+        return done;
+      }
+    catch (const InputError &error)
+      {
+        err << "biface: " << source << error.what() << std::endl;
+        return wrong_input;
+      }
+  }
+} // namespace Biface

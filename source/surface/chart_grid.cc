@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+#include <biface/base/input_error.h>
+#include <biface/surface/chart_grid.h>
+#include <biface/surface/intervals.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::array<std::string, 2> entry_names{
+      {"Mesh/Intervals alpha_1", "Mesh/Intervals alpha_2"}};
+  }
+
+
+  void ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string form =
+      " A comma-separated list of adjoining intervals: 'begin:end:n' is n "
+      "equal cells, 'begin:end:n:q' is n cells each q times as long as the "
+      "one before, 'begin:end:n:smooth' is n cells whose lengths continue "
+      "those of the adjoining interval geometrically. Unit: degrees for an "
+      "angle, length otherwise.";
+    prm.add_parameter("Intervals alpha_1",
+                      intervals[0],
+                      "Cells along the first coordinate (the meridian)." + form,
+                      Patterns::Anything());
+    prm.add_parameter("Intervals alpha_2",
+                      intervals[1],
+                      "Cells along the second coordinate (around the axis)." +
+                        form,
+                      Patterns::Anything());
+    prm.add_parameter("Closed in alpha_2",
+                      closed,
+                      "Whether the second coordinate runs through a full turn "
+                      "and closes, so that it has no edges.",
+                      Patterns::Bool());
+  }
+
+
+  ChartGrid::ChartGrid(const Parameters       &parameters,
+                       const ReferenceSurface &surface)
+    : closed(parameters.closed)
+  {
+    for (unsigned int a = 0; a < 2; ++a)
+      lines[a] = parse_intervals(
+        entry_names[a], parameters.intervals[a], surface.coordinate_unit(a));
+
+    if (closed)
+      {
+        const double turn = surface.get_periodicity()[1];
+        const double span = lines[1].back() - lines[1].front();
+        if (turn == 0 || std::abs(span - turn) > 1e-12 * turn)
+          throw InputError(entry_names[1],
+                           parameters.intervals[1],
+                           "a closed coordinate must span 360 degrees");
+        if (lines[1].size() < 4)
+          throw InputError(entry_names[1],
+                           parameters.intervals[1],
+                           "a closed coordinate needs at least 3 cells");
+      }
+  }
+
+
+  void create_triangulation(const ReferenceSurface &surface,
+                            const ChartGrid        &grid,
+                            Triangulation<2, 3>    &triangulation)
+  {
+    const unsigned int n_1 = grid.lines[0].size() - 1;
+    const unsigned int n_2 = grid.lines[1].size() - 1;
+    // lines of alpha_2 that carry vertices of their own
+    const unsigned int m_2 = grid.closed ? n_2 : n_2 + 1;
+
+    const auto vertex = [&](const unsigned int i, const unsigned int j) {
+      return i + (n_1 + 1) * (j % m_2);
+    };
+
+    std::vector<Point<3>> vertices;
+    vertices.reserve((n_1 + 1) * m_2);
+    for (unsigned int j = 0; j < m_2; ++j)
+      for (unsigned int i = 0; i <= n_1; ++i)
+        vertices.push_back(
+          surface.push_forward(Point<2>(grid.lines[0][i], grid.lines[1][j])));
+
+    std::vector<CellData<2>> cells;
+    cells.reserve(n_1 * n_2);
+    SubCellData edges;
+    const auto  add_edge =
+      [&](const unsigned int v, const unsigned int w, const Edge edge) {
+        CellData<1> line;
+        line.vertices    = {v, w};
+        line.boundary_id = static_cast<types::boundary_id>(edge);
+        line.manifold_id = 0;
+        edges.boundary_lines.push_back(line);
+      };
+
+    for (unsigned int j = 0; j < n_2; ++j)
+      {
+        for (unsigned int i = 0; i < n_1; ++i)
+          {
+            CellData<2> cell;
+            cell.vertices    = {vertex(i, j),
+                                vertex(i + 1, j),
+                                vertex(i, j + 1),
+                                vertex(i + 1, j + 1)};
+            cell.manifold_id = 0;
+            cells.push_back(cell);
+          }
+        add_edge(vertex(0, j), vertex(0, j + 1), Edge::alpha_1_min);
+        add_edge(vertex(n_1, j), vertex(n_1, j + 1), Edge::alpha_1_max);
+      }
+    if (!grid.closed)
+      for (unsigned int i = 0; i < n_1; ++i)
+        {
+          add_edge(vertex(i, 0), vertex(i + 1, 0), Edge::alpha_2_min);
+          add_edge(vertex(i, n_2), vertex(i + 1, n_2), Edge::alpha_2_max);
+        }
+
+    triangulation.set_manifold(0, surface);
+    triangulation.create_triangulation(vertices, cells, edges);
+    triangulation.set_all_manifold_ids(0);
+  }
+} // namespace Biface

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <limits>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/surface/intervals.h>
+
+#include <boost/math/tools/roots.hpp>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int max_cells = 1000000;
+
+    struct Interval
+    {
+      std::string  text;
+      double       begin;
+      double       end;
+      unsigned int n_cells;
+      double       ratio;
+      bool         smooth;
+
+      /** Length of the cell number @p i. */
+      double cell_length(const unsigned int i) const
+      {
+        const double sum =
+          (ratio == 1 ? n_cells : (std::pow(ratio, n_cells) - 1) / (ratio - 1));
+        return (end - begin) / sum * std::pow(ratio, i);
+      }
+    };
+
+
+    Interval parse_interval(const std::string &entry, const std::string &text)
+    {
+      const std::string form = "an interval is written begin:end:cells, "
+                               "begin:end:cells:ratio or "
+                               "begin:end:cells:smooth";
+
+      const std::vector<std::string> parts =
+        Utilities::split_string_list(text, ':');
+      if (parts.size() < 3 || parts.size() > 4)
+        throw InputError(entry, text, form);
+
+      Interval interval{text, 0, 0, 0, 1, false};
+      interval.begin = parse_number(entry, parts[0], form);
+      interval.end   = parse_number(entry, parts[1], form);
+      if (!(interval.end > interval.begin))
+        throw InputError(
+          entry, text, "the end of an interval must lie above its begin");
+
+      const double n = parse_number(entry, parts[2], form);
+      if (!(n >= 1 && n <= max_cells && n == std::floor(n)))
+        throw InputError(entry,
+                         text,
+                         "an interval must have a whole number of cells from "
+                         "1 to " +
+                           std::to_string(max_cells));
+      interval.n_cells = static_cast<unsigned int>(n);
+
+      if (parts.size() == 4)
+        {
+          if (parts[3] == "smooth")
+            interval.smooth = true;
+          else
+            {
+              interval.ratio = parse_number(entry, parts[3], form);
+              if (!(interval.ratio >= 0.01 && interval.ratio <= 100))
+                throw InputError(entry,
+                                 text,
+                                 "the ratio of neighboring cells must lie "
+                                 "between 0.01 and 100");
+            }
+        }
+      return interval;
+    }
+
+
+    /**
+     * The ratio q for which cells of the lengths l q, l q^2, ..., l q^n fill
+     * the given length.
+     */
+    double
+    smooth_ratio(const double length, const unsigned int n, const double l)
+    {
+      const auto excess = [&](const double log_q) {
+        double sum = 0;
+        for (unsigned int k = 1; k <= n; ++k)
+          sum += std::exp(k * log_q);
+        return sum - length / l;
+      };
+      // the sum lies between q and n q^n for q >= 1, and below n q otherwise
+      const double bound = std::log(length / l);
+      const double lower = std::min(bound - std::log(n), 0.) - 1;
+      const double upper = std::max(bound, 0.) + 1;
+
+      std::uintmax_t max_iterations = 200;
+      const auto     bracket        = boost::math::tools::toms748_solve(
+        excess,
+        lower,
+        upper,
+        boost::math::tools::eps_tolerance<double>(52),
+        max_iterations);
+      return std::exp((bracket.first + bracket.second) / 2);
+    }
+
+
+    void resolve_smooth(const std::string     &entry,
+                        std::vector<Interval> &intervals)
+    {
+      for (unsigned int i = 0; i < intervals.size(); ++i)
+        if (intervals[i].smooth)
+          {
+            Interval    &interval = intervals[i];
+            const double length   = interval.end - interval.begin;
+            if (i > 0 && !intervals[i - 1].smooth)
+              interval.ratio = smooth_ratio(
+                length,
+                interval.n_cells,
+                intervals[i - 1].cell_length(intervals[i - 1].n_cells - 1));
+            else if (i + 1 < intervals.size() && !intervals[i + 1].smooth)
+              interval.ratio =
+                1 / smooth_ratio(length,
+                                 interval.n_cells,
+                                 intervals[i + 1].cell_length(0));
+            else
+              throw InputError(entry,
+                               interval.text,
+                               "'smooth' needs an adjoining interval whose "
+                               "cells are given");
+          }
+    }
+  } // namespace
+
+
+  std::vector<double> parse_intervals(const std::string &entry,
+                                      const std::string &list,
+                                      const double       unit)
+  {
+    std::vector<Interval> intervals;
+    for (const std::string &text : Utilities::split_string_list(list, ','))
+      intervals.push_back(parse_interval(entry, text));
+    if (intervals.empty())
+      throw InputError(entry, list, "it must hold at least one interval");
+
+    for (unsigned int i = 1; i < intervals.size(); ++i)
+      if (intervals[i].begin != intervals[i - 1].end)
+        throw InputError(entry,
+                         list,
+                         "each interval must begin where the one before it "
+                         "ends: '" +
+                           intervals[i].text +
+                           (intervals[i].begin < intervals[i - 1].end
+                              ? "' overlaps '"
+                              : "' leaves a gap after '") +
+                           intervals[i - 1].text + "'");
+    resolve_smooth(entry, intervals);
+
+    std::vector<double> lines(1, intervals.front().begin * unit);
+    for (const Interval &interval : intervals)
+      {
+        double line = interval.begin;
+        for (unsigned int i = 0; i + 1 < interval.n_cells; ++i)
+          {
+            if (interval.ratio == 1)
+              line = interval.begin + (interval.end - interval.begin) *
+                                        (i + 1.) / interval.n_cells;
+            else
+              line += interval.cell_length(i);
+            lines.push_back(line * unit);
+          }
+        lines.push_back(interval.end * unit);
+      }
+
+    for (unsigned int i = 1; i < lines.size(); ++i)
+      if (!(lines[i] - lines[i - 1] > 1e-9 * (lines.back() - lines.front())))
+        throw InputError(
+          entry, list, "its cells must be longer than 1e-9 of the whole");
+    return lines;
+  }
+} // namespace Biface

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/surface/meridian.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void CircularArc::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Radius",
+                      radius,
+                      "Radius R_1 of the arc. Positive. Unit: length.",
+                      Patterns::Double());
+    prm.add_parameter("Center radius",
+                      center_radius,
+                      "Distance of the arc's center from the axis of "
+                      "revolution (R_0 - R_1 for a torus of outer radius R_0; "
+                      "0 for a sphere). Not negative. Unit: length.",
+                      Patterns::Double());
+  }
+
+
+  CircularArc::CircularArc(const Parameters &parameters)
+    : radius(parameters.radius), center_radius(parameters.center_radius)
+  {
+    check_positive("Surface/Circular arc/Radius", radius);
+    check_not_negative("Surface/Circular arc/Center radius", center_radius);
+  }
+
+
+  Meridian::PointOfCurve CircularArc::evaluate(const double s) const
+  {
+    const Tensor<1, 2> outward({std::cos(s), std::sin(s)});
+    const Tensor<1, 2> along({-std::sin(s), std::cos(s)});
+    return {Point<2>(center_radius, 0) + radius * outward,
+            radius * along,
+            -radius * outward};
+  }
+
+
+  double CircularArc::parameter_of(const Point<2> &point) const
+  {
+    return std::atan2(point[1], point[0] - center_radius);
+  }
+
+
+  double CircularArc::coordinate_unit() const
+  {
+    return numbers::PI / 180;
+  }
+
+
+  std::pair<double, double> CircularArc::smallest_radius(const double begin,
+                                                         const double end) const
+  {
+    // cos s falls monotonically from the equator to +-180 degrees
+    const double s = (std::abs(begin) > std::abs(end) ? begin : end);
+    return {center_radius + radius * std::cos(s), s};
+  }
+} // namespace Biface

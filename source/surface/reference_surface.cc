@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  dealii::DerivativeForm<1, 2, 3>
+  ReferenceSurface::push_forward_gradient(const dealii::Point<2> &alpha) const
+  {
+    const SurfacePoint              point = evaluate(alpha);
+    dealii::DerivativeForm<1, 2, 3> tangents;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int a = 0; a < 2; ++a)
+        tangents[i][a] = point.lame[a] * point.frame[a][i];
+    return tangents;
+  }
+} // namespace Biface
