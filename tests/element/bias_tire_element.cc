@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// An element of the bias tire has the stiffness, strains, resultants, internal
+// force, tangent and energy of an independent implementation.
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_manifold.h>
+#include <deal.II/grid/tria.h>
+
+#include <biface/element/mixed_element.h>
+#include <biface/laminate/laminate.h>
+#include <biface/surface/surface_of_revolution.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  std::vector<double> numbers_of(const boost::property_tree::ptree &node)
+  {
+    if (node.empty())
+      return {node.get_value<double>()};
+    std::vector<double> numbers;
+    for (const auto &child : node)
+      for (const double number : numbers_of(child.second))
+        numbers.push_back(number);
+    return numbers;
+  }
+
+
+  template <typename Vector>
+  void compare(const std::string         &what,
+               const Vector              &ours,
+               const std::vector<double> &reference)
+  {
+    double deviation = 0, scale = 0;
+    for (unsigned int i = 0; i < reference.size(); ++i)
+      {
+        deviation = std::max(deviation, std::abs(ours[i] - reference[i]));
+        scale     = std::max(scale, std::abs(reference[i]));
+      }
+    check_small(what, deviation, 1e-11, scale);
+  }
+
+
+  // the reference lists nodes with alpha_2 running fastest
+  constexpr unsigned int reference_node[4] = {0, 2, 1, 3};
+
+  std::vector<double> in_order_of_reference(const MixedElement::NodalVector &v)
+  {
+    std::vector<double> result(24);
+    for (unsigned int n = 0; n < 4; ++n)
+      for (unsigned int i = 0; i < 6; ++i)
+        result[6 * reference_node[n] + i] = v[6 * n + i];
+    return result;
+  }
+} // namespace
+
+
+int main()
+{
+  boost::property_tree::ptree reference;
+  boost::property_tree::read_json(DATA_DIR "/bias_tire_element.json",
+                                  reference);
+  const auto values = [&](const std::string &name) {
+    return numbers_of(reference.get_child(name));
+  };
+
+  Laminate::Parameters parameters;
+  const Laminate       laminate(parameters);
+  const auto           D  = laminate.stiffness();
+  parameters.law          = ThicknessLaw::asymmetric;
+  const auto D_asymmetric = Laminate(parameters).stiffness();
+
+  std::vector<double> entries, entries_asymmetric;
+  for (unsigned int i = 0; i < Resultants::n; ++i)
+    for (unsigned int j = 0; j < Resultants::n; ++j)
+      {
+        entries.push_back(D[i][j]);
+        entries_asymmetric.push_back(D_asymmetric[i][j]);
+      }
+  compare("D, symmetric law", entries, values("D_symmetric"));
+  compare("D, asymmetric law", entries_asymmetric, values("D_asymmetric"));
+
+  // one cell of the torus
+  const SurfaceOfRevolution surface(
+    std::make_shared<CircularArc>(CircularArc::Parameters()));
+  std::vector<Point<3>> vertices;
+  for (const double phi : {10, 15})
+    for (const double psi : {40, 45})
+      vertices.push_back(
+        surface.push_forward(Point<2>(psi, phi) * numbers::PI / 180));
+  CellData<2> cell;
+  cell.vertices    = {0, 1, 2, 3};
+  cell.manifold_id = 0;
+  Triangulation<2, 3> triangulation;
+  triangulation.set_manifold(0, surface);
+  triangulation.create_triangulation(vertices, {cell}, SubCellData());
+  triangulation.set_all_manifold_ids(0);
+
+  const MappingManifold<2, 3> mapping;
+  const FE_Q<2, 3>            fe(1);
+  FEValues<2, 3>              at_vertices(
+    mapping, fe, QTrapezoid<2>(), update_quadrature_points | update_gradients);
+  FEValues<2, 3> at_center(
+    mapping, fe, QMidpoint<2>(), update_quadrature_points | update_JxW_values);
+  at_vertices.reinit(triangulation.begin_active());
+  at_center.reinit(triangulation.begin_active());
+  const ElementGeometry geometry =
+    compute_element_geometry(at_vertices, at_center, surface, laminate.faces());
+  compare("element weight",
+          std::vector<double>{geometry.weight},
+          values("element_weight"));
+
+  MixedElement::NodalVector V, ones;
+  for (unsigned int n = 0; n < 4; ++n)
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        V[6 * n + i]    = 0.1 * std::sin(1 + 0.7 * (6 * reference_node[n] + i));
+        ones[6 * n + i] = 1;
+      }
+
+  const MixedElement  element(geometry, V);
+  const Modes::Vector E         = element.strain();
+  const char         *groups[4] = {"E_00", "E_xi2", "E_xi1", "E_xi1xi2"};
+  for (unsigned int m = 0; m < 4; ++m)
+    {
+      std::vector<double> modes(Resultants::n, 0.);
+      const auto         &group = Modes::groups[m];
+      for (unsigned int i = 0; i < group.size; ++i)
+        modes[group.strains[i]] = E[group.first_mode + i];
+      compare(groups[m], modes, values(groups[m]));
+    }
+
+  const ModeStiffness stiffness(D);
+  const Modes::Vector H = stiffness.resultants(E);
+  compare("H_00", H, values("H_00"));
+  compare("internal force",
+          in_order_of_reference(element.internal_force(H, Modes::Vector())),
+          values("internal_force"));
+
+  MixedElement::NodalMatrix K;
+  element.tangent(stiffness, H, K);
+  MixedElement::NodalVector K_ones, K_V;
+  double                    trace = 0;
+  for (unsigned int i = 0; i < 24; ++i)
+    {
+      trace += K[i][i];
+      for (unsigned int j = 0; j < 24; ++j)
+        {
+          K_ones[i] += K[i][j] * ones[j];
+          K_V[i] += K[i][j] * V[j];
+        }
+    }
+  compare("tangent times ones",
+          in_order_of_reference(K_ones),
+          values("tangent_times_ones"));
+  compare(
+    "tangent times V", in_order_of_reference(K_V), values("tangent_times_V"));
+  compare("trace of the tangent",
+          std::vector<double>{trace},
+          values("tangent_trace"));
+  compare("strain energy",
+          std::vector<double>{geometry.weight * Modes::mean_product(H, E) / 2},
+          values("strain_energy"));
+}
