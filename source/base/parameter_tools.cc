@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
@@ -28,9 +29,9 @@ namespace Biface
 
   std::string number_to_string(const double value)
   {
-    char       text[64];
-    const auto result = std::to_chars(text, text + sizeof(text), value);
-    return std::string(text, result.ptr);
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", value);
+    return text;
   }
 
 

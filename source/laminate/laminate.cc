@@ -83,6 +83,12 @@ namespace Biface
       const std::string form =
         "each ply is written 'thickness @ angle' with two numbers";
 
+      const std::string material = "Laminate/Ply material";
+      check_positive(material + "/E_L", parameters.E_L);
+      check_positive(material + "/E_T", parameters.E_T);
+      check_positive(material + "/G_LT", parameters.G_LT);
+      check_positive(material + "/G_TT", parameters.G_TT);
+
       const SymmetricTensor<4, 3> stiffness =
         OrthotropicMaterial::transversely_isotropic(parameters.E_L,
                                                     parameters.E_T,
@@ -90,7 +96,7 @@ namespace Biface
                                                     parameters.G_TT,
                                                     parameters.nu_LT,
                                                     parameters.nu_TT)
-          .stiffness("Laminate/Ply material");
+          .stiffness(material);
 
       std::vector<Ply> plies;
       for (const std::string &text :

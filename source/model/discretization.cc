@@ -4,6 +4,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <set>
@@ -91,6 +92,11 @@ namespace Biface
     dof_handler.distribute_dofs(fe);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+
+    const BoundingBox<3> box = GridTools::compute_bounding_box(triangulation);
+    diameter =
+      (box.get_boundary_points().second - box.get_boundary_points().first)
+        .norm();
 
     make_constraints(supports);
     collect_cells_and_nodes();

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <regex>
 #include <sstream>
@@ -48,26 +49,50 @@ namespace Biface
     }
 
 
-    /** The section of a file that a line (counted from 1) stands in, as
-     * "Section/Subsection/". */
-    std::string section_at_line(const std::string &text,
-                                const unsigned int number)
+    /** The sections of a file that its lines stand in, as
+     * "Section/Subsection/". The first line has the number 1. */
+    std::vector<std::string> sections_of_lines(const std::string &text)
     {
-      std::vector<std::string> sections;
+      std::vector<std::string> result(1);
+      std::string              path;
       std::istringstream       lines(text);
       std::string              line;
-      for (unsigned int i = 1; i < number && std::getline(lines, line); ++i)
+      while (std::getline(lines, line))
         {
+          result.push_back(path);
           line = Utilities::trim(line.substr(0, line.find('#')));
-          if (std::regex_search(line, std::regex("^subsection\\s")))
-            sections.push_back(Utilities::trim(line.substr(10)));
-          else if (line == "end" && !sections.empty())
-            sections.pop_back();
+          std::smatch match;
+          if (std::regex_match(line, match, std::regex("subsection\\s+(.*)")))
+            path += match[1].str() + "/";
+          else if (line == "end" && !path.empty())
+            path.erase(path.find_last_of('/', path.size() - 2) + 1);
         }
-      std::string path;
-      for (const std::string &section : sections)
-        path += section + "/";
-      return path;
+      return result;
+    }
+
+
+    /** ParameterHandler silently takes the last of two settings of one entry:
+     * more likely, one of them is a mistake. */
+    void check_duplicates(const std::string &source, const std::string &text)
+    {
+      const std::vector<std::string>      sections = sections_of_lines(text);
+      std::map<std::string, unsigned int> line_of_entry;
+      std::istringstream                  lines(text);
+      std::string                         line;
+      for (unsigned int number = 1; std::getline(lines, line); ++number)
+        {
+          std::smatch match;
+          if (!std::regex_match(
+                line, match, std::regex("\\s*set\\s+([^=#]*[^=#\\s])\\s*=.*")))
+            continue;
+          const std::string name  = sections[number] + match[1].str();
+          const auto        entry = line_of_entry.emplace(name, number);
+          if (!entry.second)
+            throw InputError(
+              source + ", line " + std::to_string(number) + ": the entry '" +
+              name + "' is set a second time, but line " +
+              std::to_string(entry.first->second) + " has set it already.");
+        }
     }
 
 
@@ -174,20 +199,23 @@ namespace Biface
       const std::string said = Utilities::trim(
         std::regex_replace(stream.str(), std::regex("\\s+"), " "));
 
-      std::smatch match;
-      const auto  is = [&](const std::string &form) {
+      const std::vector<std::string> sections = sections_of_lines(text);
+      std::smatch                    match;
+      const auto                     is = [&](const std::string &form) {
         return std::regex_match(said, match, std::regex(form));
       };
-      const std::string line  = "Line <([0-9]+)> of file <[^>]*>:? ?";
+      const std::string line  = "Line <([0-9]+)> of file <input string>?: ";
       const auto        where = [&](const std::string &number) {
-        return source + ", line " + number + ": ";
+        // a setting of the command line is one line to its reader
+        return source +
+               (source.rfind("--set", 0) == 0 ? "" : ", line " + number) + ": ";
       };
 
       if (is(line + "The entry value (.*) for the entry named (.*) does not "
                     "match the given pattern: (.*)"))
         {
           const std::string name =
-            section_at_line(text, std::stoi(match[1])) + match[3].str();
+            sections.at(std::stoi(match[1])) + match[3].str();
           return where(match[1]) +
                  InputError(name, match[2], allowed_by(match[4])).what();
         }
@@ -196,10 +224,14 @@ namespace Biface
           is(line + "There is no such subsection to be entered: (.*)"))
         {
           const std::string name =
-            section_at_line(text, std::stoi(match[1])) + match[2].str();
+            sections.at(std::stoi(match[1])) + match[2].str();
           return where(match[1]) + "there is no entry '" + name +
                  "'; the nearest name is '" + nearest_name(prm, name) + "'.";
         }
+      if (is(line + "The line <(.*)> could not be parsed.*"))
+        return where(match[1]) + "'" + match[2].str() +
+               "' is none of 'set ENTRY = VALUE', 'subsection NAME', 'end', "
+               "'include FILE', and no comment.";
       if (is(line + "(.*)"))
         return where(match[1]) + match[2].str();
       if (is("There are unequal numbers of 'subsection' and 'end'.*"))
@@ -264,11 +296,14 @@ namespace Biface
 
     // the number of stages decides which sections there are
     ParameterHandler number_only;
-    unsigned int     n_stages = 2;
+    unsigned int     n_stages = 1;
     number_only.add_parameter(
       "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
     for (const auto &source : sources)
-      parse(number_only, source.first, source.second, true);
+      {
+        check_duplicates(source.first, source.second);
+        parse(number_only, source.first, source.second, true);
+      }
 
     parameters.add_parameters(prm, n_stages);
     for (const auto &source : sources)

@@ -38,7 +38,7 @@ namespace Biface
                          std::ostream     &stream)
     : parameters(parameters)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
-    , timer(communicator, out, TimerOutput::never, TimerOutput::wall_times)
+    , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , laminate(parameters.laminate)
     , discretization(communicator,
                      make_surface(parameters),

@@ -170,6 +170,7 @@ namespace Biface
                 report.approach   = (stage.contact ? next.travel : 0.);
                 report.contact    = equations.summarize_contact(state, loads);
                 report.iterations = newton.iterations;
+                report.residuals  = newton.residuals;
                 report.seconds    = timer.wall_time();
                 observer(report, state);
               }

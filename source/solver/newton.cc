@@ -139,6 +139,13 @@ namespace Biface
           last_update = increment.linfty_norm();
           ++result.iterations;
 
+          if (!(last_update <= equations.discretization.size()))
+            {
+              result.message = "the iteration diverged: an update exceeded "
+                               "the size of the shell";
+              return result;
+            }
+
           char update[16];
           std::snprintf(update, sizeof(update), "%9.3e", last_update);
           print(update, count_active());

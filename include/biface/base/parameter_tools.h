@@ -18,7 +18,7 @@ namespace Biface
    * number, 0 or above. */
   void check_not_negative(const std::string &entry, const double value);
 
-  /** A number in the shortest form that is read back as the same. */
+  /** A number as a person would write it, with up to ten digits. */
   std::string number_to_string(const double value);
 
   /**

@@ -125,6 +125,12 @@ namespace Biface
       return triangulation.n_global_active_cells();
     }
 
+    /** The diagonal of the box around the reference surface. Unit: length. */
+    double size() const
+    {
+      return diameter;
+    }
+
     /** A vector whose entries can be read at all nodes of this rank. */
     LA::Vector ghosted_vector() const;
 
@@ -156,7 +162,8 @@ namespace Biface
     const dealii::MappingManifold<2, 3>           mapping;
     const dealii::FESystem<2, 3>                  fe;
     dealii::DoFHandler<2, 3>                      dof_handler;
-    dealii::types::global_dof_index               n_free = 0;
+    dealii::types::global_dof_index               n_free   = 0;
+    double                                        diameter = 0;
   };
 } // namespace Biface
 

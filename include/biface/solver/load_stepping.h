@@ -52,7 +52,9 @@ namespace Biface
     double         approach = 0;
     ContactSummary contact;
     unsigned int   iterations = 0;
-    double         seconds    = 0;
+    /** Relative residuals before each iteration, and after the last. */
+    std::vector<double> residuals;
+    double              seconds = 0;
   };
 
 
