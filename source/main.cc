@@ -7,7 +7,8 @@
 
 #include <biface/program/program.h>
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   // MPI takes its own words out of the command line; one thread a rank
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

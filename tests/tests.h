@@ -14,10 +14,11 @@
  * numbers would slip through: so the judgement is made here, and the number is
  * printed only where it is bad.
  */
-inline void check_small(const std::string &what,
-                        const double       deviation,
-                        const double       bound,
-                        const double       scale = 1)
+inline void
+check_small(const std::string &what,
+            const double       deviation,
+            const double       bound,
+            const double       scale = 1)
 {
   const double fraction = std::abs(deviation) / scale;
   std::cout << what << ": ";
@@ -29,10 +30,11 @@ inline void check_small(const std::string &what,
 
 
 /** Print whether a number lies in a range. */
-inline void check_range(const std::string &what,
-                        const double       value,
-                        const double       low,
-                        const double       high)
+inline void
+check_range(const std::string &what,
+            const double       value,
+            const double       low,
+            const double       high)
 {
   std::cout << what << ": ";
   if (value >= low && value <= high)
@@ -44,7 +46,8 @@ inline void check_range(const std::string &what,
 
 
 /** Print whether something is so. */
-inline void check_true(const std::string &what, const bool so)
+inline void
+check_true(const std::string &what, const bool so)
 {
   std::cout << what << ": " << (so ? "yes" : "FAILED, no") << std::endl;
 }

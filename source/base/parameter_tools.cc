@@ -11,7 +11,8 @@
 
 namespace Biface
 {
-  void check_positive(const std::string &entry, const double value)
+  void
+  check_positive(const std::string &entry, const double value)
   {
     if (!(std::isfinite(value) && value > 0))
       throw InputError(
@@ -19,7 +20,8 @@ namespace Biface
   }
 
 
-  void check_not_negative(const std::string &entry, const double value)
+  void
+  check_not_negative(const std::string &entry, const double value)
   {
     if (!(std::isfinite(value) && value >= 0))
       throw InputError(
@@ -27,7 +29,8 @@ namespace Biface
   }
 
 
-  std::string number_to_string(const double value)
+  std::string
+  number_to_string(const double value)
   {
     char text[32];
     std::snprintf(text, sizeof(text), "%.10g", value);
@@ -35,9 +38,10 @@ namespace Biface
   }
 
 
-  double parse_number(const std::string &entry,
-                      const std::string &text,
-                      const std::string &allowed)
+  double
+  parse_number(const std::string &entry,
+               const std::string &text,
+               const std::string &allowed)
   {
     const std::string trimmed = dealii::Utilities::trim(text);
     double            value   = 0;

@@ -9,13 +9,15 @@
 
 namespace Biface
 {
-  std::string version()
+  std::string
+  version()
   {
     return BIFACE_VERSION;
   }
 
 
-  std::string blas_library()
+  std::string
+  blas_library()
   {
     Dl_info info;
     void   *dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
@@ -30,7 +32,8 @@ namespace Biface
   }
 
 
-  void limit_blas_threads()
+  void
+  limit_blas_threads()
   {
     for (const char *variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"})
       if (std::getenv(variable) != nullptr)

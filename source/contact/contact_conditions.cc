@@ -10,7 +10,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  void ContactConditions::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  ContactConditions::Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Plane normal",
                       normal,
@@ -33,7 +34,8 @@ namespace Biface
   }
 
 
-  void ContactConditions::Parameters::check() const
+  void
+  ContactConditions::Parameters::check() const
   {
     check_positive("Contact/Regularization", regularization);
     if (!(std::isfinite(normal.norm()) && normal.norm() > 0))

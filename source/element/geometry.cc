@@ -8,10 +8,11 @@ namespace Biface
 {
   using namespace dealii;
 
-  ElementGeometry compute_element_geometry(const FEValues<2, 3>   &at_vertices,
-                                           const FEValues<2, 3>   &at_center,
-                                           const ReferenceSurface &surface,
-                                           const std::array<double, 2> &faces)
+  ElementGeometry
+  compute_element_geometry(const FEValues<2, 3>        &at_vertices,
+                           const FEValues<2, 3>        &at_center,
+                           const ReferenceSurface      &surface,
+                           const std::array<double, 2> &faces)
   {
     ElementGeometry geometry;
     for (unsigned int q = 0; q < 4; ++q)

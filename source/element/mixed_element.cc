@@ -12,9 +12,10 @@ namespace Biface
     constexpr std::array<double, 2> beta_sign{{-1, 1}};
 
 
-    Tensor<1, 3> nodal_displacement(const MixedElement::NodalVector &V,
-                                    const unsigned int               vertex,
-                                    const unsigned int               face)
+    Tensor<1, 3>
+    nodal_displacement(const MixedElement::NodalVector &V,
+                       const unsigned int               vertex,
+                       const unsigned int               face)
     {
       Tensor<1, 3> v;
       for (unsigned int i = 0; i < 3; ++i)
@@ -45,10 +46,11 @@ namespace Biface
 
 
     /** The transpose of displacement_gradient(). */
-    void add_nodal_force(const ElementGeometry      &geometry,
-                         const DisplacementGradient &conjugate,
-                         const unsigned int          q,
-                         MixedElement::NodalVector  &force)
+    void
+    add_nodal_force(const ElementGeometry      &geometry,
+                    const DisplacementGradient &conjugate,
+                    const unsigned int          q,
+                    MixedElement::NodalVector  &force)
     {
       const ElementGeometry::Vertex &vertex = geometry.vertices[q];
       for (unsigned int face = 0; face < 2; ++face)
@@ -70,8 +72,8 @@ namespace Biface
 
 
     /** What does work on the linear part of the strains. */
-    DisplacementGradient linear_conjugate(const Resultants::Vector &H,
-                                          const ThicknessMetric    &metric)
+    DisplacementGradient
+    linear_conjugate(const Resultants::Vector &H, const ThicknessMetric &metric)
     {
       using namespace Resultants;
       DisplacementGradient p;
@@ -100,7 +102,8 @@ namespace Biface
   }
 
 
-  Modes::Vector MixedElement::strain() const
+  Modes::Vector
+  MixedElement::strain() const
   {
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
@@ -110,7 +113,8 @@ namespace Biface
   }
 
 
-  Modes::Vector MixedElement::strain_variation(const NodalVector &dV) const
+  Modes::Vector
+  MixedElement::strain_variation(const NodalVector &dV) const
   {
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
@@ -122,7 +126,8 @@ namespace Biface
   }
 
 
-  Modes::Vector MixedElement::nonlinear_strain() const
+  Modes::Vector
+  MixedElement::nonlinear_strain() const
   {
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
@@ -159,7 +164,8 @@ namespace Biface
   }
 
 
-  void MixedElement::strain_matrix(StrainMatrix &B) const
+  void
+  MixedElement::strain_matrix(StrainMatrix &B) const
   {
     using namespace Resultants;
 
@@ -239,8 +245,9 @@ namespace Biface
   }
 
 
-  void MixedElement::add_geometric_stiffness(const Modes::Vector &H,
-                                             NodalMatrix         &K) const
+  void
+  MixedElement::add_geometric_stiffness(const Modes::Vector &H,
+                                        NodalMatrix         &K) const
   {
     const auto resultants = Modes::to_vertices(geometry.weight * H);
 
@@ -339,9 +346,10 @@ namespace Biface
   }
 
 
-  void MixedElement::tangent(const ModeStiffness &stiffness,
-                             const Modes::Vector &H,
-                             NodalMatrix         &K) const
+  void
+  MixedElement::tangent(const ModeStiffness &stiffness,
+                        const Modes::Vector &H,
+                        NodalMatrix         &K) const
   {
     alignas(64) StrainMatrix B;
     strain_matrix(B);

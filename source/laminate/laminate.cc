@@ -12,7 +12,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  void Laminate::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  Laminate::Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Ply material");
     prm.add_parameter("E_L",
@@ -77,7 +78,8 @@ namespace Biface
 
   namespace
   {
-    std::vector<Ply> parse_plies(const Laminate::Parameters &parameters)
+    std::vector<Ply>
+    parse_plies(const Laminate::Parameters &parameters)
     {
       const std::string entry = "Laminate/Plies";
       const std::string form =
@@ -120,8 +122,8 @@ namespace Biface
     }
 
 
-    void parse_initial_stresses(const std::string &text,
-                                std::vector<Ply>  &plies)
+    void
+    parse_initial_stresses(const std::string &text, std::vector<Ply> &plies)
     {
       const std::string entry = "Laminate/Initial ply stresses";
       const std::string form =
@@ -164,7 +166,8 @@ namespace Biface
   {}
 
 
-  double Laminate::thickness() const
+  double
+  Laminate::thickness() const
   {
     double h = 0;
     for (const Ply &ply : plies)
@@ -173,7 +176,8 @@ namespace Biface
   }
 
 
-  std::array<double, 2> Laminate::faces() const
+  std::array<double, 2>
+  Laminate::faces() const
   {
     const double h = thickness();
     switch (reference)
@@ -190,7 +194,8 @@ namespace Biface
   }
 
 
-  bool Laminate::is_symmetric() const
+  bool
+  Laminate::is_symmetric() const
   {
     return law != ThicknessLaw::asymmetric;
   }
@@ -228,7 +233,8 @@ namespace Biface
   } // namespace
 
 
-  Resultants::Matrix Laminate::stiffness() const
+  Resultants::Matrix
+  Laminate::stiffness() const
   {
     using namespace Resultants;
 
@@ -307,7 +313,8 @@ namespace Biface
   }
 
 
-  Resultants::Vector Laminate::initial_resultants() const
+  Resultants::Vector
+  Laminate::initial_resultants() const
   {
     using namespace Resultants;
 

@@ -25,8 +25,8 @@ namespace Biface
   }
 
 
-  OrthotropicMaterial OrthotropicMaterial::isotropic(const double E,
-                                                     const double nu)
+  OrthotropicMaterial
+  OrthotropicMaterial::isotropic(const double E, const double nu)
   {
     const double G = E / (2 * (1 + nu));
     return {E, E, E, G, G, G, nu, nu, nu};
@@ -81,7 +81,8 @@ namespace Biface
 
   namespace
   {
-    Tensor<2, 3> rotation(const double angle)
+    Tensor<2, 3>
+    rotation(const double angle)
     {
       return Physics::Transformations::Rotations::rotation_matrix_3d(
         Point<3>(0, 0, 1), angle);
@@ -98,8 +99,8 @@ namespace Biface
   }
 
 
-  SymmetricTensor<2, 3> rotate_about_normal(const SymmetricTensor<2, 3> &stress,
-                                            const double                 angle)
+  SymmetricTensor<2, 3>
+  rotate_about_normal(const SymmetricTensor<2, 3> &stress, const double angle)
   {
     return Physics::Transformations::Contravariant::push_forward(
       stress, rotation(angle));

@@ -76,11 +76,12 @@ namespace Biface
   }
 
 
-  void CellMatrixAdder::add(const unsigned int               cell,
-                            const MixedElement::NodalMatrix &cell_matrix,
-                            const MixedElement::NodalVector &cell_vector,
-                            LA::SparseMatrix                &matrix,
-                            LA::Vector                      &vector)
+  void
+  CellMatrixAdder::add(const unsigned int               cell,
+                       const MixedElement::NodalMatrix &cell_matrix,
+                       const MixedElement::NodalVector &cell_vector,
+                       LA::SparseMatrix                &matrix,
+                       LA::Vector                      &vector)
   {
     const Cell &data = discretization.cells[cell];
     if (fast_cell[cell] != numbers::invalid_unsigned_int)

@@ -21,9 +21,10 @@ namespace Biface
   {
     /** Check that the surface and both faces are regular at all grid points.
      */
-    void check_geometry(const ReferenceSurface      &surface,
-                        const ChartGrid             &grid,
-                        const std::array<double, 2> &faces)
+    void
+    check_geometry(const ReferenceSurface      &surface,
+                   const ChartGrid             &grid,
+                   const std::array<double, 2> &faces)
     {
       double size = 0;
       for (const double alpha_1 : grid.lines[0])
@@ -103,7 +104,8 @@ namespace Biface
   }
 
 
-  void Discretization::make_constraints(const Supports &supports)
+  void
+  Discretization::make_constraints(const Supports &supports)
   {
     constraints.reinit(locally_relevant);
     for (unsigned int edge = 0; edge < 4; ++edge)
@@ -135,7 +137,8 @@ namespace Biface
   }
 
 
-  void Discretization::collect_cells_and_nodes()
+  void
+  Discretization::collect_cells_and_nodes()
   {
     const FE_Q<2, 3> scalar_fe(1);
     FEValues<2, 3>   at_vertices(mapping,
@@ -210,21 +213,24 @@ namespace Biface
   }
 
 
-  LA::Vector Discretization::ghosted_vector() const
+  LA::Vector
+  Discretization::ghosted_vector() const
   {
     return LA::Vector(locally_owned, locally_relevant, communicator);
   }
 
 
-  LA::Vector Discretization::owned_vector() const
+  LA::Vector
+  Discretization::owned_vector() const
   {
     return LA::Vector(locally_owned, communicator);
   }
 
 
-  Tensor<1, 3> Discretization::displacement(const LA::Vector  &V,
-                                            const Node        &node,
-                                            const unsigned int face) const
+  Tensor<1, 3>
+  Discretization::displacement(const LA::Vector  &V,
+                               const Node        &node,
+                               const unsigned int face) const
   {
     Tensor<1, 3> v;
     for (unsigned int i = 0; i < 3; ++i)
@@ -233,17 +239,18 @@ namespace Biface
   }
 
 
-  Point<3> Discretization::deformed_position(const LA::Vector  &V,
-                                             const Node        &node,
-                                             const unsigned int face) const
+  Point<3>
+  Discretization::deformed_position(const LA::Vector  &V,
+                                    const Node        &node,
+                                    const unsigned int face) const
   {
     return node.surface.position + faces[face] * node.surface.frame[2] +
            node.surface.from_frame(displacement(V, node, face));
   }
 
 
-  MixedElement::NodalVector Discretization::cell_values(const LA::Vector &V,
-                                                        const Cell &cell) const
+  MixedElement::NodalVector
+  Discretization::cell_values(const LA::Vector &V, const Cell &cell) const
   {
     MixedElement::NodalVector values;
     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)

@@ -26,7 +26,8 @@ namespace Biface
   {}
 
 
-  State ShellEquations::initial_state() const
+  State
+  ShellEquations::initial_state() const
   {
     State state;
     state.displacement = discretization.ghosted_vector();
@@ -36,7 +37,8 @@ namespace Biface
   }
 
 
-  void ShellEquations::set_theory(const StrainTheory theory, const State &state)
+  void
+  ShellEquations::set_theory(const StrainTheory theory, const State &state)
   {
     if (theory == StrainTheory::linear)
       linearization_point = state;
@@ -45,7 +47,8 @@ namespace Biface
   }
 
 
-  void ShellEquations::take_as_prestress(State &state)
+  void
+  ShellEquations::take_as_prestress(State &state)
   {
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
       initial_resultants[c] += state.resultants[c];
@@ -53,10 +56,11 @@ namespace Biface
   }
 
 
-  void ShellEquations::cell_equations(const State       &state,
-                                      const Loads       &loads,
-                                      const unsigned int c,
-                                      CellEquations     &equations) const
+  void
+  ShellEquations::cell_equations(const State       &state,
+                                 const Loads       &loads,
+                                 const unsigned int c,
+                                 CellEquations     &equations) const
   {
     const Cell  &cell = discretization.cells[c];
     const State &base = linearization_point ? *linearization_point : state;
@@ -95,10 +99,11 @@ namespace Biface
   }
 
 
-  void ShellEquations::add_contact(const State   &state,
-                                   const Loads   &loads,
-                                   const Cell    &cell,
-                                   CellEquations &equations) const
+  void
+  ShellEquations::add_contact(const State   &state,
+                              const Loads   &loads,
+                              const Cell    &cell,
+                              CellEquations &equations) const
   {
     bool any_active = false;
     for (const unsigned int node : cell.nodes)
@@ -139,7 +144,8 @@ namespace Biface
   }
 
 
-  void ShellEquations::assemble(const State &state, const Loads &loads)
+  void
+  ShellEquations::assemble(const State &state, const Loads &loads)
   {
     matrix = 0;
     rhs    = 0;
@@ -159,22 +165,25 @@ namespace Biface
   }
 
 
-  double ShellEquations::relative_residual() const
+  double
+  ShellEquations::relative_residual() const
   {
     const double norm = rhs.l2_norm();
     return norm == 0 ? 0. : norm / force_scale;
   }
 
 
-  bool ShellEquations::is_symmetric() const
+  bool
+  ShellEquations::is_symmetric() const
   {
     return symmetric_stiffness && contact.is_symmetric();
   }
 
 
-  void ShellEquations::update(State                &state,
-                              const LA::Vector     &increment,
-                              const NewtonIteration iteration) const
+  void
+  ShellEquations::update(State                &state,
+                         const LA::Vector     &increment,
+                         const NewtonIteration iteration) const
   {
     if (iteration == NewtonIteration::mixed && !linearization_point)
       {
@@ -203,7 +212,8 @@ namespace Biface
   }
 
 
-  void ShellEquations::settle_resultants(State &state) const
+  void
+  ShellEquations::settle_resultants(State &state) const
   {
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
       {
@@ -224,8 +234,8 @@ namespace Biface
   }
 
 
-  unsigned int ShellEquations::update_active_set(State       &state,
-                                                 const Loads &loads) const
+  unsigned int
+  ShellEquations::update_active_set(State &state, const Loads &loads) const
   {
     unsigned int n_changes = 0;
     for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
@@ -245,18 +255,20 @@ namespace Biface
   }
 
 
-  double ShellEquations::clearance(const State &state,
-                                   const Loads &loads,
-                                   const Node  &node) const
+  double
+  ShellEquations::clearance(const State &state,
+                            const Loads &loads,
+                            const Node  &node) const
   {
     return loads.foundation->clearance(discretization.deformed_position(
       state.displacement, node, Resultants::outer));
   }
 
 
-  double ShellEquations::pressure(const State       &state,
-                                  const Loads       &loads,
-                                  const unsigned int node) const
+  double
+  ShellEquations::pressure(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node) const
   {
     if (!state.active[node])
       return 0;
@@ -265,8 +277,9 @@ namespace Biface
   }
 
 
-  ContactSummary ShellEquations::summarize_contact(const State &state,
-                                                   const Loads &loads) const
+  ContactSummary
+  ShellEquations::summarize_contact(const State &state,
+                                    const Loads &loads) const
   {
     double       force = 0, area = 0, max_pressure = 0;
     unsigned int n_nodes = 0;
@@ -299,7 +312,8 @@ namespace Biface
   }
 
 
-  RigidPlane ShellEquations::touching_plane(const State &state) const
+  RigidPlane
+  ShellEquations::touching_plane(const State &state) const
   {
     const RigidPlane through_origin(contact.normal(), 0);
     double           height = -std::numeric_limits<double>::max();
@@ -312,7 +326,8 @@ namespace Biface
   }
 
 
-  double ShellEquations::strain_energy(const State &state) const
+  double
+  ShellEquations::strain_energy(const State &state) const
   {
     double energy = 0;
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)

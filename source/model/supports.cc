@@ -5,7 +5,8 @@
 
 namespace Biface
 {
-  void Supports::add_parameters(dealii::ParameterHandler &prm)
+  void
+  Supports::add_parameters(dealii::ParameterHandler &prm)
   {
     const std::array<std::string, 4> names{
       {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};

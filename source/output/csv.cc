@@ -15,7 +15,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  std::string csv_number(const double value)
+  std::string
+  csv_number(const double value)
   {
     char text[32];
     std::snprintf(text, sizeof(text), "%.12g", value == 0 ? 0. : value);
@@ -23,10 +24,11 @@ namespace Biface
   }
 
 
-  void write_text(const std::string &path,
-                  const std::string &text,
-                  const bool         append,
-                  const MPI_Comm     communicator)
+  void
+  write_text(const std::string &path,
+             const std::string &text,
+             const bool         append,
+             const MPI_Comm     communicator)
   {
     std::string reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -44,10 +46,11 @@ namespace Biface
   }
 
 
-  void write_csv(const std::string &path,
-                 const std::string &header,
-                 const Rows        &rows,
-                 const MPI_Comm     communicator)
+  void
+  write_csv(const std::string &path,
+            const std::string &header,
+            const Rows        &rows,
+            const MPI_Comm     communicator)
   {
     Rows all_rows;
     for (const Rows &part : Utilities::MPI::gather(communicator, rows))

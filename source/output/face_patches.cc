@@ -88,13 +88,15 @@ namespace Biface
   }
 
 
-  const std::vector<DataOutBase::Patch<2, 3>> &FacePatches::get_patches() const
+  const std::vector<DataOutBase::Patch<2, 3>> &
+  FacePatches::get_patches() const
   {
     return patches;
   }
 
 
-  std::vector<std::string> FacePatches::get_dataset_names() const
+  std::vector<std::string>
+  FacePatches::get_dataset_names() const
   {
     return dataset_names;
   }

@@ -17,7 +17,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  void ResultsWriter::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  ResultsWriter::Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Directory",
                       directory,
@@ -41,9 +42,10 @@ namespace Biface
   {
     /** A node's coordinate as a person writes it. Free of round-off, so that
      * nodes of one coordinate line agree in it. */
-    double chart_coordinate(const ReferenceSurface &surface,
-                            const Node             &node,
-                            const unsigned int      a)
+    double
+    chart_coordinate(const ReferenceSurface &surface,
+                     const Node             &node,
+                     const unsigned int      a)
     {
       return std::round(node.alpha[a] / surface.coordinate_unit(a) * 1e9) / 1e9;
     }
@@ -78,7 +80,8 @@ namespace Biface
   }
 
 
-  void ResultsWriter::write_parameters(const ParameterHandler &prm) const
+  void
+  ResultsWriter::write_parameters(const ParameterHandler &prm) const
   {
     std::ostringstream text;
     prm.print_parameters(
@@ -90,7 +93,8 @@ namespace Biface
   }
 
 
-  void ResultsWriter::write_step(const StepReport &report, const State &state)
+  void
+  ResultsWriter::write_step(const StepReport &report, const State &state)
   {
     write_contact(report, state);
     write_profile(report, state);
@@ -100,7 +104,8 @@ namespace Biface
   }
 
 
-  void ResultsWriter::append_history(const StepReport &report) const
+  void
+  ResultsWriter::append_history(const StepReport &report) const
   {
     std::ostringstream line;
     line << report.step << ',' << report.stage->name << ','
@@ -117,8 +122,9 @@ namespace Biface
   }
 
 
-  void ResultsWriter::write_contact(const StepReport &report,
-                                    const State      &state) const
+  void
+  ResultsWriter::write_contact(const StepReport &report,
+                               const State      &state) const
   {
     const Discretization   &discretization = equations.discretization;
     const ReferenceSurface &surface        = discretization.get_surface();
@@ -153,8 +159,9 @@ namespace Biface
   }
 
 
-  void ResultsWriter::write_profile(const StepReport &report,
-                                    const State      &state) const
+  void
+  ResultsWriter::write_profile(const StepReport &report,
+                               const State      &state) const
   {
     const Discretization   &discretization = equations.discretization;
     const ReferenceSurface &surface        = discretization.get_surface();
@@ -199,7 +206,8 @@ namespace Biface
   }
 
 
-  void ResultsWriter::write_vtu(const StepReport &report, const State &state)
+  void
+  ResultsWriter::write_vtu(const StepReport &report, const State &state)
   {
     const MPI_Comm communicator = equations.discretization.communicator;
 
@@ -220,7 +228,8 @@ namespace Biface
   }
 
 
-  std::string ResultsWriter::path(const std::string &name) const
+  std::string
+  ResultsWriter::path(const std::string &name) const
   {
     return parameters.directory + "/" + name;
   }

@@ -59,7 +59,8 @@ namespace Biface
   }
 
 
-  std::string CommandLine::help()
+  std::string
+  CommandLine::help()
   {
     return "Usage: biface [options] FILE.prm\n"
            "\n"

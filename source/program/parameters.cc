@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/parameter_tools.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  void Parameters::add_parameters(ParameterHandler  &prm,
-                                  const unsigned int n_stages)
+  void
+  Parameters::add_parameters(ParameterHandler &prm, const unsigned int n_stages)
   {
     prm.enter_subsection("Surface");
-    add_choice(prm,
-               "Meridian",
-               meridian,
-               {"circular arc"},
-               "The curve that is turned about the y axis, the axle of a "
-               "wheel, to make the reference surface.");
-    prm.enter_subsection("Circular arc");
-    circular_arc.add_parameters(prm);
-    prm.leave_subsection();
+    surface.add_parameters(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("Mesh");
@@ -65,7 +56,8 @@ namespace Biface
   }
 
 
-  void Parameters::check() const
+  void
+  Parameters::check() const
   {
     contact.check();
     newton.check();

@@ -18,7 +18,8 @@ namespace Biface
 
   namespace
   {
-    void print_header(const Simulation &simulation, ConditionalOStream &out)
+    void
+    print_header(const Simulation &simulation, ConditionalOStream &out)
     {
       const Discretization &discretization =
         simulation.get_equations().discretization;
@@ -39,7 +40,8 @@ namespace Biface
     }
 
 
-    void print_step(const StepReport &report, ConditionalOStream &out)
+    void
+    print_step(const StepReport &report, ConditionalOStream &out)
     {
       char line[160];
       std::snprintf(line,
@@ -57,8 +59,9 @@ namespace Biface
 
 
     /** Approach and force of all steps with contact. */
-    void print_load_deflection(const std::vector<StepReport> &reports,
-                               ConditionalOStream            &out)
+    void
+    print_load_deflection(const std::vector<StepReport> &reports,
+                          ConditionalOStream            &out)
     {
       out << "\n  approach        force   nodes         area  greatest "
              "pressure\n";
@@ -80,12 +83,13 @@ namespace Biface
     }
 
 
-    ExitCode run_simulation(const Parameters       &parameters,
-                            const ParameterHandler &prm,
-                            const bool              check_only,
-                            const MPI_Comm          communicator,
-                            std::ostream           &stream,
-                            ConditionalOStream     &err)
+    ExitCode
+    run_simulation(const Parameters       &parameters,
+                   const ParameterHandler &prm,
+                   const bool              check_only,
+                   const MPI_Comm          communicator,
+                   std::ostream           &stream,
+                   ConditionalOStream     &err)
     {
       Simulation          simulation(parameters, communicator, stream);
       ConditionalOStream &out = simulation.get_stream();
@@ -126,11 +130,12 @@ namespace Biface
   } // namespace
 
 
-  ExitCode run_program(int            argc,
-                       char         **argv,
-                       const MPI_Comm communicator,
-                       std::ostream  &out_stream,
-                       std::ostream  &err_stream)
+  ExitCode
+  run_program(int            argc,
+              char         **argv,
+              const MPI_Comm communicator,
+              std::ostream  &out_stream,
+              std::ostream  &err_stream)
   {
     const bool is_root = (Utilities::MPI::this_mpi_process(communicator) == 0);
     ConditionalOStream out(out_stream, is_root);

@@ -4,11 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <regex>
@@ -16,6 +12,7 @@
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
+#include <biface/base/read_file.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
@@ -24,34 +21,10 @@ namespace Biface
 
   namespace
   {
-    /** The text of a file, from the first rank. */
-    std::string read_file(const std::string &file_name,
-                          const MPI_Comm     communicator)
-    {
-      std::string text, reason;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          std::error_code error;
-          errno = 0;
-          std::ifstream file(file_name);
-          if (std::filesystem::is_directory(file_name, error))
-            reason = "it is a directory";
-          else if (!file)
-            reason = std::strerror(errno);
-          else
-            text.assign(std::istreambuf_iterator<char>(file), {});
-        }
-      reason = Utilities::MPI::broadcast(communicator, reason);
-      if (!reason.empty())
-        throw InputError(file_name + ": the parameter file cannot be read (" +
-                         reason + ").");
-      return Utilities::MPI::broadcast(communicator, text);
-    }
-
-
     /** The sections of a file that its lines stand in, as
      * "Section/Subsection/". The first line has the number 1. */
-    std::vector<std::string> sections_of_lines(const std::string &text)
+    std::vector<std::string>
+    sections_of_lines(const std::string &text)
     {
       std::vector<std::string> result(1);
       std::string              path;
@@ -73,7 +46,8 @@ namespace Biface
 
     /** ParameterHandler silently takes the last of two settings of one entry:
      * more likely, one of them is a mistake. */
-    void check_duplicates(const std::string &source, const std::string &text)
+    void
+    check_duplicates(const std::string &source, const std::string &text)
     {
       const std::vector<std::string>      sections = sections_of_lines(text);
       std::map<std::string, unsigned int> line_of_entry;
@@ -97,7 +71,8 @@ namespace Biface
 
 
     /** Full names of all entries and sections. */
-    std::vector<std::string> declared_names(const ParameterHandler &prm)
+    std::vector<std::string>
+    declared_names(const ParameterHandler &prm)
     {
       std::ostringstream text;
       prm.print_parameters(text,
@@ -127,7 +102,8 @@ namespace Biface
 
 
     /** Number of single-letter edits between two words. */
-    unsigned int edit_distance(const std::string &a, const std::string &b)
+    unsigned int
+    edit_distance(const std::string &a, const std::string &b)
     {
       std::vector<unsigned int> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0);
@@ -146,8 +122,8 @@ namespace Biface
     }
 
 
-    std::string nearest_name(const ParameterHandler &prm,
-                             const std::string      &name)
+    std::string
+    nearest_name(const ParameterHandler &prm, const std::string &name)
     {
       const std::vector<std::string> names = declared_names(prm);
       return *std::min_element(
@@ -158,7 +134,8 @@ namespace Biface
 
 
     /** What a pattern of deal.II allows, in words. */
-    std::string allowed_by(const std::string &pattern)
+    std::string
+    allowed_by(const std::string &pattern)
     {
       std::smatch match;
       if (std::regex_match(pattern, match, std::regex("\\[Selection (.*) \\]")))
@@ -189,10 +166,11 @@ namespace Biface
 
 
     /** One sentence from what ParameterHandler has to say. */
-    std::string sentence(const ExceptionBase    &exception,
-                         const std::string      &source,
-                         const std::string      &text,
-                         const ParameterHandler &prm)
+    std::string
+    sentence(const ExceptionBase    &exception,
+             const std::string      &source,
+             const std::string      &text,
+             const ParameterHandler &prm)
     {
       std::ostringstream stream;
       exception.print_info(stream);
@@ -242,10 +220,11 @@ namespace Biface
     }
 
 
-    void parse(ParameterHandler  &prm,
-               const std::string &source,
-               const std::string &text,
-               const bool         skip_undefined)
+    void
+    parse(ParameterHandler  &prm,
+          const std::string &source,
+          const std::string &text,
+          const bool         skip_undefined)
     {
       try
         {
@@ -259,7 +238,8 @@ namespace Biface
 
 
     /** "A/B/C=v" as the text of a parameter file. */
-    std::string override_text(const Override &setting)
+    std::string
+    override_text(const Override &setting)
     {
       const auto equals = setting.find('=');
       if (equals == std::string::npos || equals == 0)
@@ -282,11 +262,12 @@ namespace Biface
   } // namespace
 
 
-  void read_parameters(const std::string           &file_name,
-                       const std::vector<Override> &overrides,
-                       const MPI_Comm               communicator,
-                       Parameters                  &parameters,
-                       ParameterHandler            &prm)
+  void
+  read_parameters(const std::string           &file_name,
+                  const std::vector<Override> &overrides,
+                  const MPI_Comm               communicator,
+                  Parameters                  &parameters,
+                  ParameterHandler            &prm)
   {
     std::vector<std::pair<std::string, std::string>> sources;
     if (!file_name.empty())
@@ -308,6 +289,11 @@ namespace Biface
     parameters.add_parameters(prm, n_stages);
     for (const auto &source : sources)
       parse(prm, source.first, source.second, false);
+
+    std::string &points_file = parameters.surface.points_file;
+    if (!points_file.empty())
+      points_file =
+        (std::filesystem::path(file_name).parent_path() / points_file).string();
 
     try
       {

@@ -5,33 +5,10 @@
 #include <memory>
 
 #include <biface/program/simulation.h>
-#include <biface/surface/surface_of_revolution.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  namespace
-  {
-    std::unique_ptr<ReferenceSurface> make_surface(const Parameters &parameters)
-    {
-      switch (parameters.meridian)
-        {
-          case Parameters::MeridianType::circular_arc:
-            return std::make_unique<SurfaceOfRevolution>(
-              std::make_shared<CircularArc>(parameters.circular_arc));
-        }
-      Assert(false, ExcInternalError());
-      return {};
-    }
-
-
-    ChartGrid make_grid(const Parameters &parameters)
-    {
-      return ChartGrid(parameters.mesh, *make_surface(parameters));
-    }
-  } // namespace
-
 
   Simulation::Simulation(const Parameters &parameters,
                          const MPI_Comm    communicator,
@@ -41,8 +18,9 @@ namespace Biface
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , laminate(parameters.laminate)
     , discretization(communicator,
-                     make_surface(parameters),
-                     make_grid(parameters),
+                     make_surface(parameters.surface, communicator),
+                     ChartGrid(parameters.mesh,
+                               *make_surface(parameters.surface, communicator)),
                      laminate.faces(),
                      parameters.supports)
     , contact(parameters.contact)
@@ -52,7 +30,8 @@ namespace Biface
   {}
 
 
-  LoadSteppingResult Simulation::run(const LoadStepping::Observer &observer)
+  LoadSteppingResult
+  Simulation::run(const LoadStepping::Observer &observer)
   {
     Newton newton(parameters.newton, equations, linear_solver, out, timer);
     LoadStepping load_stepping(

@@ -7,9 +7,10 @@
 
 namespace Biface
 {
-  LinearSolverResult check_solution(const LA::SparseMatrix &A,
-                                    const LA::Vector       &x,
-                                    const LA::Vector       &b)
+  LinearSolverResult
+  check_solution(const LA::SparseMatrix &A,
+                 const LA::Vector       &x,
+                 const LA::Vector       &b)
   {
     LA::Vector   residual(b);
     const double norm_b = b.l2_norm();

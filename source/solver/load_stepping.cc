@@ -13,7 +13,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  void Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
+  void
+  Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
   {
     name = "stage " + std::to_string(number);
     prm.add_parameter("Name",
@@ -57,7 +58,8 @@ namespace Biface
   }
 
 
-  void Stage::check(const std::string &section) const
+  void
+  Stage::check(const std::string &section) const
   {
     if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
       throw InputError(section + "/Name",
@@ -78,7 +80,8 @@ namespace Biface
   }
 
 
-  void LoadStepping::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  LoadStepping::Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Maximum cuts",
                       max_cuts,
@@ -96,9 +99,10 @@ namespace Biface
   {}
 
 
-  LoadSteppingResult LoadStepping::run(const std::vector<Stage> &stages,
-                                       State                    &state,
-                                       const Observer           &observer)
+  LoadSteppingResult
+  LoadStepping::run(const std::vector<Stage> &stages,
+                    State                    &state,
+                    const Observer           &observer)
   {
     LoadSteppingResult result;
     for (const Stage &stage : stages)
@@ -111,9 +115,10 @@ namespace Biface
   }
 
 
-  LoadSteppingResult LoadStepping::run_stage(const Stage    &stage,
-                                             State          &state,
-                                             const Observer &observer)
+  LoadSteppingResult
+  LoadStepping::run_stage(const Stage    &stage,
+                          State          &state,
+                          const Observer &observer)
   {
     if (stage.from_prestress)
       {
@@ -192,7 +197,8 @@ namespace Biface
   }
 
 
-  NewtonResult LoadStepping::try_step(State &state, const Loads &loads)
+  NewtonResult
+  LoadStepping::try_step(State &state, const Loads &loads)
   {
     const State  start = state;
     NewtonResult result =
@@ -211,7 +217,8 @@ namespace Biface
   }
 
 
-  Loads LoadStepping::loads_at(const LoadPoint &point, const Stage &stage) const
+  Loads
+  LoadStepping::loads_at(const LoadPoint &point, const Stage &stage) const
   {
     Loads loads;
     loads.pressure = point.pressure;

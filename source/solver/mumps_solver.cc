@@ -56,18 +56,21 @@ namespace Biface
       call(terminate);
     }
 
-    bool is_for(const LA::SparseMatrix &A, const bool symmetric) const
+    bool
+    is_for(const LA::SparseMatrix &A, const bool symmetric) const
     {
       return this->symmetric == symmetric &&
              pattern_size == A.n_nonzero_elements();
     }
 
-    int analyze()
+    int
+    analyze()
     {
       return call(analysis);
     }
 
-    int factorize(const LA::SparseMatrix &A)
+    int
+    factorize(const LA::SparseMatrix &A)
     {
       const double *matrix_values = get_storage(A).values;
       for (unsigned int k = 0; k < values.size(); ++k)
@@ -84,7 +87,8 @@ namespace Biface
       return status;
     }
 
-    int solve(LA::Vector &x, const LA::Vector &b)
+    int
+    solve(LA::Vector &x, const LA::Vector &b)
     {
       gather(b);
       mumps.rhs        = rhs.data();
@@ -103,7 +107,8 @@ namespace Biface
       solution      = 3
     };
 
-    int call(const Job job)
+    int
+    call(const Job job)
     {
       mumps.job = job;
       dmumps_c(&mumps);
@@ -111,7 +116,8 @@ namespace Biface
     }
 
     /** ICNTL as the manual numbers it. */
-    MUMPS_INT &icntl(const int i)
+    MUMPS_INT &
+    icntl(const int i)
     {
       return mumps.icntl[i - 1];
     }
@@ -124,7 +130,8 @@ namespace Biface
       double *values;
     };
 
-    static Storage get_storage(const LA::SparseMatrix &A)
+    static Storage
+    get_storage(const LA::SparseMatrix &A)
     {
       Storage   storage;
       const int error = A.trilinos_matrix().ExtractCrsDataPointers(
@@ -133,7 +140,8 @@ namespace Biface
       return storage;
     }
 
-    void collect_pattern(const LA::SparseMatrix &A)
+    void
+    collect_pattern(const LA::SparseMatrix &A)
     {
       const Epetra_CrsMatrix &epetra  = A.trilinos_matrix();
       const Storage           storage = get_storage(A);
@@ -159,7 +167,8 @@ namespace Biface
         starts[r] = starts[r - 1] + counts[r - 1];
     }
 
-    void gather(const LA::Vector &b)
+    void
+    gather(const LA::Vector &b)
     {
       MPI_Gatherv(b.begin(),
                   b.locally_owned_size(),
@@ -172,7 +181,8 @@ namespace Biface
                   communicator);
     }
 
-    void scatter(LA::Vector &x) const
+    void
+    scatter(LA::Vector &x) const
     {
       MPI_Scatterv(rhs.data(),
                    counts.data(),
@@ -213,7 +223,8 @@ namespace Biface
 
   namespace
   {
-    LinearSolverResult failure(const std::string &phase, const int status)
+    LinearSolverResult
+    failure(const std::string &phase, const int status)
     {
       LinearSolverResult result;
       result.message = "MUMPS failed in its " + phase +
@@ -227,10 +238,11 @@ namespace Biface
   } // namespace
 
 
-  LinearSolverResult MumpsSolver::solve(const LA::SparseMatrix &A,
-                                        LA::Vector             &x,
-                                        const LA::Vector       &b,
-                                        const bool              symmetric)
+  LinearSolverResult
+  MumpsSolver::solve(const LA::SparseMatrix &A,
+                     LA::Vector             &x,
+                     const LA::Vector       &b,
+                     const bool              symmetric)
   {
     if (!instance || !instance->is_for(A, symmetric))
       {

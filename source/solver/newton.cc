@@ -10,7 +10,8 @@ namespace Biface
 {
   using namespace dealii;
 
-  void Newton::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  Newton::Parameters::add_parameters(ParameterHandler &prm)
   {
     add_choice(prm,
                "Iteration",
@@ -38,7 +39,8 @@ namespace Biface
   }
 
 
-  void Newton::Parameters::check() const
+  void
+  Newton::Parameters::check() const
   {
     check_positive("Newton/Residual tolerance", residual_tolerance);
     check_not_negative("Newton/Update tolerance", update_tolerance);
@@ -58,9 +60,10 @@ namespace Biface
   {}
 
 
-  NewtonResult Newton::solve(State                &state,
-                             const Loads          &loads,
-                             const NewtonIteration iteration)
+  NewtonResult
+  Newton::solve(State                &state,
+                const Loads          &loads,
+                const NewtonIteration iteration)
   {
     const double thickness = equations.discretization.get_faces()[1] -
                              equations.discretization.get_faces()[0];

@@ -19,7 +19,8 @@ namespace Biface
   }
 
 
-  void ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
   {
     const std::string form =
       " A comma-separated list of adjoining intervals: 'begin:end:n' is n "
@@ -68,9 +69,10 @@ namespace Biface
   }
 
 
-  void create_triangulation(const ReferenceSurface &surface,
-                            const ChartGrid        &grid,
-                            Triangulation<2, 3>    &triangulation)
+  void
+  create_triangulation(const ReferenceSurface &surface,
+                       const ChartGrid        &grid,
+                       Triangulation<2, 3>    &triangulation)
   {
     const unsigned int n_1 = grid.lines[0].size() - 1;
     const unsigned int n_2 = grid.lines[1].size() - 1;

@@ -30,7 +30,8 @@ namespace Biface
       bool         smooth;
 
       /** Length of the cell number @p i. */
-      double cell_length(const unsigned int i) const
+      double
+      cell_length(const unsigned int i) const
       {
         const double sum =
           (ratio == 1 ? n_cells : (std::pow(ratio, n_cells) - 1) / (ratio - 1));
@@ -39,7 +40,8 @@ namespace Biface
     };
 
 
-    Interval parse_interval(const std::string &entry, const std::string &text)
+    Interval
+    parse_interval(const std::string &entry, const std::string &text)
     {
       const std::string form = "an interval is written begin:end:cells, "
                                "begin:end:cells:ratio or "
@@ -113,8 +115,8 @@ namespace Biface
     }
 
 
-    void resolve_smooth(const std::string     &entry,
-                        std::vector<Interval> &intervals)
+    void
+    resolve_smooth(const std::string &entry, std::vector<Interval> &intervals)
     {
       for (unsigned int i = 0; i < intervals.size(); ++i)
         if (intervals[i].smooth)
@@ -141,9 +143,10 @@ namespace Biface
   } // namespace
 
 
-  std::vector<double> parse_intervals(const std::string &entry,
-                                      const std::string &list,
-                                      const double       unit)
+  std::vector<double>
+  parse_intervals(const std::string &entry,
+                  const std::string &list,
+                  const double       unit)
   {
     std::vector<Interval> intervals;
     for (const std::string &text : Utilities::split_string_list(list, ','))

@@ -17,7 +17,8 @@ namespace Biface
   {}
 
 
-  SurfacePoint SurfaceOfRevolution::evaluate(const Point<2> &alpha) const
+  SurfacePoint
+  SurfaceOfRevolution::evaluate(const Point<2> &alpha) const
   {
     const Meridian::PointOfCurve curve  = meridian->evaluate(alpha[0]);
     const double                 r      = curve.position[0];
@@ -40,7 +41,8 @@ namespace Biface
   }
 
 
-  Point<2> SurfaceOfRevolution::pull_back(const Point<3> &point) const
+  Point<2>
+  SurfaceOfRevolution::pull_back(const Point<3> &point) const
   {
     const double r = std::hypot(point[0], point[2]);
     return Point<2>(meridian->parameter_of(Point<2>(r, point[1])),
@@ -48,13 +50,15 @@ namespace Biface
   }
 
 
-  std::unique_ptr<Manifold<2, 3>> SurfaceOfRevolution::clone() const
+  std::unique_ptr<Manifold<2, 3>>
+  SurfaceOfRevolution::clone() const
   {
     return std::make_unique<SurfaceOfRevolution>(meridian);
   }
 
 
-  double SurfaceOfRevolution::coordinate_unit(const unsigned int a) const
+  double
+  SurfaceOfRevolution::coordinate_unit(const unsigned int a) const
   {
     return a == 0 ? meridian->coordinate_unit() : numbers::PI / 180;
   }

@@ -6,7 +6,8 @@
 #include "../tests.h"
 #include "bias_tire.h"
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

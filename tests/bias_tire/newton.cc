@@ -13,7 +13,8 @@ namespace
 {
   /** The residuals of the last Newton iterations while the contact zone is at
    * rest shrink like their squares. */
-  void check_order(const std::vector<double> &residuals)
+  void
+  check_order(const std::vector<double> &residuals)
   {
     // two iterations before the last one, above round-off
     const unsigned int n     = residuals.size();
@@ -23,7 +24,8 @@ namespace
   }
 } // namespace
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

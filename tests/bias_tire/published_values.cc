@@ -21,7 +21,8 @@ namespace
   /** (psi, 3 phi) in whole degrees. */
   using Place = std::pair<int, int>;
 
-  Place place_of(const Node &node)
+  Place
+  place_of(const Node &node)
   {
     const double degree = numbers::PI / 180;
     return {static_cast<int>(std::lround(node.alpha[0] / degree)),
@@ -30,7 +31,8 @@ namespace
 
 
   /** Pressures of the paper in MPa. */
-  std::map<Place, double> read_table_1()
+  std::map<Place, double>
+  read_table_1()
   {
     std::map<Place, double>  table;
     std::ifstream            file(DATA_DIR "/table_1.csv");
@@ -53,7 +55,8 @@ namespace
   }
 
 
-  void print(const char *what, const double value, const char *format)
+  void
+  print(const char *what, const double value, const char *format)
   {
     char text[64];
     std::snprintf(text, sizeof(text), format, value);
@@ -62,7 +65,8 @@ namespace
 } // namespace
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

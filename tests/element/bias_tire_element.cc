@@ -10,6 +10,7 @@
 
 #include <biface/element/mixed_element.h>
 #include <biface/laminate/laminate.h>
+#include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 
 #include <boost/property_tree/json_parser.hpp>
@@ -20,7 +21,8 @@ using namespace Biface;
 
 namespace
 {
-  std::vector<double> numbers_of(const boost::property_tree::ptree &node)
+  std::vector<double>
+  numbers_of(const boost::property_tree::ptree &node)
   {
     if (node.empty())
       return {node.get_value<double>()};
@@ -33,9 +35,10 @@ namespace
 
 
   template <typename Vector>
-  void compare(const std::string         &what,
-               const Vector              &ours,
-               const std::vector<double> &reference)
+  void
+  compare(const std::string         &what,
+          const Vector              &ours,
+          const std::vector<double> &reference)
   {
     double deviation = 0, scale = 0;
     for (unsigned int i = 0; i < reference.size(); ++i)
@@ -50,7 +53,8 @@ namespace
   // the reference lists nodes with alpha_2 running fastest
   constexpr unsigned int reference_node[4] = {0, 2, 1, 3};
 
-  std::vector<double> in_order_of_reference(const MixedElement::NodalVector &v)
+  std::vector<double>
+  in_order_of_reference(const MixedElement::NodalVector &v)
   {
     std::vector<double> result(24);
     for (unsigned int n = 0; n < 4; ++n)
@@ -61,7 +65,8 @@ namespace
 } // namespace
 
 
-int main()
+int
+main()
 {
   boost::property_tree::ptree reference;
   boost::property_tree::read_json(DATA_DIR "/bias_tire_element.json",

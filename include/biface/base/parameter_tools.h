@@ -12,31 +12,36 @@ namespace Biface
 {
   /** Throw an InputError that names @p entry unless @p value is a finite
    * number above 0. */
-  void check_positive(const std::string &entry, const double value);
+  void
+  check_positive(const std::string &entry, const double value);
 
   /** Throw an InputError that names @p entry unless @p value is a finite
    * number, 0 or above. */
-  void check_not_negative(const std::string &entry, const double value);
+  void
+  check_not_negative(const std::string &entry, const double value);
 
   /** A number as a person would write it, with up to ten digits. */
-  std::string number_to_string(const double value);
+  std::string
+  number_to_string(const double value);
 
   /**
    * Read a whole text as a finite number. Throws InputError that says
    * "@p entry is @p text, but @p allowed" where it is anything else.
    */
-  double parse_number(const std::string &entry,
-                      const std::string &text,
-                      const std::string &allowed);
+  double
+  parse_number(const std::string &entry,
+               const std::string &text,
+               const std::string &allowed);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator whose place in @p names the text has. */
   template <typename Enum>
-  void add_choice(dealii::ParameterHandler       &prm,
-                  const std::string              &name,
-                  Enum                           &value,
-                  const std::vector<std::string> &names,
-                  const std::string              &documentation)
+  void
+  add_choice(dealii::ParameterHandler       &prm,
+             const std::string              &name,
+             Enum                           &value,
+             const std::vector<std::string> &names,
+             const std::string              &documentation)
   {
     std::string selection;
     for (const std::string &n : names)

@@ -35,10 +35,12 @@ namespace Biface
       double               regularization = 1e4;
       dealii::Tensor<1, 3> normal{{1, 0, 0}};
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /** Throws InputError where a value is not usable. */
-      void check() const;
+      void
+      check() const;
     };
 
     /** Whether a node is in contact. One byte a node: vector<bool> cannot be
@@ -50,14 +52,16 @@ namespace Biface
     {}
 
     /** The multiplier of a node. */
-    double multiplier(const double clearance, const bool active) const
+    double
+    multiplier(const double clearance, const bool active) const
     {
       return active ? parameters.regularization * clearance : 0.;
     }
 
     /** Minus the derivative of the multiplier with respect to the motion along
      * the foundation's normal. */
-    double multiplier_stiffness(const bool active) const
+    double
+    multiplier_stiffness(const bool active) const
     {
       return active ? parameters.regularization : 0.;
     }
@@ -65,23 +69,27 @@ namespace Biface
     /** Whether the node should be active, by its state now: a node apart
      * enters where it has penetrated, an active one leaves where it is pulled.
      * Both are the sign of the clearance, see multiplier(). */
-    static bool should_be_active(const double clearance)
+    static bool
+    should_be_active(const double clearance)
     {
       return clearance < 0;
     }
 
-    MultiplierMass mass() const
+    MultiplierMass
+    mass() const
     {
       return parameters.mass;
     }
 
-    const dealii::Tensor<1, 3> &normal() const
+    const dealii::Tensor<1, 3> &
+    normal() const
     {
       return parameters.normal;
     }
 
     /** Whether the tangent of the contact forces is symmetric. */
-    bool is_symmetric() const
+    bool
+    is_symmetric() const
     {
       return parameters.mass == MultiplierMass::lumped;
     }

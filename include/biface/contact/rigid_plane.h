@@ -26,25 +26,29 @@ namespace Biface
 
     /** The distance left between a point and the foundation; negative for a
      * point inside it. */
-    double clearance(const dealii::Point<3> &x) const
+    double
+    clearance(const dealii::Point<3> &x) const
     {
       return offset - height(x);
     }
 
     /** How far a point lies along the normal. */
-    double height(const dealii::Point<3> &x) const
+    double
+    height(const dealii::Point<3> &x) const
     {
       return unit_normal * x;
     }
 
     /** The normal @f$\mathbf n@f$, minus the gradient of the clearance. */
-    const dealii::Tensor<1, 3> &normal() const
+    const dealii::Tensor<1, 3> &
+    normal() const
     {
       return unit_normal;
     }
 
     /** The plane moved against its normal, into the shell. */
-    RigidPlane moved(const double travel) const
+    RigidPlane
+    moved(const double travel) const
     {
       return RigidPlane(unit_normal, offset - travel);
     }

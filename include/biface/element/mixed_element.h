@@ -34,9 +34,10 @@ namespace Biface
 
     /** Index of a nodal displacement: vertex by vertex, at each
      * @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
-    static constexpr unsigned int dof(const unsigned int vertex,
-                                      const unsigned int component,
-                                      const unsigned int face)
+    static constexpr unsigned int
+    dof(const unsigned int vertex,
+        const unsigned int component,
+        const unsigned int face)
     {
       return 6 * vertex + 2 * component + face;
     }
@@ -50,20 +51,23 @@ namespace Biface
     MixedElement(const ElementGeometry &geometry, const NodalVector &V);
 
     /** The modes of the strains, @f$\mathbf E(\mathbf V)@f$. */
-    Modes::Vector strain() const;
+    Modes::Vector
+    strain() const;
 
     /** Their derivative in the direction @p dV,
      * @f$\mathbf B(\mathbf V)\,d\mathbf V@f$. */
-    Modes::Vector strain_variation(const NodalVector &dV) const;
+    Modes::Vector
+    strain_variation(const NodalVector &dV) const;
 
     /** The modes of the nonlinear part of the strains,
      * @f$\boldsymbol\eta(\mathbf V)@f$. */
-    Modes::Vector nonlinear_strain() const;
+    Modes::Vector
+    nonlinear_strain() const;
 
     /** The internal force: the derivative of the virtual work above with
      * respect to the nodal displacements. */
-    NodalVector internal_force(const Modes::Vector &H,
-                               const Modes::Vector &H_0) const;
+    NodalVector
+    internal_force(const Modes::Vector &H, const Modes::Vector &H_0) const;
 
     /**
      * The tangent @f$\mathbf B^T\mathbf D\mathbf B + \mathbf G[\mathbf H]@f$.
@@ -73,9 +77,10 @@ namespace Biface
      * strains, initial ones included.
      * @param K the result; what it held is lost.
      */
-    void tangent(const ModeStiffness &stiffness,
-                 const Modes::Vector &H,
-                 NodalMatrix         &K) const;
+    void
+    tangent(const ModeStiffness &stiffness,
+            const Modes::Vector &H,
+            NodalMatrix         &K) const;
 
   private:
     const ElementGeometry              &geometry;
@@ -84,9 +89,11 @@ namespace Biface
     using StrainMatrix = std::array<std::array<double, n_dofs>, Modes::n>;
 
     /** @f$\mathbf B = d\mathbf E/d\mathbf V@f$ */
-    void strain_matrix(StrainMatrix &B) const;
+    void
+    strain_matrix(StrainMatrix &B) const;
 
-    void add_geometric_stiffness(const Modes::Vector &H, NodalMatrix &K) const;
+    void
+    add_geometric_stiffness(const Modes::Vector &H, NodalMatrix &K) const;
   };
 } // namespace Biface
 

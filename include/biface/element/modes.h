@@ -36,14 +36,16 @@ namespace Biface
       std::array<unsigned int, Resultants::n> strains;
 
       /** The mean square of the function over the element. */
-      constexpr double weight() const
+      constexpr double
+      weight() const
       {
         return (varies[0] ? 1. / 3 : 1.) * (varies[1] ? 1. / 3 : 1.);
       }
 
       /** The function's value at a vertex, ±1; vertices are numbered
        * lexicographically. */
-      constexpr double value_at_vertex(const unsigned int vertex) const
+      constexpr double
+      value_at_vertex(const unsigned int vertex) const
       {
         return (varies[0] && (vertex & 1) == 0 ? -1. : 1.) *
                (varies[1] && (vertex & 2) == 0 ? -1. : 1.);
@@ -106,7 +108,8 @@ namespace Biface
     }
 
     /** Modes of a quantity that is constant over the element. */
-    inline Vector constant(const Resultants::Vector &value)
+    inline Vector
+    constant(const Resultants::Vector &value)
     {
       Vector modes;
       for (unsigned int s = 0; s < Resultants::n; ++s)
@@ -116,7 +119,8 @@ namespace Biface
 
     /** Sum over the modes of @f$w_m\,a_m b_m@f$: the mean over the element of
      * the scalar product of two interpolated quantities. */
-    inline double mean_product(const Vector &a, const Vector &b)
+    inline double
+    mean_product(const Vector &a, const Vector &b)
     {
       double sum = 0;
       for (const Group &group : groups)
@@ -140,7 +144,8 @@ namespace Biface
     {}
 
     /** The resultants of given strains. */
-    Modes::Vector resultants(const Modes::Vector &strain) const
+    Modes::Vector
+    resultants(const Modes::Vector &strain) const
     {
       Modes::Vector H;
       for (const Modes::Group &group : Modes::groups)
@@ -152,7 +157,8 @@ namespace Biface
     }
 
     /** The entry of @f$\mathbf D@f$ for two strains. */
-    double operator()(const unsigned int s, const unsigned int t) const
+    double
+    operator()(const unsigned int s, const unsigned int t) const
     {
       return D[s][t];
     }

@@ -76,8 +76,9 @@ namespace Biface
    * @f}
    * They vanish for every finite rigid motion.
    */
-  inline Resultants::Vector green_lagrange_strain(const DisplacementGradient &u,
-                                                  const ThicknessMetric &metric)
+  inline Resultants::Vector
+  green_lagrange_strain(const DisplacementGradient &u,
+                        const ThicknessMetric      &metric)
   {
     using namespace Resultants;
 
@@ -105,9 +106,10 @@ namespace Biface
   /**
    * The first variation of the strains at @p u in the direction @p du.
    */
-  inline Resultants::Vector strain_variation(const DisplacementGradient &u,
-                                             const DisplacementGradient &du,
-                                             const ThicknessMetric      &metric)
+  inline Resultants::Vector
+  strain_variation(const DisplacementGradient &u,
+                   const DisplacementGradient &du,
+                   const ThicknessMetric      &metric)
   {
     using namespace Resultants;
 
@@ -169,7 +171,8 @@ namespace Biface
 
     /** The coupling applied to @p u: the work-conjugate vectors of the
      * quadratic part of the strains. */
-    DisplacementGradient apply(const DisplacementGradient &u) const
+    DisplacementGradient
+    apply(const DisplacementGradient &u) const
     {
       DisplacementGradient result;
       result.beta = bb * u.beta;

@@ -83,7 +83,8 @@ namespace Biface
       ThicknessLaw law       = ThicknessLaw::symmetric;
       Reference    reference = Reference::inner;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
     };
 
     /** Throws InputError where the plies or their material are not usable. */
@@ -94,29 +95,34 @@ namespace Biface
              const Reference    reference);
 
     /** The total thickness h. Unit: length. */
-    double thickness() const;
+    double
+    thickness() const;
 
     /**
      * The thickness coordinates @f$\delta^-,\delta^+@f$ of the inner and the
      * outer face. Unit: length.
      */
-    std::array<double, 2> faces() const;
+    std::array<double, 2>
+    faces() const;
 
     /**
      * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,
      * eq. (9), in the order of Resultants. Unit: force/length.
      */
-    Resultants::Matrix stiffness() const;
+    Resultants::Matrix
+    stiffness() const;
 
     /**
      * The resultants @f$\mathbf H_0@f$ of the initial ply stresses,
      * @f$H_{0,ij}^\pm = \int N^\pm\sigma_{ij}\,d\alpha_3@f$. Unit:
      * force/length.
      */
-    Resultants::Vector initial_resultants() const;
+    Resultants::Vector
+    initial_resultants() const;
 
     /** Whether stiffness() is symmetric. */
-    bool is_symmetric() const;
+    bool
+    is_symmetric() const;
 
   private:
     std::vector<Ply>   plies;

@@ -27,14 +27,16 @@ namespace Biface
      * \nu_{LT}, \nu_{TT}@f$. @f$G_{TT}@f$ is given for itself, since measured
      * constants rarely satisfy @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
      */
-    static OrthotropicMaterial transversely_isotropic(const double E_L,
-                                                      const double E_T,
-                                                      const double G_LT,
-                                                      const double G_TT,
-                                                      const double nu_LT,
-                                                      const double nu_TT);
+    static OrthotropicMaterial
+    transversely_isotropic(const double E_L,
+                           const double E_T,
+                           const double G_LT,
+                           const double G_TT,
+                           const double nu_LT,
+                           const double nu_TT);
 
-    static OrthotropicMaterial isotropic(const double E, const double nu);
+    static OrthotropicMaterial
+    isotropic(const double E, const double nu);
 
     /**
      * The stiffness @f$b_{ijlm}@f$ in the material's own axes. Unit:
@@ -43,7 +45,8 @@ namespace Biface
      * Throws InputError, naming @p name, where the moduli and ratios are not
      * those of a stable material (stiffness not positive definite).
      */
-    dealii::SymmetricTensor<4, 3> stiffness(const std::string &name) const;
+    dealii::SymmetricTensor<4, 3>
+    stiffness(const std::string &name) const;
   };
 
 

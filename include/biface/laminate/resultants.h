@@ -31,15 +31,15 @@ namespace Biface
     };
 
     /** Index of a tangential strain; @p ab is 0, 1, 2 for 11, 22, 12. */
-    constexpr unsigned int tangential(const unsigned int ab,
-                                      const unsigned int face)
+    constexpr unsigned int
+    tangential(const unsigned int ab, const unsigned int face)
     {
       return 2 * ab + face;
     }
 
     /** Index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
-    constexpr unsigned int transverse(const unsigned int a,
-                                      const unsigned int face)
+    constexpr unsigned int
+    transverse(const unsigned int a, const unsigned int face)
     {
       return 6 + 2 * a + face;
     }

@@ -32,11 +32,12 @@ namespace Biface
 
     /** Add the contributions of a cell, given by its position in
      * Discretization::cells. */
-    void add(const unsigned int               cell,
-             const MixedElement::NodalMatrix &cell_matrix,
-             const MixedElement::NodalVector &cell_vector,
-             LA::SparseMatrix                &matrix,
-             LA::Vector                      &vector);
+    void
+    add(const unsigned int               cell,
+        const MixedElement::NodalMatrix &cell_matrix,
+        const MixedElement::NodalVector &cell_vector,
+        LA::SparseMatrix                &matrix,
+        LA::Vector                      &vector);
 
   private:
     /** For each row of a cell and each of its four nodes, the place of the

@@ -91,70 +91,83 @@ namespace Biface
     dealii::IndexSet                  locally_relevant;
     dealii::AffineConstraints<double> constraints;
 
-    const ReferenceSurface &get_surface() const
+    const ReferenceSurface &
+    get_surface() const
     {
       return *surface;
     }
 
-    const dealii::DoFHandler<2, 3> &get_dof_handler() const
+    const dealii::DoFHandler<2, 3> &
+    get_dof_handler() const
     {
       return dof_handler;
     }
 
     /** See Laminate::faces(). */
-    const std::array<double, 2> &get_faces() const
+    const std::array<double, 2> &
+    get_faces() const
     {
       return faces;
     }
 
     /** Displacements that are not given by supports. */
-    dealii::types::global_dof_index n_unknowns() const
+    dealii::types::global_dof_index
+    n_unknowns() const
     {
       return n_free;
     }
 
     /** Nodes on all ranks. */
-    dealii::types::global_dof_index n_nodes() const
+    dealii::types::global_dof_index
+    n_nodes() const
     {
       return dof_handler.n_dofs() / 6;
     }
 
     /** Cells on all ranks. */
-    dealii::types::global_dof_index n_cells() const
+    dealii::types::global_dof_index
+    n_cells() const
     {
       return triangulation.n_global_active_cells();
     }
 
     /** The diagonal of the box around the reference surface. Unit: length. */
-    double size() const
+    double
+    size() const
     {
       return diameter;
     }
 
     /** A vector whose entries can be read at all nodes of this rank. */
-    LA::Vector ghosted_vector() const;
+    LA::Vector
+    ghosted_vector() const;
 
     /** A vector of the locally owned entries. */
-    LA::Vector owned_vector() const;
+    LA::Vector
+    owned_vector() const;
 
     /** Displacement of a face at a node, in the node's frame. */
-    dealii::Tensor<1, 3> displacement(const LA::Vector  &V,
-                                      const Node        &node,
-                                      const unsigned int face) const;
+    dealii::Tensor<1, 3>
+    displacement(const LA::Vector  &V,
+                 const Node        &node,
+                 const unsigned int face) const;
 
     /** Position of a face at a node in the deformed shell. */
-    dealii::Point<3> deformed_position(const LA::Vector  &V,
-                                       const Node        &node,
-                                       const unsigned int face) const;
+    dealii::Point<3>
+    deformed_position(const LA::Vector  &V,
+                      const Node        &node,
+                      const unsigned int face) const;
 
     /** The displacements of a cell. */
-    MixedElement::NodalVector cell_values(const LA::Vector &V,
-                                          const Cell       &cell) const;
+    MixedElement::NodalVector
+    cell_values(const LA::Vector &V, const Cell &cell) const;
 
   private:
-    void make_constraints(const Supports &supports);
+    void
+    make_constraints(const Supports &supports);
 
-    void collect_cells_and_nodes();
+    void
+    collect_cells_and_nodes();
 
     const std::array<double, 2>                   faces;
     std::unique_ptr<const ReferenceSurface>       surface;

@@ -30,38 +30,46 @@ namespace Biface
                    const ContactConditions &contact);
 
     /** The unloaded shell. */
-    State initial_state() const;
+    State
+    initial_state() const;
 
     /** From now on, use the given theory; a linear one linearizes about
      * @p state. */
-    void set_theory(const StrainTheory theory, const State &state);
+    void
+    set_theory(const StrainTheory theory, const State &state);
 
     /** Make the state's resultants initial ones and its displacements zero:
      * the stressed shell becomes the new start, in the undeformed shape, in
      * equilibrium with what stressed it. */
-    void take_as_prestress(State &state);
+    void
+    take_as_prestress(State &state);
 
     /** Compute residual() and tangent() at a state. */
-    void assemble(const State &state, const Loads &loads);
+    void
+    assemble(const State &state, const Loads &loads);
 
     /** External and contact forces less internal ones, by the displacements
      * alone (the resultants of the state do not enter). */
-    const LA::Vector &residual() const
+    const LA::Vector &
+    residual() const
     {
       return rhs;
     }
 
-    const LA::SparseMatrix &tangent() const
+    const LA::SparseMatrix &
+    tangent() const
     {
       return matrix;
     }
 
     /** The norm of residual(), as a fraction of the forces that cancel in it:
      * a pure number. */
-    double relative_residual() const;
+    double
+    relative_residual() const;
 
     /** Whether the tangent is symmetric. */
-    bool is_symmetric() const;
+    bool
+    is_symmetric() const;
 
     /**
      * Add an increment to the displacements of a state, and move the
@@ -69,43 +77,49 @@ namespace Biface
      * V)@f$ in the mixed iteration, to @f$\mathbf D\mathbf E(\mathbf
      * V+d\mathbf V)@f$ in the substituted one.
      */
-    void update(State                &state,
-                const LA::Vector     &increment,
-                const NewtonIteration iteration) const;
+    void
+    update(State                &state,
+           const LA::Vector     &increment,
+           const NewtonIteration iteration) const;
 
     /** Set the resultants to those of the displacements. */
-    void settle_resultants(State &state) const;
+    void
+    settle_resultants(State &state) const;
 
     /** Decide anew which nodes are in contact.
      * @return the number of changes, on all ranks. */
-    unsigned int update_active_set(State &state, const Loads &loads) const;
+    unsigned int
+    update_active_set(State &state, const Loads &loads) const;
 
     /** Distance between a node's deformed outer face and the foundation. */
     double
     clearance(const State &state, const Loads &loads, const Node &node) const;
 
     /** Contact pressure at a node; its position in Discretization::nodes. */
-    double pressure(const State       &state,
-                    const Loads       &loads,
-                    const unsigned int node) const;
+    double
+    pressure(const State       &state,
+             const Loads       &loads,
+             const unsigned int node) const;
 
-    ContactSummary summarize_contact(const State &state,
-                                     const Loads &loads) const;
+    ContactSummary
+    summarize_contact(const State &state, const Loads &loads) const;
 
     /** The plane with the given normal that just touches the deformed outer
      * face. */
-    RigidPlane touching_plane(const State &state) const;
+    RigidPlane
+    touching_plane(const State &state) const;
 
     /** Resultants of a cell, initial ones included. */
-    Modes::Vector total_resultants(const State       &state,
-                                   const unsigned int cell) const
+    Modes::Vector
+    total_resultants(const State &state, const unsigned int cell) const
     {
       return state.resultants[cell] + initial_resultants[cell];
     }
 
     /** Strain energy of the state; where the law is not symmetric, the work
      * @f$\frac12\mathbf H\cdot\mathbf E@f$. */
-    double strain_energy(const State &state) const;
+    double
+    strain_energy(const State &state) const;
 
     const Discretization &discretization;
 
@@ -120,15 +134,17 @@ namespace Biface
       double force_square;
     };
 
-    void cell_equations(const State       &state,
-                        const Loads       &loads,
-                        const unsigned int cell,
-                        CellEquations     &equations) const;
+    void
+    cell_equations(const State       &state,
+                   const Loads       &loads,
+                   const unsigned int cell,
+                   CellEquations     &equations) const;
 
-    void add_contact(const State   &state,
-                     const Loads   &loads,
-                     const Cell    &cell,
-                     CellEquations &equations) const;
+    void
+    add_contact(const State   &state,
+                const Loads   &loads,
+                const Cell    &cell,
+                CellEquations &equations) const;
 
     const ModeStiffness      stiffness;
     const bool               symmetric_stiffness;

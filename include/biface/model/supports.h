@@ -27,7 +27,8 @@ namespace Biface
     std::array<Support, 4> edges{
       {Support::fixed, Support::fixed, Support::free, Support::free}};
 
-    void add_parameters(dealii::ParameterHandler &prm);
+    void
+    add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace Biface
 

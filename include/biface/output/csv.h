@@ -22,23 +22,26 @@ namespace Biface
    *
    * @param header column names, separated by commas.
    */
-  void write_csv(const std::string &path,
-                 const std::string &header,
-                 const Rows        &rows,
-                 const MPI_Comm     communicator);
+  void
+  write_csv(const std::string &path,
+            const std::string &header,
+            const Rows        &rows,
+            const MPI_Comm     communicator);
 
   /** A number with the 12 digits that files show. */
-  std::string csv_number(const double value);
+  std::string
+  csv_number(const double value);
 
   /**
    * Write a text to a file on the first rank, at its end or in place of what
    * it held. Must be called on all ranks. Throws InputError on all of them
    * where the file cannot be written.
    */
-  void write_text(const std::string &path,
-                  const std::string &text,
-                  const bool         append,
-                  const MPI_Comm     communicator);
+  void
+  write_text(const std::string &path,
+             const std::string &text,
+             const bool         append,
+             const MPI_Comm     communicator);
 } // namespace Biface
 
 #endif

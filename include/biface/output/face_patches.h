@@ -30,7 +30,8 @@ namespace Biface
     const std::vector<dealii::DataOutBase::Patch<2, 3>> &
     get_patches() const override;
 
-    std::vector<std::string> get_dataset_names() const override;
+    std::vector<std::string>
+    get_dataset_names() const override;
 
     std::vector<std::tuple<
       unsigned int,

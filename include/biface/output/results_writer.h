@@ -28,7 +28,8 @@ namespace Biface
       double      profile   = 0;
       bool        vtu       = true;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
     };
 
     /**
@@ -39,21 +40,28 @@ namespace Biface
                   const ShellEquations &equations);
 
     /** Write the parameters as used. */
-    void write_parameters(const dealii::ParameterHandler &prm) const;
+    void
+    write_parameters(const dealii::ParameterHandler &prm) const;
 
     /** Write everything about a converged step. */
-    void write_step(const StepReport &report, const State &state);
+    void
+    write_step(const StepReport &report, const State &state);
 
   private:
-    void append_history(const StepReport &report) const;
+    void
+    append_history(const StepReport &report) const;
 
-    void write_contact(const StepReport &report, const State &state) const;
+    void
+    write_contact(const StepReport &report, const State &state) const;
 
-    void write_profile(const StepReport &report, const State &state) const;
+    void
+    write_profile(const StepReport &report, const State &state) const;
 
-    void write_vtu(const StepReport &report, const State &state);
+    void
+    write_vtu(const StepReport &report, const State &state);
 
-    std::string path(const std::string &name) const;
+    std::string
+    path(const std::string &name) const;
 
     const Parameters      parameters;
     const ShellEquations &equations;

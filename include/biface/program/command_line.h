@@ -29,7 +29,8 @@ namespace Biface
     /** Throws InputError where the words make no sense. */
     CommandLine(int argc, char **argv);
 
-    static std::string help();
+    static std::string
+    help();
   };
 } // namespace Biface
 

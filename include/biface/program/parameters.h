@@ -16,7 +16,7 @@
 #include <biface/solver/load_stepping.h>
 #include <biface/solver/newton.h>
 #include <biface/surface/chart_grid.h>
-#include <biface/surface/meridian.h>
+#include <biface/surface/surface_parameters.h>
 
 namespace Biface
 {
@@ -26,14 +26,7 @@ namespace Biface
    */
   struct Parameters
   {
-    /** Which curve is turned about the axis. */
-    enum class MeridianType
-    {
-      circular_arc
-    };
-
-    MeridianType                  meridian = MeridianType::circular_arc;
-    CircularArc::Parameters       circular_arc;
+    SurfaceParameters             surface;
     ChartGrid::Parameters         mesh;
     Laminate::Parameters          laminate;
     Supports                      supports;
@@ -45,11 +38,12 @@ namespace Biface
 
     /** Declare all entries. @p n_stages sections of stages are there. The
      * object must outlive @p prm. */
-    void add_parameters(dealii::ParameterHandler &prm,
-                        const unsigned int        n_stages);
+    void
+    add_parameters(dealii::ParameterHandler &prm, const unsigned int n_stages);
 
     /** Check what can be checked of single values. Throws InputError. */
-    void check() const;
+    void
+    check() const;
   };
 
 
@@ -70,11 +64,12 @@ namespace Biface
    * @param parameters the result.
    * @param prm gets the declared entries and their values.
    */
-  void read_parameters(const std::string           &file_name,
-                       const std::vector<Override> &overrides,
-                       const MPI_Comm               communicator,
-                       Parameters                  &parameters,
-                       dealii::ParameterHandler    &prm);
+  void
+  read_parameters(const std::string           &file_name,
+                  const std::vector<Override> &overrides,
+                  const MPI_Comm               communicator,
+                  Parameters                  &parameters,
+                  dealii::ParameterHandler    &prm);
 } // namespace Biface
 
 #endif

@@ -29,11 +29,12 @@ namespace Biface
    * Wrong input is found on all ranks alike and answered on the first. Other
    * exceptions are left to the caller.
    */
-  ExitCode run_program(int            argc,
-                       char         **argv,
-                       const MPI_Comm communicator,
-                       std::ostream  &out,
-                       std::ostream  &err);
+  ExitCode
+  run_program(int            argc,
+              char         **argv,
+              const MPI_Comm communicator,
+              std::ostream  &out,
+              std::ostream  &err);
 } // namespace Biface
 
 #endif

@@ -41,26 +41,31 @@ namespace Biface
                std::ostream     &stream);
 
     /** Go through all stages, and tell each converged step to @p observer. */
-    LoadSteppingResult run(const LoadStepping::Observer &observer);
+    LoadSteppingResult
+    run(const LoadStepping::Observer &observer);
 
-    const ShellEquations &get_equations() const
+    const ShellEquations &
+    get_equations() const
     {
       return equations;
     }
 
     /** The last converged state. */
-    const State &get_state() const
+    const State &
+    get_state() const
     {
       return state;
     }
 
     /** Times of the parts of the run. */
-    dealii::TimerOutput &get_timer()
+    dealii::TimerOutput &
+    get_timer()
     {
       return timer;
     }
 
-    dealii::ConditionalOStream &get_stream()
+    dealii::ConditionalOStream &
+    get_stream()
     {
       return out;
     }

@@ -35,10 +35,11 @@ namespace Biface
      * @param symmetric whether the matrix is symmetric, so that half of it
      * will do.
      */
-    virtual LinearSolverResult solve(const LA::SparseMatrix &A,
-                                     LA::Vector             &x,
-                                     const LA::Vector       &b,
-                                     const bool              symmetric) = 0;
+    virtual LinearSolverResult
+    solve(const LA::SparseMatrix &A,
+          LA::Vector             &x,
+          const LA::Vector       &b,
+          const bool              symmetric) = 0;
   };
 
 
@@ -49,9 +50,10 @@ namespace Biface
    * @return success where the solution is finite, its relative residual is at
    * most 1e-8.
    */
-  LinearSolverResult check_solution(const LA::SparseMatrix &A,
-                                    const LA::Vector       &x,
-                                    const LA::Vector       &b);
+  LinearSolverResult
+  check_solution(const LA::SparseMatrix &A,
+                 const LA::Vector       &x,
+                 const LA::Vector       &b);
 } // namespace Biface
 
 #endif

@@ -33,11 +33,12 @@ namespace Biface
     bool from_prestress = false;
 
     /** @param number of the stage, for its default name. */
-    void add_parameters(dealii::ParameterHandler &prm,
-                        const unsigned int        number);
+    void
+    add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
 
     /** Throws InputError where a value is not usable. */
-    void check(const std::string &section) const;
+    void
+    check(const std::string &section) const;
   };
 
 
@@ -80,7 +81,8 @@ namespace Biface
     {
       unsigned int max_cuts = 6;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
     };
 
     /** Called after every converged step. */
@@ -93,9 +95,10 @@ namespace Biface
 
     /** Run the stages from a state, which is the last converged one at the
      * end. */
-    LoadSteppingResult run(const std::vector<Stage> &stages,
-                           State                    &state,
-                           const Observer           &observer);
+    LoadSteppingResult
+    run(const std::vector<Stage> &stages,
+        State                    &state,
+        const Observer           &observer);
 
   private:
     /** Loads and foundation travel at some moment. */
@@ -108,9 +111,11 @@ namespace Biface
     LoadSteppingResult
     run_stage(const Stage &stage, State &state, const Observer &observer);
 
-    NewtonResult try_step(State &state, const Loads &loads);
+    NewtonResult
+    try_step(State &state, const Loads &loads);
 
-    Loads loads_at(const LoadPoint &point, const Stage &stage) const;
+    Loads
+    loads_at(const LoadPoint &point, const Stage &stage) const;
 
     const Parameters            parameters;
     ShellEquations             &equations;

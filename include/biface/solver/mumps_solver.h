@@ -27,10 +27,11 @@ namespace Biface
 
     ~MumpsSolver() override;
 
-    LinearSolverResult solve(const LA::SparseMatrix &A,
-                             LA::Vector             &x,
-                             const LA::Vector       &b,
-                             const bool              symmetric) override;
+    LinearSolverResult
+    solve(const LA::SparseMatrix &A,
+          LA::Vector             &x,
+          const LA::Vector       &b,
+          const bool              symmetric) override;
 
   private:
     class Instance;

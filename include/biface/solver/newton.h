@@ -45,10 +45,12 @@ namespace Biface
       double          residual_tolerance = 1e-8;
       double          update_tolerance   = 1e-9;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /** Throws InputError where a value is not usable. */
-      void check() const;
+      void
+      check() const;
     };
 
     /** The objects are kept by reference. */

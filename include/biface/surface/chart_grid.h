@@ -28,7 +28,8 @@ namespace Biface
          "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
       bool closed = true;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
     };
 
     /** Coordinates of the grid lines, rising, in the surface's internal unit.
@@ -68,9 +69,10 @@ namespace Biface
    *
    * A parallel triangulation is partitioned by its own settings.
    */
-  void create_triangulation(const ReferenceSurface      &surface,
-                            const ChartGrid             &grid,
-                            dealii::Triangulation<2, 3> &triangulation);
+  void
+  create_triangulation(const ReferenceSurface      &surface,
+                       const ChartGrid             &grid,
+                       dealii::Triangulation<2, 3> &triangulation);
 } // namespace Biface
 
 #endif

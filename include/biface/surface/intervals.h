@@ -30,9 +30,10 @@ namespace Biface
    * Throws InputError where the list is malformed, an interval is empty,
    * or intervals overlap or leave a gap.
    */
-  std::vector<double> parse_intervals(const std::string &entry,
-                                      const std::string &list,
-                                      const double       unit);
+  std::vector<double>
+  parse_intervals(const std::string &entry,
+                  const std::string &list,
+                  const double       unit);
 } // namespace Biface
 
 #endif

@@ -56,7 +56,8 @@ namespace Biface
 
     /** The components @f$(\mathbf e_1,\mathbf e_2,\mathbf e_3)\cdot\mathbf
      * x@f$ of a Cartesian vector. */
-    dealii::Tensor<1, 3> to_frame(const dealii::Tensor<1, 3> &x) const
+    dealii::Tensor<1, 3>
+    to_frame(const dealii::Tensor<1, 3> &x) const
     {
       return dealii::Tensor<1, 3>({frame[0] * x, frame[1] * x, frame[2] * x});
     }
@@ -76,7 +77,8 @@ namespace Biface
      *
      * @param a the direction, 0 or 1.
      */
-    dealii::Tensor<2, 3> connection(const unsigned int a) const
+    dealii::Tensor<2, 3>
+    connection(const unsigned int a) const
     {
       const unsigned int   c = 1 - a;
       dealii::Tensor<2, 3> C;
@@ -112,13 +114,15 @@ namespace Biface
     {}
 
     /** Everything about the point with the coordinates @p alpha. */
-    virtual SurfacePoint evaluate(const dealii::Point<2> &alpha) const = 0;
+    virtual SurfacePoint
+    evaluate(const dealii::Point<2> &alpha) const = 0;
 
     /** The coordinates of a point on the surface. */
     virtual dealii::Point<2>
     pull_back(const dealii::Point<3> &point) const override = 0;
 
-    dealii::Point<3> push_forward(const dealii::Point<2> &alpha) const override
+    dealii::Point<3>
+    push_forward(const dealii::Point<2> &alpha) const override
     {
       return evaluate(alpha).position;
     }
@@ -131,7 +135,8 @@ namespace Biface
      * One unit of the coordinate @p a, as a person writes it, in the
      * internal unit: @f$\pi/180@f$ for an angle (degrees), 1 for a length.
      */
-    virtual double coordinate_unit(const unsigned int a) const = 0;
+    virtual double
+    coordinate_unit(const unsigned int a) const = 0;
   };
 } // namespace Biface
 

@@ -30,13 +30,17 @@ namespace Biface
   public:
     explicit SurfaceOfRevolution(std::shared_ptr<const Meridian> meridian);
 
-    SurfacePoint evaluate(const dealii::Point<2> &alpha) const override;
+    SurfacePoint
+    evaluate(const dealii::Point<2> &alpha) const override;
 
-    dealii::Point<2> pull_back(const dealii::Point<3> &point) const override;
+    dealii::Point<2>
+    pull_back(const dealii::Point<3> &point) const override;
 
-    std::unique_ptr<dealii::Manifold<2, 3>> clone() const override;
+    std::unique_ptr<dealii::Manifold<2, 3>>
+    clone() const override;
 
-    double coordinate_unit(const unsigned int a) const override;
+    double
+    coordinate_unit(const unsigned int a) const override;
 
   private:
     std::shared_ptr<const Meridian> meridian;

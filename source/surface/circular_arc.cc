@@ -6,13 +6,14 @@
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
-#include <biface/surface/meridian.h>
+#include <biface/surface/circular_arc.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  void CircularArc::Parameters::add_parameters(ParameterHandler &prm)
+  void
+  CircularArc::Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Radius",
                       radius,
@@ -35,7 +36,8 @@ namespace Biface
   }
 
 
-  Meridian::PointOfCurve CircularArc::evaluate(const double s) const
+  Meridian::PointOfCurve
+  CircularArc::evaluate(const double s) const
   {
     const Tensor<1, 2> outward({std::cos(s), std::sin(s)});
     const Tensor<1, 2> along({-std::sin(s), std::cos(s)});
@@ -45,23 +47,16 @@ namespace Biface
   }
 
 
-  double CircularArc::parameter_of(const Point<2> &point) const
+  double
+  CircularArc::parameter_of(const Point<2> &point) const
   {
     return std::atan2(point[1], point[0] - center_radius);
   }
 
 
-  double CircularArc::coordinate_unit() const
+  double
+  CircularArc::coordinate_unit() const
   {
     return numbers::PI / 180;
-  }
-
-
-  std::pair<double, double> CircularArc::smallest_radius(const double begin,
-                                                         const double end) const
-  {
-    // cos s falls monotonically from the equator to +-180 degrees
-    const double s = (std::abs(begin) > std::abs(end) ? begin : end);
-    return {center_radius + radius * std::cos(s), s};
   }
 } // namespace Biface

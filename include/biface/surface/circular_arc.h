@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_circular_arc_h
+#define biface_surface_circular_arc_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/surface/meridian.h>
+
+namespace Biface
+{
+  /**
+   * A circular arc, @f$r = r_c + R_1\cos s@f$, @f$y = R_1\sin s@f$: it
+   * generates a torus (@f$r_c > 0@f$) or a sphere (@f$r_c = 0@f$). The
+   * parameter is the angle @f$\psi@f$ from the equator, in radians.
+   */
+  class CircularArc : public Meridian
+  {
+  public:
+    struct Parameters
+    {
+      double radius        = 50;
+      double center_radius = 200;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    /** Throws InputError where the radii are not those of an arc. */
+    explicit CircularArc(const Parameters &parameters);
+
+    PointOfCurve
+    evaluate(const double s) const override;
+
+    double
+    parameter_of(const dealii::Point<2> &point) const override;
+
+    double
+    coordinate_unit() const override;
+
+  private:
+    const double radius;
+    const double center_radius;
+  };
+} // namespace Biface
+
+#endif

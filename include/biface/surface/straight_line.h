@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_straight_line_h
+#define biface_surface_straight_line_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/surface/meridian.h>
+
+namespace Biface
+{
+  /**
+   * A straight line: it generates a cylinder, a cone, or a flat annulus. The
+   * parameter is the length from its begin.
+   */
+  class StraightLine : public Meridian
+  {
+  public:
+    struct Parameters
+    {
+      /** (r, y) */
+      dealii::Point<2> begin = dealii::Point<2>(1, 0);
+      dealii::Point<2> end   = dealii::Point<2>(1, 1);
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    /** Throws InputError where the ends coincide or lie beyond the axis. */
+    explicit StraightLine(const Parameters &parameters);
+
+    PointOfCurve
+    evaluate(const double s) const override;
+
+    double
+    parameter_of(const dealii::Point<2> &point) const override;
+
+    double
+    coordinate_unit() const override;
+
+  private:
+    const dealii::Point<2>     begin;
+    const dealii::Tensor<1, 2> direction;
+  };
+} // namespace Biface
+
+#endif

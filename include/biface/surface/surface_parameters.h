@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_surface_parameters_h
+#define biface_surface_surface_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+
+#include <biface/surface/circular_arc.h>
+#include <biface/surface/reference_surface.h>
+#include <biface/surface/straight_line.h>
+
+namespace Biface
+{
+  /** Which reference surface a shell has. */
+  struct SurfaceParameters
+  {
+    enum class Type
+    {
+      revolution,
+      plane
+    };
+
+    enum class MeridianType
+    {
+      circular_arc,
+      straight_line,
+      points
+    };
+
+    Type                     type     = Type::revolution;
+    MeridianType             meridian = MeridianType::circular_arc;
+    CircularArc::Parameters  circular_arc;
+    StraightLine::Parameters straight_line;
+    /** A CSV file, see parse_curve_points(). */
+    std::string points_file;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+  /**
+   * Make the surface. Throws InputError where the parameters do not describe
+   * one.
+   *
+   * @param communicator the ranks, one of which reads files for all.
+   */
+  std::unique_ptr<ReferenceSurface>
+  make_surface(const SurfaceParameters &parameters,
+               const MPI_Comm           communicator);
+} // namespace Biface
+
+#endif

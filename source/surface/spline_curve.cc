@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/surface/spline_curve.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  SplineCurve::SplineCurve(const std::vector<Point<2>> &points,
+                           const std::string           &name)
+  {
+    if (points.size() < 3)
+      throw InputError(name + ": the curve has " +
+                       std::to_string(points.size()) +
+                       " points, but a spline needs at least 3.");
+
+    std::vector<double> r, y;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        const std::string where = name + ": the point " +
+                                  std::to_string(i + 1) + " of the curve, (" +
+                                  number_to_string(points[i][0]) + ", " +
+                                  number_to_string(points[i][1]) + "), ";
+        if (!(std::isfinite(points[i][0]) && std::isfinite(points[i][1])))
+          throw InputError(where + "must be finite.");
+        if (!(points[i][0] > 0))
+          throw InputError(where +
+                           "must have a positive radius, since a meridian "
+                           "must not meet the axis.");
+        const double step = (i == 0 ? 0. : points[i].distance(points[i - 1]));
+        if (i > 0 && !(step > 0))
+          throw InputError(where + "must differ from the one before it.");
+        knots.push_back(i == 0 ? 0. : knots.back() + step);
+        r.push_back(points[i][0]);
+        y.push_back(points[i][1]);
+      }
+    radius = std::make_unique<Functions::CSpline<1>>(knots, r);
+    axial  = std::make_unique<Functions::CSpline<1>>(knots, y);
+  }
+
+
+  Meridian::PointOfCurve
+  SplineCurve::evaluate(const double s) const
+  {
+    // the end points, but for round-off
+    const Point<1> knot(std::min(std::max(s, knots.front()), knots.back()));
+    return {
+      Point<2>(radius->value(knot), axial->value(knot)),
+      Tensor<1, 2>({radius->gradient(knot)[0], axial->gradient(knot)[0]}),
+      Tensor<1, 2>({radius->hessian(knot)[0][0], axial->hessian(knot)[0][0]})};
+  }
+
+
+  double
+  SplineCurve::parameter_of(const Point<2> &point) const
+  {
+    // the nearest of a few points an interval, then Newton's method for the
+    // foot of the perpendicular
+    constexpr unsigned int n_samples = 4;
+
+    double best = 0, best_distance = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i + 1 < knots.size(); ++i)
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        {
+          const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
+          const double distance = evaluate(s).position.distance(point);
+          if (distance < best_distance)
+            {
+              best          = s;
+              best_distance = distance;
+            }
+        }
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        const PointOfCurve curve  = evaluate(best);
+        const Tensor<1, 2> offset = curve.position - point;
+        const double slope = curve.first_derivative * curve.first_derivative +
+                             offset * curve.second_derivative;
+        const double update = -(offset * curve.first_derivative) / slope;
+        best                = std::min(std::max(best + update, 0.), length());
+        if (std::abs(update) < 1e-14 * length())
+          break;
+      }
+    return best;
+  }
+
+
+  double
+  SplineCurve::coordinate_unit() const
+  {
+    return 1;
+  }
+
+
+  std::vector<Point<2>>
+  parse_curve_points(const std::string &text, const std::string &name)
+  {
+    const std::string form =
+      "each line must hold two numbers, 'radius, axial coordinate'";
+
+    std::vector<Point<2>> points;
+    std::istringstream    lines(text);
+    std::string           line;
+    bool                  header_allowed = true;
+    for (unsigned int number = 1; std::getline(lines, line); ++number)
+      {
+        line = Utilities::trim(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        const std::vector<std::string> cells =
+          Utilities::split_string_list(line, ',');
+        const std::string entry = name + ", line " + std::to_string(number);
+        if (header_allowed && cells.size() == 2 &&
+            std::isalpha(static_cast<unsigned char>(cells[0][0])))
+          {
+            header_allowed = false;
+            continue;
+          }
+        header_allowed = false;
+        if (cells.size() != 2)
+          throw InputError(entry, line, form);
+        points.emplace_back(parse_number(entry, cells[0], form),
+                            parse_number(entry, cells[1], form));
+      }
+    return points;
+  }
+} // namespace Biface

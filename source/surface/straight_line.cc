@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/surface/straight_line.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  StraightLine::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Begin",
+                      begin,
+                      "Where the line begins: radius, axial coordinate. Unit: "
+                      "length.");
+    prm.add_parameter("End",
+                      end,
+                      "Where the line ends: radius, axial coordinate. The "
+                      "outward normal points to its right. Unit: length.");
+  }
+
+
+  namespace
+  {
+    Tensor<1, 2>
+    unit_direction(const StraightLine::Parameters &parameters)
+    {
+      for (const Point<2> &point : {parameters.begin, parameters.end})
+        if (!(point[0] >= 0))
+          throw InputError("the section 'Surface/Straight line' has an end at "
+                           "the radius " +
+                           number_to_string(point[0]) +
+                           ", but a meridian must not cross the axis.");
+      const Tensor<1, 2> line = parameters.end - parameters.begin;
+      if (!(line.norm() > 0))
+        throw InputError("the section 'Surface/Straight line' has its begin "
+                         "and its end at one point, but a meridian must have "
+                         "a length.");
+      return line / line.norm();
+    }
+  } // namespace
+
+
+  StraightLine::StraightLine(const Parameters &parameters)
+    : begin(parameters.begin), direction(unit_direction(parameters))
+  {}
+
+
+  Meridian::PointOfCurve
+  StraightLine::evaluate(const double s) const
+  {
+    return {begin + s * direction, direction, Tensor<1, 2>()};
+  }
+
+
+  double
+  StraightLine::parameter_of(const Point<2> &point) const
+  {
+    return (point - begin) * direction;
+  }
+
+
+  double
+  StraightLine::coordinate_unit() const
+  {
+    return 1;
+  }
+} // namespace Biface

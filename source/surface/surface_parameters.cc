@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/base/read_file.h>
+#include <biface/surface/plane.h>
+#include <biface/surface/spline_curve.h>
+#include <biface/surface/surface_of_revolution.h>
+#include <biface/surface/surface_parameters.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  SurfaceParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Type",
+               type,
+               {"surface of revolution", "plane"},
+               "The reference surface: a curve, the meridian, turned about the "
+               "y axis (the axle of a wheel), or the plane z = 0 with the "
+               "coordinates alpha_1 = x and alpha_2 = y.");
+    add_choice(prm,
+               "Meridian",
+               meridian,
+               {"circular arc", "straight line", "points"},
+               "The meridian of a surface of revolution: a circular arc "
+               "(torus, sphere; alpha_1 is its angle), a straight line "
+               "(cylinder, cone, annulus; alpha_1 is the length from its "
+               "begin), or a smooth curve through points of a file (alpha_1 is "
+               "the length along the polygon of the points).");
+    prm.enter_subsection("Circular arc");
+    circular_arc.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Straight line");
+    straight_line.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Points");
+    prm.add_parameter("File",
+                      points_file,
+                      "A CSV file with the points of the meridian in order: "
+                      "radius, axial coordinate. Relative to the parameter "
+                      "file. Unit: length.",
+                      Patterns::Anything());
+    prm.leave_subsection();
+  }
+
+
+  namespace
+  {
+    std::shared_ptr<const Meridian>
+    make_meridian(const SurfaceParameters &parameters,
+                  const MPI_Comm           communicator)
+    {
+      using MeridianType = SurfaceParameters::MeridianType;
+      switch (parameters.meridian)
+        {
+          case MeridianType::circular_arc:
+            return std::make_shared<CircularArc>(parameters.circular_arc);
+          case MeridianType::straight_line:
+            return std::make_shared<StraightLine>(parameters.straight_line);
+          case MeridianType::points:
+            if (parameters.points_file.empty())
+              throw InputError("Surface/Points/File",
+                               "",
+                               "the meridian 'points' needs a file");
+            return std::make_shared<SplineCurve>(
+              parse_curve_points(
+                read_file(parameters.points_file, communicator),
+                parameters.points_file),
+              parameters.points_file);
+        }
+      Assert(false, ExcInternalError());
+      return {};
+    }
+  } // namespace
+
+
+  std::unique_ptr<ReferenceSurface>
+  make_surface(const SurfaceParameters &parameters, const MPI_Comm communicator)
+  {
+    switch (parameters.type)
+      {
+        case SurfaceParameters::Type::revolution:
+          return std::make_unique<SurfaceOfRevolution>(
+            make_meridian(parameters, communicator));
+        case SurfaceParameters::Type::plane:
+          return std::make_unique<Plane>();
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
+} // namespace Biface

@@ -1,0 +1,54 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# Headers are included in one direction only: each folder of include/biface/
+# and source/ may include its own headers and those of the folders listed for
+# it here. See doc/architecture.md.
+
+set -eu
+cd "$(dirname "$0")/.."
+
+may_include()
+{
+  case $1 in
+    base) echo ;;
+    surface | laminate | contact) echo base ;;
+    element) echo base surface laminate ;;
+    model) echo base surface laminate contact element ;;
+    solver) echo "$(may_include model) model" ;;
+    output) echo "$(may_include solver) solver" ;;
+    program) echo "$(may_include output) output" ;;
+    *) return 1 ;;
+  esac
+}
+
+failed=0
+complain()
+{
+  echo "$1" >&2
+  failed=1
+}
+
+for path in include/biface/*/ source/*/; do
+  folder=$(basename "$path")
+  allowed=$(may_include "$folder") || {
+    complain "$path: no folder of this name is known; tell $0 its place."
+    continue
+  }
+  # lines of the form file:included_folder
+  # shellcheck disable=SC2013
+  for line in $(grep -rH '^ *# *include *[<"]biface/' "$path" |
+    sed 's|^\([^:]*\):[^<"]*[<"]biface/\([^/]*\)/.*|\1:\2|'); do
+    included=${line#*:}
+    case " $folder $allowed " in
+      *" $included "*) ;;
+      *) complain "${line%:*} includes a header of $included, but $folder may include only: $folder $allowed" ;;
+    esac
+  done
+done
+
+# main.cc knows the program only
+if grep -H '#include <biface/' source/main.cc | grep -v '<biface/program/'; then
+  complain "source/main.cc may include headers of program only."
+fi
+exit $failed

@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# Runs every check there is: format, warnings, documentation, and all tests in
+# Debug and Release. Installs what it lacks. The exit code is 0 if all pass.
+#   tests/run.sh [arguments of ctest]
+
+set -eu
+cd "$(dirname "$0")/.."
+
+step()
+{
+  printf '\n== %s\n' "$*"
+}
+
+step "Packages"
+doc/install.sh tests
+
+step "Format"
+find source include tests \( -name '*.h' -o -name '*.cc' \) \
+  -exec clang-format-14 --dry-run -Werror {} +
+
+# ranks and threads would compete for the same cores
+export OPENBLAS_NUM_THREADS=1
+if [ "$(id -u)" -eq 0 ]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi
+
+step "Configuration"
+cmake -S . -B build-tests -G Ninja \
+  -DCMAKE_BUILD_TYPE=DebugRelease -DBIFACE_WERROR=ON
+
+step "Documentation"
+cmake --build build-tests --target documentation
+
+step "Debug and Release"
+cmake --build build-tests --target all build_tests
+
+step "Tests"
+ctest --test-dir build-tests -j "$(nproc)" --output-on-failure "$@"
