@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <sstream>
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
@@ -51,5 +53,42 @@ namespace Biface
         result.ptr != trimmed.data() + trimmed.size() || !std::isfinite(value))
       throw InputError(entry, text, allowed);
     return value;
+  }
+
+
+  std::vector<std::string>
+  split_words(const std::string &text)
+  {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+  }
+
+
+  std::vector<double>
+  parse_numbers(const std::string &entry,
+                const std::string &text,
+                const unsigned int n,
+                const std::string &allowed)
+  {
+    const std::vector<std::string> words = split_words(text);
+    if (words.size() != n)
+      throw InputError(entry, text, allowed);
+    std::vector<double> numbers;
+    for (const std::string &word : words)
+      numbers.push_back(parse_number(entry, word, allowed));
+    return numbers;
+  }
+
+
+  std::pair<std::string, std::string>
+  split_named(const std::string &entry,
+              const std::string &text,
+              const std::string &allowed)
+  {
+    const auto        colon = text.find(':');
+    const std::string name  = dealii::Utilities::trim(text.substr(0, colon));
+    if (colon == std::string::npos || name.empty())
+      throw InputError(entry, text, allowed);
+    return {name, dealii::Utilities::trim(text.substr(colon + 1))};
   }
 } // namespace Biface

@@ -4,6 +4,9 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
+#include <map>
+
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/laminate/laminate.h>
@@ -15,42 +18,13 @@ namespace Biface
   void
   Laminate::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Ply material");
-    prm.add_parameter("E_L",
-                      E_L,
-                      "Young's modulus along the cords. Unit: force/area.",
-                      Patterns::Double());
-    prm.add_parameter("E_T",
-                      E_T,
-                      "Young's modulus across the cords. Unit: force/area.",
-                      Patterns::Double());
-    prm.add_parameter("G_LT",
-                      G_LT,
-                      "Shear modulus of planes that contain the cords. Unit: "
-                      "force/area.",
-                      Patterns::Double());
-    prm.add_parameter("G_TT",
-                      G_TT,
-                      "Shear modulus of the plane across the cords. Unit: "
-                      "force/area.",
-                      Patterns::Double());
-    prm.add_parameter("nu_LT",
-                      nu_LT,
-                      "Poisson's ratio: strain across the cords under stress "
-                      "along them. No unit.",
-                      Patterns::Double());
-    prm.add_parameter("nu_TT",
-                      nu_TT,
-                      "Poisson's ratio in the plane across the cords. No unit.",
-                      Patterns::Double());
-    prm.leave_subsection();
-
     prm.add_parameter("Plies",
                       plies,
                       "The plies, inner ply first, separated by commas, each "
-                      "as 'thickness @ angle'. The angle is that of the cords, "
-                      "from the first coordinate line (the meridian) towards "
-                      "the second. Units: length, degrees.",
+                      "as 'material: thickness @ angle'. The angle is that of "
+                      "the material's first axis, from the first coordinate "
+                      "line (the meridian) towards the second. Units: length, "
+                      "degrees.",
                       Patterns::Anything());
     prm.add_parameter("Initial ply stresses",
                       initial_stresses,
@@ -68,52 +42,55 @@ namespace Biface
                "(constant thickness stress, eliminated; free of locking), "
                "'asymmetric' (the paper's, with a nonsymmetric tangent) or "
                "'full' (three-dimensional law; locks in bending).");
-    add_choice(prm,
-               "Reference surface",
-               reference,
-               {"inner", "middle", "outer"},
-               "Which surface of the shell the geometry describes.");
+    prm.add_parameter("Reference surface",
+                      reference,
+                      "Which surface of the shell the geometry describes: "
+                      "'inner', 'middle', 'outer', 'ply N' (the outer side of "
+                      "ply N, counted from the inner face), or its distance "
+                      "from the inner face. Unit: length.",
+                      Patterns::Anything());
   }
 
 
   namespace
   {
     std::vector<Ply>
-    parse_plies(const Laminate::Parameters &parameters)
+    parse_plies(const Laminate::Parameters            &parameters,
+                const std::vector<MaterialParameters> &materials)
     {
       const std::string entry = "Laminate/Plies";
-      const std::string form =
-        "each ply is written 'thickness @ angle' with two numbers";
+      const std::string form  = "each ply is written 'material: thickness @ "
+                                "angle'";
 
-      const std::string material = "Laminate/Ply material";
-      check_positive(material + "/E_L", parameters.E_L);
-      check_positive(material + "/E_T", parameters.E_T);
-      check_positive(material + "/G_LT", parameters.G_LT);
-      check_positive(material + "/G_TT", parameters.G_TT);
-
-      const SymmetricTensor<4, 3> stiffness =
-        OrthotropicMaterial::transversely_isotropic(parameters.E_L,
-                                                    parameters.E_T,
-                                                    parameters.G_LT,
-                                                    parameters.G_TT,
-                                                    parameters.nu_LT,
-                                                    parameters.nu_TT)
-          .stiffness(material);
+      std::map<std::string, SymmetricTensor<4, 3>> stiffness;
+      std::string                                  names;
+      for (const MaterialParameters &material : materials)
+        {
+          stiffness[material.name] = material.stiffness();
+          names += (names.empty() ? "'" : ", '") + material.name + "'";
+        }
 
       std::vector<Ply> plies;
       for (const std::string &text :
            Utilities::split_string_list(parameters.plies, ','))
         {
-          const std::vector<std::string> parts =
-            Utilities::split_string_list(text, '@');
-          if (parts.size() != 2)
+          const auto colon = text.find(':');
+          const auto at    = text.find('@');
+          if (colon == std::string::npos || at == std::string::npos ||
+              at < colon)
             throw InputError(entry, text, form);
-          const double thickness = parse_number(entry, parts[0], form);
+          const auto material =
+            stiffness.find(Utilities::trim(text.substr(0, colon)));
+          if (material == stiffness.end())
+            throw InputError(
+              entry, text, "its material must be one of " + names);
+          const double thickness =
+            parse_number(entry, text.substr(colon + 1, at - colon - 1), form);
           if (!(thickness > 0))
             throw InputError(entry, text, "a thickness must lie above 0");
           const double angle =
-            parse_number(entry, parts[1], form) * numbers::PI / 180;
-          plies.push_back({stiffness, thickness, angle, {}});
+            parse_number(entry, text.substr(at + 1), form) * numbers::PI / 180;
+          plies.push_back({material->second, thickness, angle, {}});
         }
       if (plies.empty())
         throw InputError(
@@ -138,22 +115,54 @@ namespace Biface
         throw InputError(entry, text, form);
       for (unsigned int p = 0; p < plies.size(); ++p)
         {
-          const std::vector<std::string> parts =
-            Utilities::break_text_into_lines(triples[p], 1);
-          if (parts.size() != 3)
-            throw InputError(entry, triples[p], form);
-          plies[p].initial_stress[0][0] = parse_number(entry, parts[0], form);
-          plies[p].initial_stress[1][1] = parse_number(entry, parts[1], form);
-          plies[p].initial_stress[0][1] = parse_number(entry, parts[2], form);
+          const std::vector<double> stress =
+            parse_numbers(entry, triples[p], 3, form);
+          plies[p].initial_stress[0][0] = stress[0];
+          plies[p].initial_stress[1][1] = stress[1];
+          plies[p].initial_stress[0][1] = stress[2];
         }
     }
   } // namespace
 
 
-  Laminate::Laminate(const Parameters &parameters)
-    : plies(parse_plies(parameters))
+  namespace
+  {
+    double
+    parse_reference(const std::string &text, const std::vector<Ply> &plies)
+    {
+      const std::string entry = "Laminate/Reference surface";
+      const std::string form =
+        "it must be 'inner', 'middle', 'outer', 'ply N' with N from 1 to " +
+        std::to_string(plies.size()) + ", or a number";
+
+      double h = 0;
+      for (const Ply &ply : plies)
+        h += ply.thickness;
+      if (text == "inner")
+        return 0;
+      if (text == "middle")
+        return h / 2;
+      if (text == "outer")
+        return h;
+      if (text.rfind("ply ", 0) != 0)
+        return parse_number(entry, text, form);
+
+      const double n = parse_number(entry, text.substr(4), form);
+      if (!(n >= 1 && n <= plies.size() && n == std::floor(n)))
+        throw InputError(entry, text, form);
+      double height = 0;
+      for (unsigned int p = 0; p < n; ++p)
+        height += plies[p].thickness;
+      return height;
+    }
+  } // namespace
+
+
+  Laminate::Laminate(const Parameters                      &parameters,
+                     const std::vector<MaterialParameters> &materials)
+    : plies(parse_plies(parameters, materials))
     , law(parameters.law)
-    , reference(parameters.reference)
+    , reference_height(parse_reference(parameters.reference, plies))
   {
     parse_initial_stresses(parameters.initial_stresses, plies);
   }
@@ -161,8 +170,8 @@ namespace Biface
 
   Laminate::Laminate(std::vector<Ply>   plies,
                      const ThicknessLaw law,
-                     const Reference    reference)
-    : plies(std::move(plies)), law(law), reference(reference)
+                     const double       reference_height)
+    : plies(std::move(plies)), law(law), reference_height(reference_height)
   {}
 
 
@@ -179,18 +188,7 @@ namespace Biface
   std::array<double, 2>
   Laminate::faces() const
   {
-    const double h = thickness();
-    switch (reference)
-      {
-        case Reference::inner:
-          return {{0, h}};
-        case Reference::middle:
-          return {{-h / 2, h / 2}};
-        case Reference::outer:
-          return {{-h, 0}};
-      }
-    Assert(false, ExcInternalError());
-    return {};
+    return {{-reference_height, thickness() - reference_height}};
   }
 
 

@@ -14,8 +14,10 @@ namespace Biface
   using namespace dealii;
 
   CellMatrixAdder::CellMatrixAdder(const Discretization &discretization,
-                                   LA::SparseMatrix     &matrix)
+                                   const AffineConstraints<double> &constraints,
+                                   LA::SparseMatrix                &matrix)
     : discretization(discretization)
+    , constraints(constraints)
     , fast_cell(discretization.cells.size(), numbers::invalid_unsigned_int)
     , scratch_matrix(MixedElement::n_dofs, MixedElement::n_dofs)
     , scratch_vector(MixedElement::n_dofs)
@@ -29,7 +31,7 @@ namespace Biface
     DoFTools::make_sparsity_pattern(
       discretization.get_dof_handler(),
       pattern,
-      discretization.constraints,
+      constraints,
       false,
       Utilities::MPI::this_mpi_process(discretization.communicator));
     pattern.compress();
@@ -47,7 +49,7 @@ namespace Biface
         bool        fast = true;
         for (const auto dof : cell.dofs)
           fast = fast && discretization.locally_owned.is_element(dof) &&
-                 !discretization.constraints.is_constrained(dof);
+                 !constraints.is_constrained(dof);
 
         Places cell_places;
         for (unsigned int i = 0; fast && i < MixedElement::n_dofs; ++i)
@@ -106,7 +108,7 @@ namespace Biface
             for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
               scratch_matrix(i, j) = cell_matrix[i][j];
           }
-        discretization.constraints.distribute_local_to_global(
+        constraints.distribute_local_to_global(
           scratch_matrix, scratch_vector, scratch_dofs, matrix, vector);
       }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -7,6 +8,9 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 #include <biface/base/input_error.h>
@@ -69,8 +73,10 @@ namespace Biface
     std::unique_ptr<const ReferenceSurface> surface,
     const ChartGrid                        &grid,
     const std::array<double, 2>            &faces,
-    const Supports                         &supports)
+    const Supports                         &supports,
+    const std::vector<NamedPoint>          &points)
     : communicator(communicator)
+    , points(points)
     , faces(faces)
     , surface(std::move(surface))
     , triangulation(
@@ -84,7 +90,7 @@ namespace Biface
     check_geometry(*this->surface, grid, faces);
     if (grid.closed)
       for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
-        if (supports.edges[static_cast<unsigned int>(edge)] != Support::free)
+        if (!supports.edge_conditions(static_cast<unsigned int>(edge)).empty())
           throw InputError(
             "the section 'Supports' holds an edge of alpha_2, but the "
             "coordinate is closed ('Mesh/Closed in alpha_2') and has no edge.");
@@ -99,35 +105,127 @@ namespace Biface
       (box.get_boundary_points().second - box.get_boundary_points().first)
         .norm();
 
+    collect_cells_and_nodes(grid);
+    find_points();
     make_constraints(supports);
-    collect_cells_and_nodes();
   }
+
+
+  namespace
+  {
+    /** Equations @f$c^-v^- + c^+v^+ = \bar v@f$ for one component at one
+     * node, in reduced form. */
+    struct FaceEquations
+    {
+      std::vector<std::array<double, 3>> rows;
+
+      /** @return whether the new equation agrees with those there are. */
+      bool
+      add(std::array<double, 3> row)
+      {
+        for (const auto &old : rows)
+          {
+            const unsigned int pivot =
+              (std::abs(old[1]) >= std::abs(old[0]) ? 1 : 0);
+            const double factor = row[pivot] / old[pivot];
+            for (unsigned int i = 0; i < 3; ++i)
+              row[i] -= factor * old[i];
+            row[pivot] = 0;
+          }
+        if (std::abs(row[0]) < 1e-12 && std::abs(row[1]) < 1e-12)
+          return std::abs(row[2]) < 1e-12;
+        rows.push_back(row);
+        return true;
+      }
+    };
+  } // namespace
 
 
   void
   Discretization::make_constraints(const Supports &supports)
   {
-    constraints.reinit(locally_relevant);
+    // equations of the components of the nodes
+    std::map<std::pair<unsigned int, unsigned int>, FaceEquations> equations;
+    bool       contradiction = false;
+    const auto add           = [&](const unsigned int                   node,
+                         const std::vector<SupportCondition> &conditions) {
+      for (const SupportCondition &condition : conditions)
+        if (!equations[{node, condition.component}].add(
+              {{condition.faces[0], condition.faces[1], condition.value}}))
+          contradiction = true;
+    };
+
     for (unsigned int edge = 0; edge < 4; ++edge)
       {
-        const Support support = supports.edges[edge];
-        if (support == Support::free)
-          continue;
+        const auto conditions = supports.edge_conditions(edge);
+        for (const unsigned int node : edge_nodes[edge])
+          add(node, conditions);
+      }
+    for (const auto &item : supports.point_conditions())
+      {
+        const unsigned int node = node_of_point("Supports/Points", item.first);
+        if (node != numbers::invalid_unsigned_int)
+          add(node, item.second);
+      }
+    if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
+                            communicator) > 0)
+      throw InputError("the section 'Supports' prescribes different values of "
+                       "one displacement, but at most one value is possible.");
 
-        std::vector<bool> fixed(6, support == Support::fixed);
-        if (support == Support::symmetry)
-          for (unsigned int face = 0; face < 2; ++face)
-            fixed[2 * (edge / 2) + face] = true;
+    constraints.reinit(locally_relevant);
+    for (const auto &item : equations)
+      {
+        const Node        &node = nodes[item.first.first];
+        const unsigned int i    = item.first.second;
+        const auto        &rows = item.second.rows;
 
-        const IndexSet dofs = DoFTools::extract_boundary_dofs(
-          dof_handler,
-          ComponentMask(fixed),
-          {static_cast<types::boundary_id>(edge)});
-        for (const auto dof : dofs)
-          if (locally_relevant.is_element(dof))
-            constraints.add_line(dof);
+        const std::array<types::global_dof_index, 2> dofs{
+          {node.dofs[2 * i], node.dofs[2 * i + 1]}};
+        const auto prescribe = [&](const unsigned int face,
+                                   const double       factor,
+                                   const double       value) {
+          constraints.add_line(dofs[face]);
+          if (factor != 0)
+            constraints.add_entry(dofs[face], dofs[1 - face], factor);
+          if (value != 0)
+            prescribed.push_back(
+              {dofs[face],
+               factor != 0 ? dofs[1 - face] : numbers::invalid_dof_index,
+               factor,
+               value});
+        };
+
+        if (rows.size() == 1)
+          {
+            const unsigned int face =
+              (std::abs(rows[0][1]) >= std::abs(rows[0][0]) ? 1 : 0);
+            prescribe(face,
+                      -rows[0][1 - face] / rows[0][face],
+                      rows[0][2] / rows[0][face]);
+          }
+        else
+          {
+            const double determinant =
+              rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
+            prescribe(0,
+                      0,
+                      (rows[0][2] * rows[1][1] - rows[0][1] * rows[1][2]) /
+                        determinant);
+            prescribe(1,
+                      0,
+                      (rows[0][0] * rows[1][2] - rows[0][2] * rows[1][0]) /
+                        determinant);
+          }
       }
     constraints.close();
+
+    for (Node &node : nodes)
+      {
+        node.outer_face_free = false;
+        for (unsigned int i = 0; i < 3; ++i)
+          if (!constraints.is_constrained(node.dofs[2 * i + Resultants::outer]))
+            node.outer_face_free = true;
+      }
 
     types::global_dof_index n_owned_free = 0;
     for (const auto dof : locally_owned)
@@ -138,7 +236,7 @@ namespace Biface
 
 
   void
-  Discretization::collect_cells_and_nodes()
+  Discretization::collect_cells_and_nodes(const ChartGrid &grid)
   {
     const FE_Q<2, 3> scalar_fe(1);
     FEValues<2, 3>   at_vertices(mapping,
@@ -154,24 +252,45 @@ namespace Biface
     std::vector<unsigned int> node_of_vertex(triangulation.n_vertices(),
                                              numbers::invalid_unsigned_int);
 
+    // where the second coordinate is periodic, that of a node is taken near
+    // that of its cell, and within one turn from the begin of the grid
+    const double period = surface->get_periodicity()[1];
+    const double start  = grid.lines[1].front();
+    const auto   center_of =
+      [&](const DoFHandler<2, 3>::active_cell_iterator &cell) {
+        Point<2> center = surface->pull_back(cell->center(true));
+        if (period > 0)
+          center[1] -= period * std::floor((center[1] - start) / period);
+        return center;
+      };
+    const auto chart_point = [&](const Point<3> &vertex,
+                                 const Point<2> &center) {
+      Point<2> alpha = surface->pull_back(vertex);
+      if (period > 0)
+        {
+          alpha[1] = center[1] + std::remainder(alpha[1] - center[1], period);
+          if (grid.closed && alpha[1] > start + (1 - 1e-12) * period)
+            alpha[1] -= period;
+        }
+      return alpha;
+    };
+
     const auto add_node =
       [&](const DoFHandler<2, 3>::active_cell_iterator &cell,
-          const unsigned int                            v) {
+          const unsigned int                            v,
+          const Point<2>                               &center) {
         unsigned int &index = node_of_vertex[cell->vertex_index(v)];
         if (index != numbers::invalid_unsigned_int)
           return index;
 
         Node node;
-        node.alpha   = surface->pull_back(cell->vertex(v));
+        node.alpha   = chart_point(cell->vertex(v), center);
         node.surface = surface->evaluate(node.alpha);
         for (unsigned int i = 0; i < 6; ++i)
           node.dofs[i] = cell->vertex_dof_index(v, i);
         node.locally_owned   = locally_owned.is_element(node.dofs[0]);
-        node.outer_face_free = false;
-        for (unsigned int i = 0; i < 3; ++i)
-          if (!constraints.is_constrained(node.dofs[2 * i + Resultants::outer]))
-            node.outer_face_free = true;
-        index = nodes.size();
+        node.outer_face_free = true;
+        index                = nodes.size();
         nodes.push_back(node);
         return index;
       };
@@ -182,12 +301,35 @@ namespace Biface
         if (cell->is_artificial())
           continue;
 
+        const Point<2>              center = center_of(cell);
         std::array<unsigned int, 4> cell_nodes;
         for (unsigned int v = 0; v < 4; ++v)
-          cell_nodes[v] = add_node(cell, v);
+          cell_nodes[v] = add_node(cell, v, center);
         adjacent.resize(nodes.size());
         for (const unsigned int i : cell_nodes)
           adjacent[i].insert(cell_nodes.begin(), cell_nodes.end());
+
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            {
+              const std::array<unsigned int, 2> side{
+                {cell_nodes[GeometryInfo<2>::face_to_cell_vertices(f, 0)],
+                 cell_nodes[GeometryInfo<2>::face_to_cell_vertices(f, 1)]}};
+              const unsigned int edge = cell->face(f)->boundary_id();
+              edge_nodes[edge].insert(side.begin(), side.end());
+              if (!cell->is_locally_owned())
+                continue;
+
+              // the coordinate that runs along the side
+              const unsigned int a = 1 - f / 2;
+              double d = nodes[side[1]].alpha[a] - nodes[side[0]].alpha[a];
+              if (a == 1 && period > 0)
+                d = std::remainder(d, period);
+              const SurfacePoint middle = surface->evaluate(
+                surface->pull_back(cell->face(f)->center(true)));
+              boundary.push_back(
+                {static_cast<Edge>(edge), side, std::abs(d) * middle.lame[a]});
+            }
 
         if (!cell->is_locally_owned())
           continue;
@@ -210,6 +352,76 @@ namespace Biface
 
     for (const auto &set : adjacent)
       neighbors.emplace_back(set.begin(), set.end());
+  }
+
+
+  void
+  Discretization::find_points()
+  {
+    for (const NamedPoint &point : points)
+      {
+        unsigned int   found    = numbers::invalid_unsigned_int;
+        double         distance = std::numeric_limits<double>::max();
+        const Point<3> position = surface->evaluate(point.alpha).position;
+        for (unsigned int n = 0; n < nodes.size(); ++n)
+          {
+            const double d = nodes[n].alpha.distance(point.alpha);
+            if (nodes[n].surface.position.distance(position) <
+                  1e-8 * diameter &&
+                d < distance)
+              {
+                found    = n;
+                distance = d;
+              }
+          }
+        // both lips of a slit are at one place: the nearer coordinate counts
+        const double nearest = Utilities::MPI::min(distance, communicator);
+        if (nearest == std::numeric_limits<double>::max())
+          throw InputError(
+            "Points",
+            point.name + ": " +
+              number_to_string(point.alpha[0] / surface->coordinate_unit(0)) +
+              " " +
+              number_to_string(point.alpha[1] / surface->coordinate_unit(1)),
+            "a point must be a node of the mesh");
+        nodes_of_points.push_back(
+          distance <= nearest + 1e-9 ? found : numbers::invalid_unsigned_int);
+      }
+  }
+
+
+  unsigned int
+  Discretization::node_of_point(const std::string &entry,
+                                const std::string &name) const
+  {
+    std::string names;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        if (points[i].name == name)
+          return nodes_of_points[i];
+        names += (names.empty() ? "'" : ", '") + points[i].name + "'";
+      }
+    throw InputError(entry,
+                     name,
+                     points.empty()
+                       ? "there are no points; they are named in 'Points'"
+                       : "the points are " + names);
+  }
+
+
+  LA::Vector
+  Discretization::displacement_functional(const std::string &point,
+                                          const unsigned int component) const
+  {
+    LA::Vector         functional = owned_vector();
+    const unsigned int n          = node_of_point("Control point", point);
+    if (n != numbers::invalid_unsigned_int && nodes[n].locally_owned)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
+          functional(nodes[n].dofs[2 * i + face]) =
+            nodes[n].surface.frame[i][component] / 2;
+    functional.compress(VectorOperation::insert);
+    return functional;
   }
 
 

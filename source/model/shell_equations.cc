@@ -14,15 +14,19 @@ namespace Biface
 
   ShellEquations::ShellEquations(const Discretization    &discretization,
                                  const Laminate          &laminate,
-                                 const ContactConditions &contact)
+                                 const ContactConditions &contact,
+                                 const DeadLoads         &dead_loads)
     : discretization(discretization)
     , stiffness(laminate.stiffness())
     , symmetric_stiffness(laminate.is_symmetric())
     , contact(contact)
     , initial_resultants(discretization.cells.size(),
                          Modes::constant(laminate.initial_resultants()))
+    , constraints(discretization.constraints)
+    , dead_load(dead_loads.assemble(discretization))
+    , unit_pressure(assemble_unit_pressure(discretization))
     , rhs(discretization.owned_vector())
-    , adder(discretization, matrix)
+    , adder(discretization, constraints, matrix)
   {}
 
 
@@ -87,13 +91,6 @@ namespace Biface
     equations.residual     = -force;
     equations.force_square = force.norm_square();
 
-    // the consistent nodal force of a constant pressure
-    const double nodal_load = loads.pressure * cell.geometry.weight / 4;
-    for (unsigned int v = 0; v < 4; ++v)
-      equations.residual[MixedElement::dof(v, 2, Resultants::inner)] +=
-        nodal_load;
-    equations.force_square += 4 * nodal_load * nodal_load;
-
     if (loads.foundation)
       add_contact(state, loads, cell, equations);
   }
@@ -147,6 +144,7 @@ namespace Biface
   void
   ShellEquations::assemble(const State &state, const Loads &loads)
   {
+    update_constraints(state, loads);
     matrix = 0;
     rhs    = 0;
 
@@ -160,8 +158,38 @@ namespace Biface
       }
     matrix.compress(VectorOperation::add);
     rhs.compress(VectorOperation::add);
+
+    const LA::Vector load = load_direction(loads);
+    rhs += load;
     force_scale =
-      std::sqrt(Utilities::MPI::sum(force_square, discretization.communicator));
+      std::sqrt(Utilities::MPI::sum(force_square, discretization.communicator) +
+                load.norm_sqr());
+  }
+
+
+  LA::Vector
+  ShellEquations::load_direction(const Loads &rate) const
+  {
+    LA::Vector direction(unit_pressure);
+    direction.sadd(rate.pressure, rate.factor, dead_load);
+    return direction;
+  }
+
+
+  void
+  ShellEquations::update_constraints(const State &state, const Loads &loads)
+  {
+    double violation = 0;
+    for (const PrescribedDisplacement &p : discretization.prescribed)
+      {
+        double missing = loads.factor * p.value - state.displacement(p.dof);
+        if (p.other != numbers::invalid_dof_index)
+          missing += p.factor * state.displacement(p.other);
+        constraints.set_inhomogeneity(p.dof, missing);
+        violation = std::max(violation, std::abs(missing));
+      }
+    largest_violation =
+      Utilities::MPI::max(violation, discretization.communicator);
   }
 
 
@@ -255,6 +283,17 @@ namespace Biface
   }
 
 
+  unsigned int
+  ShellEquations::count_active(const State &state) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < state.active.size(); ++i)
+      if (state.active[i] && discretization.nodes[i].locally_owned)
+        ++n;
+    return Utilities::MPI::sum(n, discretization.communicator);
+  }
+
+
   double
   ShellEquations::clearance(const State &state,
                             const Loads &loads,
@@ -281,8 +320,7 @@ namespace Biface
   ShellEquations::summarize_contact(const State &state,
                                     const Loads &loads) const
   {
-    double       force = 0, area = 0, max_pressure = 0;
-    unsigned int n_nodes = 0;
+    double force = 0, area = 0, max_pressure = 0;
     if (loads.foundation)
       {
         for (const Cell &cell : discretization.cells)
@@ -296,17 +334,14 @@ namespace Biface
               }
         for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
           if (discretization.nodes[n].locally_owned && state.active[n])
-            {
-              ++n_nodes;
-              max_pressure = std::max(max_pressure, pressure(state, loads, n));
-            }
+            max_pressure = std::max(max_pressure, pressure(state, loads, n));
       }
 
     const MPI_Comm communicator = discretization.communicator;
     ContactSummary summary;
     summary.force        = Utilities::MPI::sum(force, communicator);
     summary.area         = Utilities::MPI::sum(area, communicator);
-    summary.n_nodes      = Utilities::MPI::sum(n_nodes, communicator);
+    summary.n_nodes      = count_active(state);
     summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);
     return summary;
   }

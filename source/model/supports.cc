@@ -1,23 +1,150 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/utilities.h>
+
+#include <map>
+
+#include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/model/supports.h>
 
 namespace Biface
 {
-  void
-  Supports::add_parameters(dealii::ParameterHandler &prm)
+  using namespace dealii;
+
+  namespace
   {
-    const std::array<std::string, 4> names{
+    const std::array<std::string, 4> edge_names{
       {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
+
+    const std::array<double, 2> inner{{1, 0}};
+    const std::array<double, 2> outer{{0, 1}};
+    const std::array<double, 2> mean{{0.5, 0.5}};
+    const std::array<double, 2> difference{{-1, 1}};
+  } // namespace
+
+
+  void
+  Supports::add_parameters(ParameterHandler &prm)
+  {
     for (unsigned int edge = 0; edge < 4; ++edge)
-      add_choice(prm,
-                 names[edge],
-                 edges[edge],
-                 {"free", "fixed", "symmetry"},
-                 "What holds the edge " + names[edge] +
-                   ": nothing, no displacement of either face ('fixed'), or "
-                   "no displacement across the edge ('symmetry'). An edge of a "
-                   "closed coordinate does not exist and stays 'free'.");
+      prm.add_parameter(
+        edge_names[edge],
+        edges[edge],
+        "What holds the edge " + edge_names[edge] +
+          ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
+          "'hinged outer', 'symmetry' (no displacement across the edge), or a "
+          "list, separated by semicolons, of 'v_i FACE' or 'v_i FACE = value', "
+          "with i = 1, 2, 3 and FACE one of inner, outer, both, mean, "
+          "difference (outer less inner). Values grow with the load factor. An "
+          "edge of a closed coordinate does not exist and stays free. Unit: "
+          "length.",
+        Patterns::Anything());
+    prm.add_parameter("Points",
+                      points,
+                      "Supports of named points: 'name: support', separated by "
+                      "commas, each support as for an edge.",
+                      Patterns::Anything());
+  }
+
+
+  std::vector<SupportCondition>
+  parse_support(const std::string &entry,
+                const std::string &text,
+                const unsigned int across)
+  {
+    const auto all_components = [](const std::array<double, 2> &faces) {
+      return std::vector<SupportCondition>{
+        {0, faces, 0}, {1, faces, 0}, {2, faces, 0}};
+    };
+    const auto both = [](std::vector<SupportCondition> conditions) {
+      const unsigned int n = conditions.size();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          conditions.push_back(conditions[i]);
+          conditions[i].faces     = inner;
+          conditions.back().faces = outer;
+        }
+      return conditions;
+    };
+
+    if (text == "free")
+      return {};
+    if (text == "fixed")
+      return both(all_components(inner));
+    if (text == "hinged")
+      return all_components(mean);
+    if (text == "hinged inner")
+      return all_components(inner);
+    if (text == "hinged outer")
+      return all_components(outer);
+    if (text == "symmetry" && across < 3)
+      return both({{across, inner, 0}});
+
+    const std::string form =
+      std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
+                  "'hinged outer'") +
+      (across < 3 ? ", 'symmetry'" : "") +
+      ", or a list like 'v_1 both; v_3 mean = 0.5' (faces: inner, outer, "
+      "both, mean, difference)";
+
+    std::vector<SupportCondition> conditions;
+    for (const std::string &item : Utilities::split_string_list(text, ';'))
+      {
+        const auto                     equals = item.find('=');
+        const std::vector<std::string> words =
+          split_words(item.substr(0, equals));
+        const double value =
+          (equals == std::string::npos
+             ? 0.
+             : parse_number(entry, item.substr(equals + 1), form));
+        if (words.size() != 2 || words[0].size() != 3 ||
+            words[0].rfind("v_", 0) != 0 || words[0][2] < '1' ||
+            words[0][2] > '3')
+          throw InputError(entry, text, form);
+
+        SupportCondition condition{
+          static_cast<unsigned int>(words[0][2] - '1'), inner, value};
+        const std::map<std::string, std::array<double, 2>> faces{
+          {"inner", inner},
+          {"outer", outer},
+          {"mean", mean},
+          {"difference", difference}};
+        if (words[1] == "both")
+          for (const SupportCondition &c : both({condition}))
+            conditions.push_back(c);
+        else if (faces.count(words[1]))
+          {
+            condition.faces = faces.at(words[1]);
+            conditions.push_back(condition);
+          }
+        else
+          throw InputError(entry, text, form);
+      }
+    if (conditions.empty())
+      throw InputError(entry, text, form);
+    return conditions;
+  }
+
+
+  std::vector<SupportCondition>
+  Supports::edge_conditions(const unsigned int edge) const
+  {
+    return parse_support("Supports/" + edge_names[edge], edges[edge], edge / 2);
+  }
+
+
+  std::vector<std::pair<std::string, std::vector<SupportCondition>>>
+  Supports::point_conditions() const
+  {
+    const std::string entry = "Supports/Points";
+    std::vector<std::pair<std::string, std::vector<SupportCondition>>> result;
+    for (const std::string &text : Utilities::split_string_list(points, ','))
+      {
+        const auto item =
+          split_named(entry, text, "each item is written 'name: support'");
+        result.emplace_back(item.first, parse_support(entry, item.second, 3));
+      }
+    return result;
   }
 } // namespace Biface

@@ -58,6 +58,7 @@ namespace Biface
             auto &patch          = patches[2 * c + face];
             patch.patch_index    = 2 * c + face;
             patch.n_subdivisions = 1;
+            patch.reference_cell = ReferenceCells::Quadrilateral;
             patch.data.reinit(dataset_names.size(), 4);
             for (unsigned int v = 0; v < 4; ++v)
               {

@@ -74,9 +74,14 @@ namespace Biface
 
     write_text(path("history.csv"),
                "step,stage,approach,force,contact_nodes,contact_area,"
-               "max_pressure,iterations,seconds,pressure\n",
+               "max_pressure,iterations,seconds,pressure,load_factor\n",
                false,
                communicator);
+    if (!equations.discretization.points.empty())
+      write_text(path("probes.csv"),
+                 "step,stage,load_factor,name,face,u_x,u_y,u_z,u_1,u_2,u_3\n",
+                 false,
+                 communicator);
   }
 
 
@@ -100,6 +105,8 @@ namespace Biface
     write_profile(report, state);
     if (parameters.vtu)
       write_vtu(report, state);
+    if (!equations.discretization.points.empty())
+      append_probes(report, state);
     append_history(report);
   }
 
@@ -114,11 +121,61 @@ namespace Biface
          << ',' << csv_number(report.contact.area) << ','
          << csv_number(report.contact.max_pressure) << ',' << report.iterations
          << ',' << csv_number(report.seconds) << ','
-         << csv_number(report.loads.pressure) << '\n';
+         << csv_number(report.loads.pressure) << ','
+         << csv_number(report.loads.factor) << '\n';
     write_text(path("history.csv"),
                line.str(),
                true,
                equations.discretization.communicator);
+  }
+
+
+  void
+  ResultsWriter::append_probes(const StepReport &report,
+                               const State      &state) const
+  {
+    const Discretization &discretization = equations.discretization;
+
+    std::string text;
+    for (const NamedPoint &point : discretization.points)
+      {
+        // x, y, z, then 1, 2, 3 of both faces, from the rank that owns the node
+        std::array<std::vector<double>, 2> u{
+          {std::vector<double>(6), std::vector<double>(6)}};
+        const unsigned int n =
+          discretization.node_of_point("Points", point.name);
+        if (n != numbers::invalid_unsigned_int &&
+            discretization.nodes[n].locally_owned)
+          for (unsigned int face = 0; face < 2; ++face)
+            {
+              const Node        &node = discretization.nodes[n];
+              const Tensor<1, 3> local =
+                discretization.displacement(state.displacement, node, face);
+              const Tensor<1, 3> global = node.surface.from_frame(local);
+              for (unsigned int i = 0; i < 3; ++i)
+                {
+                  u[face][i]     = global[i];
+                  u[face][3 + i] = local[i];
+                }
+            }
+        for (auto &values : u)
+          Utilities::MPI::sum(values, discretization.communicator, values);
+
+        const auto append = [&](const std::string &face,
+                                const double       share_of_inner) {
+          text += std::to_string(report.step) + ',' + report.stage->name + ',' +
+                  csv_number(report.loads.factor) + ',' + point.name + ',' +
+                  face;
+          for (unsigned int i = 0; i < 6; ++i)
+            text += ',' + csv_number(share_of_inner * u[0][i] +
+                                     (1 - share_of_inner) * u[1][i]);
+          text += '\n';
+        };
+        append("inner", 1);
+        append("outer", 0);
+        append("middle", 0.5);
+      }
+    write_text(path("probes.csv"), text, true, discretization.communicator);
   }
 
 

@@ -7,7 +7,9 @@ namespace Biface
   using namespace dealii;
 
   void
-  Parameters::add_parameters(ParameterHandler &prm, const unsigned int n_stages)
+  Parameters::add_parameters(ParameterHandler               &prm,
+                             const std::vector<std::string> &material_names,
+                             const unsigned int              n_stages)
   {
     prm.enter_subsection("Surface");
     surface.add_parameters(prm);
@@ -17,12 +19,35 @@ namespace Biface
     mesh.add_parameters(prm);
     prm.leave_subsection();
 
+    std::string names;
+    for (const std::string &name : material_names)
+      names += (names.empty() ? "" : ", ") + name;
+    prm.declare_entry("Materials",
+                      names,
+                      Patterns::Anything(),
+                      "Names of the materials, separated by commas. The "
+                      "section 'Material NAME' describes each.");
+    materials.resize(material_names.size());
+    for (unsigned int i = 0; i < materials.size(); ++i)
+      {
+        materials[i].name = material_names[i];
+        prm.enter_subsection("Material " + material_names[i]);
+        materials[i].add_parameters(prm);
+        prm.leave_subsection();
+      }
+
     prm.enter_subsection("Laminate");
     laminate.add_parameters(prm);
     prm.leave_subsection();
 
+    points.add_parameters(prm);
+
     prm.enter_subsection("Supports");
     supports.add_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Loads");
+    loads.add_parameters(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("Contact");

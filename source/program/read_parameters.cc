@@ -275,18 +275,21 @@ namespace Biface
     for (const Override &setting : overrides)
       sources.emplace_back("--set " + setting, override_text(setting));
 
-    // the number of stages decides which sections there are
-    ParameterHandler number_only;
-    unsigned int     n_stages = 1;
-    number_only.add_parameter(
+    // these decide which sections there are
+    ParameterHandler         names_only;
+    unsigned int             n_stages = 1;
+    std::vector<std::string> materials{"cord"};
+    names_only.add_parameter(
       "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
+    names_only.add_parameter(
+      "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
     for (const auto &source : sources)
       {
         check_duplicates(source.first, source.second);
-        parse(number_only, source.first, source.second, true);
+        parse(names_only, source.first, source.second, true);
       }
 
-    parameters.add_parameters(prm, n_stages);
+    parameters.add_parameters(prm, materials, n_stages);
     for (const auto &source : sources)
       parse(prm, source.first, source.second, false);
 

@@ -10,24 +10,45 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::unique_ptr<const Discretization>
+    make_discretization(const Parameters &parameters,
+                        const Laminate   &laminate,
+                        const MPI_Comm    communicator)
+    {
+      std::unique_ptr<const ReferenceSurface> surface =
+        make_surface(parameters.surface, communicator);
+      const ChartGrid               grid(parameters.mesh, *surface);
+      const std::vector<NamedPoint> points = parameters.points.parse(*surface);
+      return std::make_unique<const Discretization>(communicator,
+                                                    std::move(surface),
+                                                    grid,
+                                                    laminate.faces(),
+                                                    parameters.supports,
+                                                    points);
+    }
+  } // namespace
+
+
   Simulation::Simulation(const Parameters &parameters,
                          const MPI_Comm    communicator,
                          std::ostream     &stream)
     : parameters(parameters)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
-    , laminate(parameters.laminate)
-    , discretization(communicator,
-                     make_surface(parameters.surface, communicator),
-                     ChartGrid(parameters.mesh,
-                               *make_surface(parameters.surface, communicator)),
-                     laminate.faces(),
-                     parameters.supports)
+    , laminate(parameters.laminate, parameters.materials)
+    , discretization(make_discretization(parameters, laminate, communicator))
     , contact(parameters.contact)
-    , equations(discretization, laminate, contact)
+    , equations(*discretization, laminate, contact, parameters.loads)
     , linear_solver(communicator, timer)
     , state(equations.initial_state())
-  {}
+  {
+    for (const Stage &stage : parameters.stages)
+      if (stage.control == Stage::Control::displacement)
+        discretization->node_of_point(stage.name + "/Control point",
+                                      stage.control_point);
+  }
 
 
   LoadSteppingResult

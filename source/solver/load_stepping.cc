@@ -73,6 +73,18 @@ namespace Biface
     if (!std::isfinite(travel))
       throw InputError(
         section + "/Travel", number_to_string(travel), "it must be a number");
+    if (!std::isfinite(factor))
+      throw InputError(section + "/Load factor",
+                       number_to_string(factor),
+                       "it must be a number");
+    if (control != Control::load && theory == StrainTheory::linear)
+      throw InputError(section + "/Strain theory",
+                       "linear",
+                       "a linear stage must have 'Control = load'");
+    if (control == Control::displacement && control_point.empty())
+      throw InputError(section + "/Control point",
+                       control_point,
+                       "control by a displacement needs a point");
     if (!contact && travel != 0)
       throw InputError(section + "/Travel",
                        number_to_string(travel),
@@ -88,6 +100,11 @@ namespace Biface
                       "How often a step that does not converge is halved "
                       "before the run ends.",
                       Patterns::Integer(0, 30));
+    prm.add_parameter("Greatest growth",
+                      greatest_growth,
+                      "How much longer than the first one a step of given arc "
+                      "length may become. No unit.",
+                      Patterns::Double(1));
   }
 
 
@@ -130,65 +147,51 @@ namespace Biface
       touching_plane = equations.touching_plane(state);
     equations.set_theory(stage.theory, state);
 
-    const LoadPoint begin = reached;
-    const auto      point = [&](const double fraction) {
-      return LoadPoint{begin.pressure +
-                         fraction * (stage.pressure - begin.pressure),
-                       begin.travel + fraction * (stage.travel - begin.travel)};
-    };
+    Progress progress;
+    progress.begin = reached;
+    switch (stage.control)
+      {
+        case Stage::Control::load:
+          return follow_loads(stage, progress, 0, 1, state, observer);
+        case Stage::Control::displacement:
+          return follow_displacement(stage, progress, state, observer);
+        case Stage::Control::arc_length:
+          return follow_arc(stage, progress, state, observer);
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
 
+
+  LoadSteppingResult
+  LoadStepping::follow_loads(const Stage    &stage,
+                             Progress       &progress,
+                             const double    first,
+                             const double    last,
+                             State          &state,
+                             const Observer &observer)
+  {
     for (unsigned int k = 1; k <= stage.n_steps; ++k)
       {
-        double       done   = (k - 1.) / stage.n_steps;
-        const double target = double(k) / stage.n_steps;
-        double       size   = target - done;
+        const double target = first + (last - first) * k / stage.n_steps;
+        double       size   = (last - first) / stage.n_steps;
         unsigned int n_cuts = 0;
-        while (done < target)
+        progress.fraction   = first + (last - first) * (k - 1) / stage.n_steps;
+        while (progress.fraction != target)
           {
-            const double fraction =
-              (done + size < target * (1 - 1e-12) ? done + size : target);
-            const LoadPoint next  = point(fraction);
-            const Loads     loads = loads_at(next, stage);
-
-            out << "Step " << n_steps + 1 << ", " << stage.name << ": pressure "
-                << next.pressure;
-            if (stage.contact)
-              out << ", approach " << next.travel;
-            out << std::endl;
-
-            Timer              timer;
-            State              trial  = state;
-            const NewtonResult newton = try_step(trial, loads);
-            if (newton.converged)
+            const double left = target - progress.fraction;
+            const double next =
+              (size < left * (1 - 1e-9) ? progress.fraction + size : target);
+            if (step(stage, progress, next, nullptr, state, observer))
               {
-                state   = trial;
-                reached = next;
-                done    = fraction;
                 size *= 2;
                 n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
-                ++n_steps;
-
-                StepReport report;
-                report.step       = n_steps;
-                report.stage      = &stage;
-                report.loads      = loads;
-                report.approach   = (stage.contact ? next.travel : 0.);
-                report.contact    = equations.summarize_contact(state, loads);
-                report.iterations = newton.iterations;
-                report.residuals  = newton.residuals;
-                report.seconds    = timer.wall_time();
-                observer(report, state);
               }
+            else if (++n_cuts > parameters.max_cuts)
+              return failure(stage);
             else
               {
-                out << "  not converged: " << newton.message << std::endl;
-                if (++n_cuts > parameters.max_cuts)
-                  return {false,
-                          "step " + std::to_string(n_steps + 1) + " (" +
-                            stage.name + ") did not converge after " +
-                            std::to_string(parameters.max_cuts) +
-                            " cuts: " + newton.message};
-                size = (fraction - done) / 2;
+                size = (next - progress.fraction) / 2;
                 out << "  the step is cut in half" << std::endl;
               }
           }
@@ -197,12 +200,167 @@ namespace Biface
   }
 
 
-  NewtonResult
-  LoadStepping::try_step(State &state, const Loads &loads)
+  LoadSteppingResult
+  LoadStepping::follow_displacement(const Stage    &stage,
+                                    Progress       &progress,
+                                    State          &state,
+                                    const Observer &observer)
   {
-    const State  start = state;
+    const LA::Vector functional =
+      equations.discretization.displacement_functional(stage.control_point,
+                                                       stage.control_component);
+
+    LA::Vector displacement = equations.discretization.owned_vector();
+    displacement            = state.displacement;
+    const double begin      = functional * displacement;
+
+    double       done   = 0;
+    double       size   = 1. / stage.n_steps;
+    unsigned int n_cuts = 0;
+    while (done < 1)
+      {
+        const double next = (done + size < 1 - 1e-9 ? done + size : 1.);
+        const DisplacementControl control(
+          functional, (next - done) * (stage.control_value - begin));
+        if (step(stage, progress, progress.fraction, &control, state, observer))
+          {
+            done   = next;
+            size   = std::min(2 * size, 1. / stage.n_steps);
+            n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+          }
+        else if (++n_cuts > parameters.max_cuts)
+          return failure(stage);
+        else
+          {
+            size /= 2;
+            out << "  the step is cut in half" << std::endl;
+          }
+      }
+    return {};
+  }
+
+
+  LoadSteppingResult
+  LoadStepping::follow_arc(const Stage    &stage,
+                           Progress       &progress,
+                           State          &state,
+                           const Observer &observer)
+  {
+    // iterations of a step whose length is right
+    constexpr double wanted_iterations = 5;
+
+    LA::Vector before   = equations.discretization.owned_vector();
+    LA::Vector previous = equations.discretization.owned_vector();
+
+    // the first step gives the length of the later ones
+    before = state.displacement;
+    if (!step(stage, progress, 1. / stage.n_steps, nullptr, state, observer))
+      return failure(stage);
+    previous = state.displacement;
+    previous -= before;
+    double       length          = previous.l2_norm();
+    const double greatest_length = parameters.greatest_growth * length;
+
+    unsigned int n_cuts = 0;
+    while (progress.fraction < 1)
+      {
+        before = state.displacement;
+        const ArcLengthControl control(length, previous);
+        if (step(stage, progress, progress.fraction, &control, state, observer))
+          {
+            previous = state.displacement;
+            previous -= before;
+            const double ease =
+              std::sqrt(wanted_iterations / std::max(1u, last_n_iterations));
+            length *= std::min(2., std::max(0.5, ease));
+            length = std::min(length, greatest_length);
+            n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+          }
+        else if (++n_cuts > parameters.max_cuts)
+          return failure(stage);
+        else
+          {
+            length /= 2;
+            out << "  the step is cut in half" << std::endl;
+          }
+      }
+    return {};
+  }
+
+
+  bool
+  LoadStepping::step(const Stage       &stage,
+                     Progress          &progress,
+                     const double       guess,
+                     const PathControl *control,
+                     State             &state,
+                     const Observer    &observer)
+  {
+    const LoadPoint next = point_at(stage, progress, guess);
+    out << "Step " << n_steps + 1 << ", " << stage.name << ": pressure "
+        << next.pressure << ", load factor " << next.factor;
+    if (stage.contact)
+      out << ", approach " << next.travel;
+    out << (control ? " at its begin" : "") << std::endl;
+
+    Newton::Path path;
+    path.loads = [&](const double fraction) {
+      return loads_at(point_at(stage, progress, fraction), stage);
+    };
+    path.rate.pressure = stage.pressure - progress.begin.pressure;
+    path.rate.factor   = stage.factor - progress.begin.factor;
+    path.control       = control;
+
+    Timer        timer;
+    State        trial    = state;
+    double       fraction = guess;
+    NewtonResult result   = try_step(trial, path, fraction);
+    if (result.converged && control != nullptr && fraction > 1 &&
+        stage.control == Stage::Control::arc_length)
+      {
+        out << "  beyond the loads of the stage: tried again with these"
+            << std::endl;
+        trial        = state;
+        fraction     = 1;
+        path.control = nullptr;
+        result       = try_step(trial, path, fraction);
+      }
+    last_n_iterations = result.iterations;
+    if (!result.converged)
+      {
+        last_message = result.message;
+        out << "  not converged: " << result.message << std::endl;
+        return false;
+      }
+
+    state             = trial;
+    progress.fraction = fraction;
+    reached           = point_at(stage, progress, fraction);
+    ++n_steps;
+
+    StepReport report;
+    report.step       = n_steps;
+    report.stage      = &stage;
+    report.loads      = loads_at(reached, stage);
+    report.approach   = (stage.contact ? reached.travel : 0.);
+    report.contact    = equations.summarize_contact(state, report.loads);
+    report.iterations = result.iterations;
+    report.residuals  = result.residuals;
+    report.seconds    = timer.wall_time();
+    observer(report, state);
+    return true;
+  }
+
+
+  NewtonResult
+  LoadStepping::try_step(State              &state,
+                         const Newton::Path &path,
+                         double             &fraction)
+  {
+    const State  start       = state;
+    const double first_guess = fraction;
     NewtonResult result =
-      newton.solve(state, loads, newton.parameters.iteration);
+      newton.solve(state, path, fraction, newton.parameters.iteration);
     if (!result.converged &&
         newton.parameters.iteration == NewtonIteration::mixed)
       {
@@ -210,10 +368,26 @@ namespace Biface
             << "; tried again with the substituted iteration" << std::endl;
         const unsigned int spent = result.iterations;
         state                    = start;
-        result = newton.solve(state, loads, NewtonIteration::substituted);
+        fraction                 = first_guess;
+        result =
+          newton.solve(state, path, fraction, NewtonIteration::substituted);
         result.iterations += spent;
       }
     return result;
+  }
+
+
+  LoadStepping::LoadPoint
+  LoadStepping::point_at(const Stage    &stage,
+                         const Progress &progress,
+                         const double    fraction) const
+  {
+    const LoadPoint &begin = progress.begin;
+    if (fraction == 1)
+      return {stage.pressure, stage.factor, stage.travel};
+    return {begin.pressure + fraction * (stage.pressure - begin.pressure),
+            begin.factor + fraction * (stage.factor - begin.factor),
+            begin.travel + fraction * (stage.travel - begin.travel)};
   }
 
 
@@ -222,8 +396,19 @@ namespace Biface
   {
     Loads loads;
     loads.pressure = point.pressure;
+    loads.factor   = point.factor;
     if (stage.contact)
       loads.foundation = touching_plane->moved(point.travel);
     return loads;
+  }
+
+
+  LoadSteppingResult
+  LoadStepping::failure(const Stage &stage) const
+  {
+    return {false,
+            "step " + std::to_string(n_steps + 1) + " (" + stage.name +
+              ") did not converge after " +
+              std::to_string(parameters.max_cuts) + " cuts: " + last_message};
   }
 } // namespace Biface

@@ -239,11 +239,9 @@ namespace Biface
 
 
   LinearSolverResult
-  MumpsSolver::solve(const LA::SparseMatrix &A,
-                     LA::Vector             &x,
-                     const LA::Vector       &b,
-                     const bool              symmetric)
+  MumpsSolver::factorize(const LA::SparseMatrix &A, const bool symmetric)
   {
+    matrix = &A;
     if (!instance || !instance->is_for(A, symmetric))
       {
         TimerOutput::Scope scope(timer, "Linear solver: analysis");
@@ -254,14 +252,23 @@ namespace Biface
             return failure("analysis", status);
           }
       }
-    {
-      TimerOutput::Scope scope(timer, "Linear solver: factorization");
-      if (const int status = instance->factorize(A); status < 0)
-        return failure("factorization", status);
-    }
+
+    TimerOutput::Scope scope(timer, "Linear solver: factorization");
+    if (const int status = instance->factorize(A); status < 0)
+      return failure("factorization", status);
+    LinearSolverResult result;
+    result.success = true;
+    return result;
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::solve(LA::Vector &x, const LA::Vector &b)
+  {
+    Assert(matrix != nullptr, ExcNotInitialized());
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     if (const int status = instance->solve(x, b); status < 0)
       return failure("solution", status);
-    return check_solution(A, x, b);
+    return check_solution(*matrix, x, b);
   }
 } // namespace Biface

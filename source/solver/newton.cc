@@ -62,19 +62,22 @@ namespace Biface
 
   NewtonResult
   Newton::solve(State                &state,
-                const Loads          &loads,
+                const Path           &path,
+                double               &fraction,
                 const NewtonIteration iteration)
   {
-    const double thickness = equations.discretization.get_faces()[1] -
-                             equations.discretization.get_faces()[0];
+    const Discretization &discretization = equations.discretization;
+    const double          thickness =
+      discretization.get_faces()[1] - discretization.get_faces()[0];
 
     NewtonResult result;
+    Loads        loads       = path.loads(fraction);
     unsigned int n_changes   = equations.update_active_set(state, loads);
-    LA::Vector   increment   = equations.discretization.owned_vector();
     double       last_update = std::numeric_limits<double>::infinity();
+    LA::Vector   increment   = discretization.owned_vector();
+    LA::Vector   total       = discretization.owned_vector();
 
-    const auto print = [&](const std::string &update,
-                           const unsigned int n_active) {
+    const auto print = [&](const std::string &update) {
       char line[128];
       std::snprintf(line,
                     sizeof(line),
@@ -83,16 +86,9 @@ namespace Biface
                     result.iterations,
                     result.residuals.back(),
                     update.c_str(),
-                    n_active,
+                    equations.count_active(state),
                     n_changes);
       out << line << std::endl;
-    };
-    const auto count_active = [&]() {
-      unsigned int n = 0;
-      for (unsigned int i = 0; i < state.active.size(); ++i)
-        if (state.active[i] && equations.discretization.nodes[i].locally_owned)
-          ++n;
-      return Utilities::MPI::sum(n, equations.discretization.communicator);
     };
 
     while (true)
@@ -108,10 +104,13 @@ namespace Biface
             return result;
           }
 
-        const bool at_rest = (result.iterations == 0 || n_changes == 0);
-        if (at_rest &&
+        // a condition on the path needs an iteration to be satisfied
+        const bool at_rest =
+          (result.iterations == 0 ? path.control == nullptr : n_changes == 0);
+        const double small = parameters.update_tolerance * thickness;
+        if (at_rest && equations.support_violation() <= small &&
             (result.residuals.back() <= parameters.residual_tolerance ||
-             last_update <= parameters.update_tolerance * thickness))
+             last_update <= small))
           {
             result.converged = true;
             break;
@@ -123,40 +122,48 @@ namespace Biface
             return result;
           }
 
-        const LinearSolverResult linear =
-          linear_solver.solve(equations.tangent(),
-                              increment,
-                              equations.residual(),
-                              equations.is_symmetric());
+        LinearSolverResult linear = linear_solver.factorize(
+          equations.tangent(), equations.is_symmetric());
+        if (linear.success)
+          linear = linear_solver.solve(increment, equations.residual());
+        if (linear.success && path.control != nullptr)
+          {
+            LA::Vector per_load = discretization.owned_vector();
+            linear              = linear_solver.solve(per_load,
+                                         equations.load_direction(path.rate));
+            const double change =
+              path.control->load_change(total, increment, per_load);
+            increment.add(change, per_load);
+            fraction += change;
+            loads = path.loads(fraction);
+          }
         if (!linear.success)
           {
             result.message = linear.message;
             return result;
           }
-        equations.discretization.constraints.distribute(increment);
+        equations.distribute(increment);
 
-        {
-          TimerOutput::Scope scope(timer, "Update of the state");
-          equations.update(state, increment, iteration);
-          n_changes   = equations.update_active_set(state, loads);
-          last_update = increment.linfty_norm();
-          ++result.iterations;
+        TimerOutput::Scope scope(timer, "Update of the state");
+        total += increment;
+        equations.update(state, increment, iteration);
+        n_changes   = equations.update_active_set(state, loads);
+        last_update = increment.linfty_norm();
+        ++result.iterations;
+        if (!(last_update <= discretization.size()))
+          {
+            result.message = "the iteration diverged: an update exceeded the "
+                             "size of the shell";
+            return result;
+          }
 
-          if (!(last_update <= equations.discretization.size()))
-            {
-              result.message = "the iteration diverged: an update exceeded "
-                               "the size of the shell";
-              return result;
-            }
-
-          char update[16];
-          std::snprintf(update, sizeof(update), "%9.3e", last_update);
-          print(update, count_active());
-        }
+        char update[16];
+        std::snprintf(update, sizeof(update), "%9.3e", last_update);
+        print(update);
       }
 
     TimerOutput::Scope scope(timer, "Update of the state");
-    print("", count_active());
+    print("");
     equations.settle_resultants(state);
     return result;
   }

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Biface
@@ -32,6 +33,25 @@ namespace Biface
   parse_number(const std::string &entry,
                const std::string &text,
                const std::string &allowed);
+
+  /** The words of a text. */
+  std::vector<std::string>
+  split_words(const std::string &text);
+
+  /** Read a text of exactly @p n numbers, separated by blanks; see
+   * parse_number(). */
+  std::vector<double>
+  parse_numbers(const std::string &entry,
+                const std::string &text,
+                const unsigned int n,
+                const std::string &allowed);
+
+  /** Split "name: rest" at its colon. Throws InputError, as parse_number()
+   * does, where there is none or the name is empty. */
+  std::pair<std::string, std::string>
+  split_named(const std::string &entry,
+              const std::string &text,
+              const std::string &allowed);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator whose place in @p names the text has. */

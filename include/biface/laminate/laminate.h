@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/laminate/material.h>
+#include <biface/laminate/material_parameters.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -62,37 +62,27 @@ namespace Biface
   class Laminate
   {
   public:
-    /** Where the reference surface lies in the thickness. */
-    enum class Reference
-    {
-      inner,
-      middle,
-      outer
-    };
-
     struct Parameters
     {
-      double       E_L   = 510.45;
-      double       E_T   = 6.91;
-      double       G_LT  = 2.33;
-      double       G_TT  = 1.77;
-      double       nu_LT = 0.46;
-      double       nu_TT = 0.95;
-      std::string  plies = "1.2 @ 52, 1.2 @ -52, 1.2 @ 52, 1.2 @ -52";
+      std::string  plies = "cord: 1.2 @ 52, cord: 1.2 @ -52, "
+                           "cord: 1.2 @ 52, cord: 1.2 @ -52";
       std::string  initial_stresses;
       ThicknessLaw law       = ThicknessLaw::symmetric;
-      Reference    reference = Reference::inner;
+      std::string  reference = "inner";
 
       void
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the plies or their material are not usable. */
-    explicit Laminate(const Parameters &parameters);
+    /** Throws InputError where the plies are not usable, or name a material
+     * that is not in @p materials. */
+    Laminate(const Parameters                      &parameters,
+             const std::vector<MaterialParameters> &materials);
 
+    /** @param reference_height see reference_height(). */
     Laminate(std::vector<Ply>   plies,
              const ThicknessLaw law,
-             const Reference    reference);
+             const double       reference_height);
 
     /** The total thickness h. Unit: length. */
     double
@@ -127,7 +117,8 @@ namespace Biface
   private:
     std::vector<Ply>   plies;
     const ThicknessLaw law;
-    const Reference    reference;
+    /** Where the reference surface lies, from the inner face. */
+    const double reference_height;
   };
 } // namespace Biface
 

@@ -26,9 +26,12 @@ namespace Biface
   class CellMatrixAdder
   {
   public:
-    /** Set up the pattern of @p matrix and the places of the cells in it. */
-    CellMatrixAdder(const Discretization &discretization,
-                    LA::SparseMatrix     &matrix);
+    /** Set up the pattern of @p matrix and the places of the cells in it. The
+     * other arguments are kept by reference; the inhomogeneities of the
+     * constraints may change. */
+    CellMatrixAdder(const Discretization                    &discretization,
+                    const dealii::AffineConstraints<double> &constraints,
+                    LA::SparseMatrix                        &matrix);
 
     /** Add the contributions of a cell, given by its position in
      * Discretization::cells. */
@@ -44,8 +47,9 @@ namespace Biface
      * first of the node's six columns among the values of the matrix. */
     using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
 
-    const Discretization &discretization;
-    std::vector<Places>   places;
+    const Discretization                    &discretization;
+    const dealii::AffineConstraints<double> &constraints;
+    std::vector<Places>                      places;
     /** Position of the cell in @p places, or an invalid number. */
     std::vector<unsigned int> fast_cell;
     /** The values of the matrix, as Epetra stores them. */

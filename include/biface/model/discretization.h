@@ -13,11 +13,14 @@
 
 #include <array>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/geometry.h>
 #include <biface/element/mixed_element.h>
+#include <biface/model/named_points.h>
 #include <biface/model/supports.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/reference_surface.h>
@@ -54,6 +57,30 @@ namespace Biface
   };
 
 
+  /** A side of a locally owned cell on an edge of the shell. */
+  struct BoundarySegment
+  {
+    Edge edge;
+    /** Positions in Discretization::nodes. */
+    std::array<unsigned int, 2> nodes;
+    /** On the reference surface. */
+    double length;
+  };
+
+
+  /** A displacement that a support prescribes:
+   * @f$v = f\,v_{other} + \bar v@f$, where @f$\bar v@f$ grows with the load
+   * factor. */
+  struct PrescribedDisplacement
+  {
+    dealii::types::global_dof_index dof;
+    /** Invalid where f is zero. */
+    dealii::types::global_dof_index other;
+    double                          factor;
+    double                          value;
+  };
+
+
   /**
    * The mesh with its degrees of freedom: what is fixed once the surface, the
    * grid, the faces and the supports are known.
@@ -76,7 +103,8 @@ namespace Biface
                    std::unique_ptr<const ReferenceSurface> surface,
                    const ChartGrid                        &grid,
                    const std::array<double, 2>            &faces,
-                   const Supports                         &supports);
+                   const Supports                         &supports,
+                   const std::vector<NamedPoint>          &points = {});
 
     const MPI_Comm communicator;
 
@@ -87,8 +115,17 @@ namespace Biface
      * included. Complete for locally owned nodes. */
     std::vector<std::vector<unsigned int>> neighbors;
 
-    dealii::IndexSet                  locally_owned;
-    dealii::IndexSet                  locally_relevant;
+    /** Sides of locally owned cells on the shell's edges. */
+    std::vector<BoundarySegment> boundary;
+
+    const std::vector<NamedPoint> points;
+
+    /** Displacements that are prescribed and not zero. */
+    std::vector<PrescribedDisplacement> prescribed;
+
+    dealii::IndexSet locally_owned;
+    dealii::IndexSet locally_relevant;
+    /** The supports with zero prescribed displacements. */
     dealii::AffineConstraints<double> constraints;
 
     const ReferenceSurface &
@@ -138,6 +175,24 @@ namespace Biface
       return diameter;
     }
 
+    /**
+     * The node of a named point: its position in nodes, or an invalid number
+     * where it is on other ranks only.
+     *
+     * Throws InputError, naming @p entry, where there is no such point.
+     */
+    unsigned int
+    node_of_point(const std::string &entry, const std::string &name) const;
+
+    /**
+     * The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is a
+     * Cartesian component of the displacement of the middle surface at a named
+     * point.
+     */
+    LA::Vector
+    displacement_functional(const std::string &point,
+                            const unsigned int component) const;
+
     /** A vector whose entries can be read at all nodes of this rank. */
     LA::Vector
     ghosted_vector() const;
@@ -164,10 +219,13 @@ namespace Biface
 
   private:
     void
-    make_constraints(const Supports &supports);
+    collect_cells_and_nodes(const ChartGrid &grid);
 
     void
-    collect_cells_and_nodes();
+    find_points();
+
+    void
+    make_constraints(const Supports &supports);
 
     const std::array<double, 2>                   faces;
     std::unique_ptr<const ReferenceSurface>       surface;
@@ -177,6 +235,10 @@ namespace Biface
     dealii::DoFHandler<2, 3>                      dof_handler;
     dealii::types::global_dof_index               n_free   = 0;
     double                                        diameter = 0;
+    /** Nodes of this rank on the shell's edges. */
+    std::array<std::set<unsigned int>, 4> edge_nodes;
+    /** Of each named point. */
+    std::vector<unsigned int> nodes_of_points;
   };
 } // namespace Biface
 

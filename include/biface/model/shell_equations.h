@@ -11,6 +11,7 @@
 #include <biface/element/modes.h>
 #include <biface/laminate/laminate.h>
 #include <biface/model/cell_matrix_adder.h>
+#include <biface/model/dead_loads.h>
 #include <biface/model/discretization.h>
 #include <biface/model/state.h>
 
@@ -24,10 +25,12 @@ namespace Biface
   class ShellEquations
   {
   public:
-    /** The arguments are kept by reference, the laminate's figures copied. */
+    /** The discretization and the contact conditions are kept by reference.
+     * Throws InputError where the dead loads are not usable. */
     ShellEquations(const Discretization    &discretization,
                    const Laminate          &laminate,
-                   const ContactConditions &contact);
+                   const ContactConditions &contact,
+                   const DeadLoads         &dead_loads = DeadLoads());
 
     /** The unloaded shell. */
     State
@@ -54,6 +57,25 @@ namespace Biface
     residual() const
     {
       return rhs;
+    }
+
+    /** The derivative of residual() when the loads grow by @p rate. */
+    LA::Vector
+    load_direction(const Loads &rate) const;
+
+    /** How far the prescribed displacements, at the last assembly, were from
+     * what the loads ask for. Unit: length. */
+    double
+    support_violation() const
+    {
+      return largest_violation;
+    }
+
+    /** Give the increment its values at the supports. */
+    void
+    distribute(LA::Vector &increment) const
+    {
+      constraints.distribute(increment);
     }
 
     const LA::SparseMatrix &
@@ -90,6 +112,10 @@ namespace Biface
      * @return the number of changes, on all ranks. */
     unsigned int
     update_active_set(State &state, const Loads &loads) const;
+
+    /** Nodes in contact, on all ranks. */
+    unsigned int
+    count_active(const State &state) const;
 
     /** Distance between a node's deformed outer face and the foundation. */
     double
@@ -155,6 +181,19 @@ namespace Biface
 
     /** The state about which the strains are linearized, if they are. */
     std::optional<State> linearization_point;
+
+    /** Set the inhomogeneities of the constraints to what the prescribed
+     * displacements lack. */
+    void
+    update_constraints(const State &state, const Loads &loads);
+
+    /** The supports, for increments. */
+    dealii::AffineConstraints<double> constraints;
+    double                            largest_violation = 0;
+
+    /** Nodal forces of the dead loads, and of a unit pressure. */
+    const LA::Vector dead_load;
+    const LA::Vector unit_pressure;
 
     LA::SparseMatrix matrix;
     LA::Vector       rhs;

@@ -39,6 +39,10 @@ namespace Biface
      * force/area. */
     double pressure = 0;
 
+    /** What the dead loads and the prescribed displacements are multiplied by.
+     */
+    double factor = 0;
+
     std::optional<RigidPlane> foundation;
   };
 

@@ -6,29 +6,65 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace Biface
 {
-  /** What holds an edge of the shell. */
-  enum class Support
+  /**
+   * A prescribed displacement of a node, in one component of its frame:
+   * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ grows with the
+   * load factor.
+   */
+  struct SupportCondition
   {
-    /** Nothing. */
-    free,
-    /** No displacement of either face. */
-    fixed,
-    /** No displacement of either face across the edge: the edge lies in a
-     * plane of symmetry. */
-    symmetry
+    /** i - 1 */
+    unsigned int component;
+    /** @f$(c^-, c^+)@f$ */
+    std::array<double, 2> faces;
+    /** @f$\bar v@f$ at the load factor 1. Unit: length. */
+    double value;
   };
 
-  /** The supports of the four edges, indexed by Edge. */
+
+  /**
+   * Read the conditions of a support.
+   *
+   * The text is one of the words `free`, `fixed`, `hinged` (on the middle
+   * surface), `hinged inner`, `hinged outer`, `symmetry` (only where
+   * @p across says which component is across the edge); or a list, separated by
+   * semicolons, of `v_i FACE` or `v_i FACE = value` with i = 1, 2, 3 and FACE
+   * one of `inner`, `outer`, `both`, `mean`, `difference` (outer less inner).
+   *
+   * @param entry its name, for error messages.
+   * @param across the component across an edge, or a number above 2 for a
+   * point.
+   *
+   * Throws InputError where it is none of these.
+   */
+  std::vector<SupportCondition>
+  parse_support(const std::string &entry,
+                const std::string &text,
+                const unsigned int across);
+
+
+  /** What holds the shell: conditions on its edges, indexed by Edge, and on
+   * named points. */
   struct Supports
   {
-    std::array<Support, 4> edges{
-      {Support::fixed, Support::fixed, Support::free, Support::free}};
+    std::array<std::string, 4> edges{{"free", "free", "free", "free"}};
+    std::string                points;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    std::vector<SupportCondition>
+    edge_conditions(const unsigned int edge) const;
+
+    /** Names of points and their conditions. */
+    std::vector<std::pair<std::string, std::vector<SupportCondition>>>
+    point_conditions() const;
   };
 } // namespace Biface
 

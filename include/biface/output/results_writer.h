@@ -51,6 +51,10 @@ namespace Biface
     void
     append_history(const StepReport &report) const;
 
+    /** Displacements of the named points. */
+    void
+    append_probes(const StepReport &report, const State &state) const;
+
     void
     write_contact(const StepReport &report, const State &state) const;
 

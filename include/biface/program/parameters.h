@@ -11,6 +11,9 @@
 
 #include <biface/contact/contact_conditions.h>
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material_parameters.h>
+#include <biface/model/dead_loads.h>
+#include <biface/model/named_points.h>
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
 #include <biface/solver/load_stepping.h>
@@ -26,20 +29,25 @@ namespace Biface
    */
   struct Parameters
   {
-    SurfaceParameters             surface;
-    ChartGrid::Parameters         mesh;
-    Laminate::Parameters          laminate;
-    Supports                      supports;
-    ContactConditions::Parameters contact;
-    std::vector<Stage>            stages;
-    Newton::Parameters            newton;
-    LoadStepping::Parameters      load_stepping;
-    ResultsWriter::Parameters     output;
+    SurfaceParameters               surface;
+    ChartGrid::Parameters           mesh;
+    Laminate::Parameters            laminate;
+    NamedPoints                     points;
+    std::vector<MaterialParameters> materials;
+    Supports                        supports;
+    DeadLoads                       loads;
+    ContactConditions::Parameters   contact;
+    std::vector<Stage>              stages;
+    Newton::Parameters              newton;
+    LoadStepping::Parameters        load_stepping;
+    ResultsWriter::Parameters       output;
 
-    /** Declare all entries. @p n_stages sections of stages are there. The
-     * object must outlive @p prm. */
+    /** Declare all entries, with a section for each of the materials and each
+     * of the stages. The object must outlive @p prm. */
     void
-    add_parameters(dealii::ParameterHandler &prm, const unsigned int n_stages);
+    add_parameters(dealii::ParameterHandler       &prm,
+                   const std::vector<std::string> &material_names,
+                   const unsigned int              n_stages);
 
     /** Check what can be checked of single values. Throws InputError. */
     void

@@ -7,6 +7,7 @@
 #include <deal.II/base/timer.h>
 
 #include <iosfwd>
+#include <memory>
 
 #include <biface/contact/contact_conditions.h>
 #include <biface/laminate/laminate.h>
@@ -71,15 +72,15 @@ namespace Biface
     }
 
   private:
-    const Parameters           parameters;
-    dealii::ConditionalOStream out;
-    dealii::TimerOutput        timer;
-    const Laminate             laminate;
-    const Discretization       discretization;
-    const ContactConditions    contact;
-    ShellEquations             equations;
-    MumpsSolver                linear_solver;
-    State                      state;
+    const Parameters                            parameters;
+    dealii::ConditionalOStream                  out;
+    dealii::TimerOutput                         timer;
+    const Laminate                              laminate;
+    const std::unique_ptr<const Discretization> discretization;
+    const ContactConditions                     contact;
+    ShellEquations                              equations;
+    MumpsSolver                                 linear_solver;
+    State                                       state;
   };
 } // namespace Biface
 

@@ -29,17 +29,19 @@ namespace Biface
     virtual ~LinearSolver() = default;
 
     /**
-     * Solve @f$A x = b@f$. A failure (a singular matrix, say) is an ordinary
-     * result, the same on all ranks.
+     * Prepare to solve systems with the matrix @p A, which must stay as it is
+     * until the last of them is solved. A failure (a singular matrix, say) is
+     * an ordinary result, the same on all ranks.
      *
      * @param symmetric whether the matrix is symmetric, so that half of it
      * will do.
      */
     virtual LinearSolverResult
-    solve(const LA::SparseMatrix &A,
-          LA::Vector             &x,
-          const LA::Vector       &b,
-          const bool              symmetric) = 0;
+    factorize(const LA::SparseMatrix &A, const bool symmetric) = 0;
+
+    /** Solve @f$A x = b@f$ with the matrix last given to factorize(). */
+    virtual LinearSolverResult
+    solve(LA::Vector &x, const LA::Vector &b) = 0;
   };
 
 

@@ -26,9 +26,29 @@ namespace Biface
     /** At the end of the stage. */
     double pressure = 0;
     /** Whether there is a foundation, and how far it has come at the end. */
-    bool         contact = false;
-    double       travel  = 0;
+    bool   contact = false;
+    double travel  = 0;
+    /** Of the dead loads and prescribed displacements, at the end. */
+    double       factor  = 0;
     unsigned int n_steps = 1;
+
+    /** What is given in every step. */
+    enum class Control
+    {
+      /** All loads. */
+      load,
+      /** A displacement; the loads follow. */
+      displacement,
+      /** The length of the way of all displacements; the loads follow. */
+      arc_length
+    };
+    Control control = Control::load;
+    /** The displacement that is given: a named point, its component (0 to 2 for
+     * x to z), and its value at the end of the stage. */
+    std::string  control_point;
+    unsigned int control_component = 0;
+    double       control_value     = 0;
+
     /** Begin with the stresses reached so far, but undeformed and unloaded. */
     bool from_prestress = false;
 
@@ -69,7 +89,9 @@ namespace Biface
 
 
   /**
-   * Takes the shell through its stages, a step at a time. A step that fails is
+   * Takes the shell through its stages, a step at a time. Steps are equal in
+   * the loads, in a displacement, or adapt their length along the path of
+   * equilibrium. A step that fails is
    * tried again from the restored state: in the mixed iteration first with
    * the substituted one, then with half the size; after a success the size
    * doubles again, up to what is left of the stage's step.
@@ -79,7 +101,8 @@ namespace Biface
   public:
     struct Parameters
     {
-      unsigned int max_cuts = 6;
+      unsigned int max_cuts        = 6;
+      double       greatest_growth = 10;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -105,17 +128,72 @@ namespace Biface
     struct LoadPoint
     {
       double pressure = 0;
+      double factor   = 0;
       double travel   = 0;
+    };
+
+    /** Where the stage at hand is on its way. */
+    struct Progress
+    {
+      LoadPoint begin;
+      /** Fraction of the way from the begin to the stage's loads. */
+      double fraction = 0;
     };
 
     LoadSteppingResult
     run_stage(const Stage &stage, State &state, const Observer &observer);
 
+    /** Steps of given loads. */
+    LoadSteppingResult
+    follow_loads(const Stage    &stage,
+                 Progress       &progress,
+                 const double    first,
+                 const double    last,
+                 State          &state,
+                 const Observer &observer);
+
+    /** Steps of a given displacement. */
+    LoadSteppingResult
+    follow_displacement(const Stage    &stage,
+                        Progress       &progress,
+                        State          &state,
+                        const Observer &observer);
+
+    /** Steps of a given length, until the stage's loads are reached. */
+    LoadSteppingResult
+    follow_arc(const Stage    &stage,
+               Progress       &progress,
+               State          &state,
+               const Observer &observer);
+
+    /**
+     * One step from the last converged state.
+     *
+     * @param guess the fraction to reach, or, with @p control, to begin with.
+     * @return whether it converged; the state and the progress then are the new
+     * ones, and the step has been reported.
+     */
+    bool
+    step(const Stage       &stage,
+         Progress          &progress,
+         const double       guess,
+         const PathControl *control,
+         State             &state,
+         const Observer    &observer);
+
     NewtonResult
-    try_step(State &state, const Loads &loads);
+    try_step(State &state, const Newton::Path &path, double &fraction);
+
+    LoadPoint
+    point_at(const Stage    &stage,
+             const Progress &progress,
+             const double    fraction) const;
 
     Loads
     loads_at(const LoadPoint &point, const Stage &stage) const;
+
+    LoadSteppingResult
+    failure(const Stage &stage) const;
 
     const Parameters            parameters;
     ShellEquations             &equations;
@@ -123,7 +201,9 @@ namespace Biface
     dealii::ConditionalOStream &out;
 
     LoadPoint    reached;
-    unsigned int n_steps = 0;
+    unsigned int n_steps           = 0;
+    unsigned int last_n_iterations = 0;
+    std::string  last_message;
     /** The plane as it touches the shell at the begin of the first stage with
      * contact. */
     std::optional<RigidPlane> touching_plane;

@@ -28,10 +28,10 @@ namespace Biface
     ~MumpsSolver() override;
 
     LinearSolverResult
-    solve(const LA::SparseMatrix &A,
-          LA::Vector             &x,
-          const LA::Vector       &b,
-          const bool              symmetric) override;
+    factorize(const LA::SparseMatrix &A, const bool symmetric) override;
+
+    LinearSolverResult
+    solve(LA::Vector &x, const LA::Vector &b) override;
 
   private:
     class Instance;
@@ -39,6 +39,8 @@ namespace Biface
     const MPI_Comm            communicator;
     dealii::TimerOutput      &timer;
     std::unique_ptr<Instance> instance;
+    /** The matrix last factorized. */
+    const LA::SparseMatrix *matrix = nullptr;
   };
 } // namespace Biface
 

@@ -7,12 +7,14 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/linear_solver.h>
+#include <biface/solver/path_control.h>
 
 namespace Biface
 {
@@ -60,14 +62,30 @@ namespace Biface
            dealii::ConditionalOStream &out,
            dealii::TimerOutput        &timer);
 
+    /** The loads at a fraction of a stage, and which condition chooses it. */
+    struct Path
+    {
+      std::function<Loads(const double)> loads;
+      /** The derivative of the dead loads with respect to the fraction. */
+      Loads rate;
+      /** Null where the fraction is given. */
+      const PathControl *control = nullptr;
+    };
+
     /**
-     * Bring a state into equilibrium with the given loads.
+     * Bring a state into equilibrium.
      *
      * @param state the start, then the result; where the iteration did not
      * converge, of no use.
+     * @param path the loads.
+     * @param fraction the start, then where a condition chooses it, the result.
+     * @param iteration see NewtonIteration.
      */
     NewtonResult
-    solve(State &state, const Loads &loads, const NewtonIteration iteration);
+    solve(State                &state,
+          const Path           &path,
+          double               &fraction,
+          const NewtonIteration iteration);
 
     const Parameters parameters;
 

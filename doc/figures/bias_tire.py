@@ -1,0 +1,435 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures of the bias tire pressed on a rigid foundation.
+
+Reads the results of three runs of prm/bias_tire.prm (nonlinear theory, linear
+theory, lumped multiplier mass) and the paper's Table 1, and writes
+
+    load_deflection.png   force against approach (Fig. 3 of the paper)
+    profile.png           deformed meridian in the plane phi = 0 (Fig. 4)
+    pressure.png          contact pressure along that meridian (Fig. 5)
+    table_1.png           pressures against those of Table 1, node by node
+
+Units are those of the parameter file: mm, N, MPa, degrees.
+"""
+
+import argparse
+import csv
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+# Force (N) at an approach (mm), from an independent implementation of the
+# same equations
+INDEPENDENT_FORCES = {4: 236, 12: 975, 20: 1951}
+
+# Approaches (mm) shown where not all of them are
+APPROACHES = (4, 8, 12, 16, 20)
+
+# The torus halfway between its faces: radius of the meridian, and distance of
+# the meridian's center from the axle (mm)
+MERIDIAN_RADIUS, CENTER_RADIUS = 52.4, 200
+
+# Length of a degree of psi over that of a degree of phi, at the equator
+ASPECT = MERIDIAN_RADIUS / (MERIDIAN_RADIUS + CENTER_RADIUS)
+
+STYLE = {
+    "font.size": 11,
+    "axes.labelsize": 12,
+    "axes.titlesize": 12,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "grid.color": "0.9",
+    "grid.linewidth": 0.8,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "lines.linewidth": 2,
+    "savefig.facecolor": "white",
+    "savefig.dpi": 160,
+}
+
+BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
+
+
+# ---------------------------------------------------------------- results
+
+
+def read_csv(path):
+    """The columns of one of biface's CSV files, by name."""
+    return np.genfromtxt(path, delimiter=",", names=True, dtype=None,
+                         encoding="utf-8")
+
+
+def read_history(directory):
+    """The steps of the contact stage: approach, force, and the rest."""
+    history = read_csv(directory / "history.csv")
+    return history[history["stage"] == "contact"]
+
+
+def step_at(directory, approach):
+    """The number of the contact step with an approach (mm)."""
+    history = read_history(directory)
+    return history["step"][np.argmin(np.abs(history["approach"] - approach))]
+
+
+def force_at(directory, approach):
+    """The force (N) at an approach (mm)."""
+    history = read_history(directory)
+    return history["force"][np.argmin(np.abs(history["approach"] - approach))]
+
+
+def read_profile(directory, approach):
+    """The deformed meridian at an approach (mm); 0 is the inflated tire."""
+    step = 1 if approach == 0 else step_at(directory, approach)
+    return read_csv(directory / f"profile-{step:04d}.csv")
+
+
+def node_key(psi, three_phi):
+    """A node's place in Table 1, free of round-off. Unit: degrees."""
+    return round(float(psi), 3), round(float(three_phi), 3)
+
+
+def read_table(path):
+    """The paper's Table 1: pressure (MPa) at each node in contact."""
+    with open(path, encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if line[0] != "#"))
+    columns = rows[0][1:]
+    return {
+        node_key(row[0], column): float(value) / 10
+        for row in rows[1:]
+        for column, value in zip(columns, row[1:])
+        if value
+    }
+
+
+def read_pressures(directory, approach):
+    """The computed pressure (MPa) at each node in contact, as read_table()."""
+    nodes = read_csv(directory / f"contact-{step_at(directory, approach):04d}.csv")
+    return {
+        node_key(node["alpha_1"], 3 * node["alpha_2"]): float(node["pressure"])
+        for node in nodes
+        if node["active"]
+    }
+
+
+def relative_deviations(computed, paper):
+    """(computed - paper) / paper at the nodes in contact in both."""
+    return {
+        node: computed[node] / paper[node] - 1
+        for node in paper
+        if node in computed
+    }
+
+
+def is_interior(node):
+    """Whether a node is well inside the contact zone of Table 1."""
+    return abs(node[0]) <= 20 and abs(node[1]) <= 25
+
+
+def integrate(pressures):
+    """The force (N) of pressures at nodes of Table 1's grid, 5 degrees wide in
+    psi and 3 phi: bilinear over each cell, per area halfway between the faces.
+    """
+    width = np.radians(5)
+    force = 0
+    for psi in np.arange(-45, 45, 5):
+        middle = np.radians(psi + 2.5)
+        area = (MERIDIAN_RADIUS * width * width / 3 *
+                (CENTER_RADIUS + MERIDIAN_RADIUS * np.cos(middle)))
+        for three_phi in np.arange(-50, 50, 5):
+            force += area / 4 * sum(
+                pressures.get(node_key(psi + i, three_phi + j), 0)
+                for i in (0, 5) for j in (0, 5))
+    return force
+
+
+def rms(values):
+    """Root mean square."""
+    return float(np.sqrt(np.mean(np.square(list(values)))))
+
+
+# ---------------------------------------------------------------- figures
+
+
+def approach_colors(approaches):
+    """One color for each approach, darker for more."""
+    shades = plt.get_cmap("viridis_r")(np.linspace(0.12, 0.95, len(approaches)))
+    return dict(zip(approaches, shades))
+
+
+def save(figure, directory, name):
+    """Write a figure, without blank margins."""
+    figure.savefig(directory / name, bbox_inches="tight", pad_inches=0.08)
+    plt.close(figure)
+
+
+def plot_curve(axes, directory, **style):
+    """The force against the approach of one run, from the origin on."""
+    history = read_history(directory)
+    axes.plot(np.append(0, history["approach"]), np.append(0, history["force"]),
+              **style)
+
+
+def mark_ratio(axes, runs, approach):
+    """A double arrow from the nonlinear to the linear force, with their ratio."""
+    low = force_at(runs.nonlinear, approach)
+    high = force_at(runs.linear, approach)
+    x = approach + 0.55
+    axes.annotate("", xy=(x, low), xytext=(x, high),
+                  arrowprops={"arrowstyle": "<->", "color": GRAY,
+                              "shrinkA": 0, "shrinkB": 0})
+    axes.text(x + 0.25, (low + high) / 2, f"ratio\n{high / low:.2f}",
+              va="center", color="0.25")
+
+
+def draw_load_deflection(runs, output):
+    """Fig. 3: the force by the nonlinear and by the linear theory."""
+    figure, axes = plt.subplots(figsize=(7, 4.6))
+    plot_curve(axes, runs.linear, color=RED, label="linear theory")
+    plot_curve(axes, runs.nonlinear, color=BLUE, label="nonlinear theory")
+    plot_curve(axes, runs.lumped, color="black", linewidth=0.9, linestyle="--",
+               label="nonlinear theory, lumped multiplier mass")
+    axes.plot(list(INDEPENDENT_FORCES), list(INDEPENDENT_FORCES.values()), "o",
+              markersize=7, markerfacecolor="white", markeredgecolor=BLUE,
+              markeredgewidth=1.6,
+              label="nonlinear theory, independent implementation")
+    mark_ratio(axes, runs, 20)
+    axes.set(xlabel="approach of the foundation Δ (mm)",
+             ylabel="force on the foundation P (N)",
+             xlim=(0, 22.5), ylim=(0, 4000), xticks=range(0, 21, 4))
+    axes.legend(loc="upper left", fontsize=10)
+    save(figure, output, "load_deflection.png")
+
+
+def draw_foundation(axes, height, width):
+    """The foundation: a line with hatching on its solid side."""
+    axes.plot([-width, width], [height, height], color="0.2", linewidth=1.2)
+    axes.fill_between([-width, width], height, height + 4, facecolor="none",
+                      edgecolor="0.6", hatch="////", linewidth=0)
+    axes.text(0, height + 5, "foundation at the first touch", ha="center",
+              va="top", fontsize=10, color="0.3")
+
+
+def draw_wall(axes, profile, label):
+    """The wall between the two faces, and its fixed edges."""
+    axes.fill(np.append(profile["outer_y"], profile["inner_y"][::-1]),
+              np.append(profile["outer_x"], profile["inner_x"][::-1]),
+              color="0.88", zorder=1, label=label)
+    for end, name in ((0, "fixed edges"), (-1, None)):
+        axes.plot([profile["outer_y"][end], profile["inner_y"][end]],
+                  [profile["outer_x"][end], profile["inner_x"][end]],
+                  color="black", linewidth=4, zorder=3, label=name)
+
+
+def draw_profile(runs, output):
+    """Fig. 4: the outer contour in the plane phi = 0, foundation below."""
+    figure, axes = plt.subplots(figsize=(7, 6))
+    inflated = read_profile(runs.nonlinear, 0)
+    ground = inflated["outer_x"].max()
+    colors = approach_colors(APPROACHES)
+
+    axes.plot(inflated["outer_y"], inflated["outer_x"], color="black",
+              linewidth=1.4, linestyle=(0, (5, 2)),
+              label="Δ = 0 (inflated)")
+    for approach in APPROACHES:
+        profile = read_profile(runs.nonlinear, approach)
+        axes.plot(profile["outer_y"], profile["outer_x"],
+                  color=colors[approach], label=f"Δ = {approach} mm")
+        axes.plot([-78, 78], [ground - approach] * 2, color=colors[approach],
+                  linewidth=0.7, zorder=1)
+    draw_wall(axes, read_profile(runs.nonlinear, APPROACHES[-1]),
+              f"wall at Δ = {APPROACHES[-1]} mm")
+    draw_foundation(axes, ground, 78)
+    axes.set(xlabel="distance from the wheel's middle plane y (mm)",
+             ylabel="distance from the axle x (mm)",
+             xlim=(-80, 80), ylim=(167, 265))
+    axes.set_aspect("equal")
+    axes.invert_yaxis()
+    axes.legend(loc="upper center", fontsize=10)
+    save(figure, output, "profile.png")
+
+
+def draw_pressure(runs, output):
+    """Fig. 5: the contact pressure along the meridian phi = 0."""
+    figure, axes = plt.subplots(figsize=(7, 4.6))
+    colors = approach_colors(APPROACHES)
+    for approach in APPROACHES:
+        profile = read_profile(runs.nonlinear, approach)
+        axes.plot(profile["alpha_1"], profile["pressure"], "o-", markersize=3.5,
+                  color=colors[approach], label=f"Δ = {approach} mm")
+    smooth = read_profile(runs.lumped, 20)
+    axes.plot(smooth["alpha_1"], smooth["pressure"], color="black",
+              linewidth=0.9, linestyle="--",
+              label="Δ = 20 mm, lumped\nmultiplier mass")
+    column = {psi: value for (psi, three_phi), value
+              in read_table(runs.table).items() if three_phi == 0}
+    axes.plot(list(column), list(column.values()), "o", markersize=8,
+              markerfacecolor="none", markeredgecolor=RED, markeredgewidth=1.3,
+              label="Δ = 20 mm, paper's\nTable 1")
+    axes.axhline(0.15, color=GRAY, linewidth=1, linestyle=":", zorder=1)
+    axes.text(-54.5, 0.153, "inflation\npressure", color="0.3", va="bottom",
+              fontsize=10)
+    axes.set(xlabel="meridional angle ψ (degrees)",
+             ylabel="contact pressure (MPa)", xlim=(-55, 55), ylim=(0, None))
+    axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    save(figure, output, "pressure.png")
+
+
+def cell_edges(coordinates):
+    """Edges of cells about sorted nodes: midway between them."""
+    inner = (coordinates[1:] + coordinates[:-1]) / 2
+    return np.concatenate([[2 * coordinates[0] - inner[0]], inner,
+                           [2 * coordinates[-1] - inner[-1]]])
+
+
+def draw_map(axes, values, nodes, title, **style):
+    """Nodal values as colored cells in the (phi, psi) plane."""
+    psi = np.array(sorted({node[0] for node in nodes}))
+    three_phi = np.array(sorted({node[1] for node in nodes}))
+    grid = np.array([[values.get((p, f), np.nan) for f in three_phi]
+                     for p in psi])
+    mesh = axes.pcolormesh(cell_edges(three_phi) / 3, cell_edges(psi), grid,
+                           edgecolor="white", linewidth=0.4, **style)
+    axes.set(title=title, xlabel="φ (degrees)", ylabel="ψ (degrees)",
+             xlim=(-24, 24), ylim=(-46, 46),
+             xticks=range(-20, 21, 5), yticks=range(-40, 41, 20))
+    axes.set_aspect(ASPECT)
+    axes.grid(False)
+    return mesh
+
+
+def mark_unmatched(axes, computed, paper):
+    """Nodes that are in contact only in the paper, or only as computed."""
+    for nodes, marker, text, psi in (
+            (set(paper) - set(computed), "x", "× only in Table 1", 39),
+            (set(computed) - set(paper), "o", "○ only computed", -39)):
+        axes.plot([node[1] / 3 for node in nodes], [node[0] for node in nodes],
+                  marker, color="0.2", markersize=4.5, markerfacecolor="none",
+                  linestyle="none")
+        axes.text(-23.7, psi, text, va="center", fontsize=9)
+
+
+def draw_scatter(axes, computed, paper):
+    """Computed against printed pressures."""
+    interior = [node for node in paper if node in computed and is_interior(node)]
+    border = [node for node in paper if node in computed and not is_interior(node)]
+    limits = np.array([0, 0.4])
+    axes.fill_between(limits, 0.95 * limits, 1.05 * limits, color="0.9",
+                      linewidth=0, label="± 5 %")
+    axes.plot(limits, limits, color="0.6", linewidth=0.8)
+    for nodes, color, label in ((border, RED, "other nodes"),
+                                (interior, BLUE, "inner nodes")):
+        axes.plot([paper[node] for node in nodes],
+                  [computed[node] for node in nodes], "o", markersize=3.5,
+                  color=color, alpha=0.7, markeredgewidth=0, label=label)
+    axes.set(title="(d) node by node", xlabel="Table 1 (MPa)",
+             ylabel="computed (MPa)", xlim=limits, ylim=limits,
+             xticks=np.arange(0, 0.41, 0.1), yticks=np.arange(0, 0.41, 0.1))
+    axes.set_aspect("equal")
+    legend = axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1),
+                         fontsize=10, handlelength=1, handletextpad=0.4,
+                         borderaxespad=0)
+    legend.set_in_layout(False)
+
+
+def table_caption(computed, paper):
+    """What the comparison gives."""
+    deviations = relative_deviations(computed, paper)
+    interior = [d for node, d in deviations.items() if is_interior(node)]
+    return (f"Δ = 20 mm: {len(deviations)} of the {len(paper)} nodes of "
+            f"Table 1 are in contact, RMS relative deviation "
+            f"{rms(deviations.values()):.3f};\n{rms(interior):.3f} at the "
+            f"{len(interior)} inner nodes (|ψ| ≤ 20° and |3φ| ≤ 25°)")
+
+
+def draw_table(runs, output):
+    """Table 1 of the paper and the computed pressures at the same nodes."""
+    paper = read_table(runs.table)
+    computed = read_pressures(runs.nonlinear, 20)
+    percent = {node: 100 * deviation for node, deviation
+               in relative_deviations(computed, paper).items()}
+    nodes = set(paper) | set(computed)
+
+    figure, axes = plt.subplots(2, 2, figsize=(10, 7),
+                                constrained_layout=True)
+    scale = {"cmap": "viridis", "vmin": 0.1, "vmax": 0.35}
+    bar = {"orientation": "horizontal", "aspect": 35, "pad": 0.02}
+    draw_map(axes[0, 0], paper, nodes, "(a) paper, Table 1", **scale)
+    mesh = draw_map(axes[0, 1], computed, nodes, "(b) computed", **scale)
+    figure.colorbar(mesh, ax=axes[0, :], shrink=0.5, extend="both",
+                    label="contact pressure (MPa)", **bar)
+    mesh = draw_map(axes[1, 0], percent, nodes, "(c) relative deviation",
+                    cmap="RdBu_r", vmin=-20, vmax=20)
+    figure.colorbar(mesh, ax=axes[1, 0], extend="both",
+                    label="(b) less (a), in percent of (a)", **bar)
+    mark_unmatched(axes[1, 0], computed, paper)
+    draw_scatter(axes[1, 1], computed, paper)
+    figure.suptitle(table_caption(computed, paper), fontsize=12)
+    save(figure, output, "table_1.png")
+
+
+# ---------------------------------------------------------------- program
+
+
+def parse_arguments():
+    """The directories of the three runs, the paper's table, the output."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    for name, text in (("nonlinear", "results of prm/bias_tire.prm as it is"),
+                       ("linear", "results with the linear theory"),
+                       ("lumped", "results with the lumped multiplier mass"),
+                       ("table", "the paper's Table 1 (tests/data/table_1.csv)"),
+                       ("output", "directory the figures are written to")):
+        parser.add_argument(f"--{name}", type=Path, required=True, help=text)
+    return parser.parse_args()
+
+
+def print_comparison(runs):
+    """The comparison with Table 1, beyond the caption of its figure."""
+    paper = read_table(runs.table)
+    computed = read_pressures(runs.nonlinear, 20)
+    common = {node: computed[node] for node in paper if node in computed}
+    deviations = relative_deviations(computed, paper)
+    inner = [abs(d) for node, d in deviations.items() if is_interior(node)]
+    print(table_caption(computed, paper))
+    print(f"greatest {max(map(abs, deviations.values())):.2f}, "
+          f"median at the inner nodes {np.median(inner):.3f}; "
+          f"{len(set(computed) - set(paper))} nodes more than in Table 1")
+    print(f"force at the nodes of Table 1: {integrate(paper):.0f} N, "
+          f"computed {integrate(common):.0f} N")
+
+
+def print_forces(runs):
+    """The inflated radius, and the forces by theory and multiplier mass."""
+    radius = read_profile(runs.nonlinear, 0)["outer_x"].max()
+    print(f"radius of the outer face after inflation: {radius:.3f} mm")
+    for approach in INDEPENDENT_FORCES:
+        nonlinear, linear, lumped = (
+            force_at(directory, approach)
+            for directory in (runs.nonlinear, runs.linear, runs.lumped))
+        print(f"P at {approach} mm: nonlinear {nonlinear:.1f} N, "
+              f"linear {linear:.1f} N ({linear / nonlinear:.2f} times), "
+              f"lumped {lumped:.1f} N ({lumped / nonlinear:.3f} times)")
+
+
+def main():
+    """Draw all figures."""
+    runs = parse_arguments()
+    runs.output.mkdir(parents=True, exist_ok=True)
+    plt.rcParams.update(STYLE)
+    draw_load_deflection(runs, runs.output)
+    draw_profile(runs, runs.output)
+    draw_pressure(runs, runs.output)
+    draw_table(runs, runs.output)
+    print_forces(runs)
+    print_comparison(runs)
+
+
+if __name__ == "__main__":
+    main()

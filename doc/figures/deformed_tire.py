@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Picture of the deformed bias tire with its footprint.
+
+Reads a shell-NNNN.vtu of prm/bias_tire.prm and writes a PNG. Needs VTK and a
+display; a virtual one (xvfb-run) will do.
+
+The file has the displacements of the nodes only. Between them the elements
+follow the torus exactly, their displacements being bilinear in the local
+basis, and so does the picture.
+"""
+
+import argparse
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+# Distance of the meridian's center from the axle (mm)
+CENTER_RADIUS = 200
+
+# Pieces an element side is drawn with, at least
+SUBDIVISIONS = 6
+
+# Pixels of the picture, and how much larger it is drawn before it is reduced
+WIDTH, HEIGHT, OVERSAMPLING = 1000, 920, 2
+
+RUBBER = (0.62, 0.66, 0.71)
+INSIDE = (0.80, 0.81, 0.83)
+PRESSURE_RANGE = (0, 0.35)
+COLORS = plt.get_cmap("plasma")
+
+
+# ---------------------------------------------------------------- geometry
+
+
+def read_shell(path):
+    """Undeformed positions, displacements, pressures and faces of all points."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    data = {name: vtk_to_numpy(grid.GetPointData().GetArray(name)).astype(float)
+            for name in ("displacement", "contact_pressure", "outer_face")}
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    return points - data["displacement"], data
+
+
+def chart(points):
+    """Angles psi, phi (rad) and radius of the meridian, of undeformed points."""
+    distance = np.hypot(points[:, 0], points[:, 2]) - CENTER_RADIUS
+    psi = np.arctan2(points[:, 1], distance)
+    phi = np.arctan2(points[:, 2], points[:, 0])
+    phi[phi > np.pi - 1e-3] -= 2 * np.pi
+    return psi, phi, np.hypot(distance, points[:, 1])
+
+
+def grid_lines(angles):
+    """The distinct ones of many angles (rad), in order, and which of them each
+    angle is. The file is of single precision: nearly equal means equal."""
+    order = np.argsort(angles)
+    is_new = np.diff(angles[order], prepend=-np.inf) > 1e-4
+    index = np.empty(len(angles), dtype=int)
+    index[order] = np.cumsum(is_new) - 1
+    return angles[order][is_new], index
+
+
+def local_basis(psi, phi):
+    """Unit vectors along the meridian, around the axle, and outward."""
+    zero = np.zeros_like(psi)
+    radial = np.stack([np.cos(phi), zero, np.sin(phi)], -1)
+    around = np.stack([-np.sin(phi), zero, np.cos(phi)], -1)
+    axial = np.stack([zero, zero + 1, zero], -1)
+    sine, cosine = np.sin(psi)[..., None], np.cos(psi)[..., None]
+    return np.stack([cosine * axial - sine * radial, around,
+                     cosine * radial + sine * axial], -2)
+
+
+class Face:
+    """The nodes of one face as a grid in psi and phi, closed in phi."""
+
+    def __init__(self, path, outer):
+        """Reads the outer or the inner face from a VTU file."""
+        points, data = read_shell(path)
+        chosen = data["outer_face"] == outer
+        psi, phi, radius = chart(points[chosen])
+        self.radius = radius.mean()
+        self.psi, rows = grid_lines(psi)
+        self.phi, columns = grid_lines(phi)
+
+        displacement = np.einsum("nij,nj->ni", local_basis(psi, phi),
+                                 data["displacement"][chosen])
+        shape = len(self.psi), len(self.phi)
+        self.displacement = np.zeros(shape + (3,))
+        self.displacement[rows, columns] = displacement
+        self.pressure = np.zeros(shape)
+        self.pressure[rows, columns] = data["contact_pressure"][chosen]
+
+    def interpolate(self, values, psi, phi):
+        """Bilinear in psi and phi, on the grid of two lists of angles."""
+        along = np.array([np.interp(psi, self.psi, column) for column
+                          in values.reshape(len(self.psi), -1).T]).T
+        along = along.reshape((len(psi),) + values.shape[1:])
+        along = np.moveaxis(along, 1, 0).reshape(len(self.phi), -1)
+        around = np.array([np.interp(phi, self.phi, column, period=2 * np.pi)
+                           for column in along.T]).T
+        around = around.reshape((len(phi), len(psi)) + values.shape[2:])
+        return np.moveaxis(around, 0, 1)
+
+    def positions(self, psi, phi):
+        """Deformed positions on the grid of two lists of angles."""
+        basis = local_basis(*np.meshgrid(psi, phi, indexing="ij"))
+        displacement = self.interpolate(self.displacement, psi, phi)
+        outward = self.radius * basis[..., 2, :]
+        center = np.stack([CENTER_RADIUS * np.cos(phi), 0 * phi,
+                           CENTER_RADIUS * np.sin(phi)], -1)
+        return center + outward + np.einsum("...ij,...i->...j", basis,
+                                            displacement)
+
+
+def subdivide(angles, spacing):
+    """A list of angles with more in between, at most a spacing apart (rad)."""
+    pieces = [np.linspace(a, b, max(SUBDIVISIONS,
+                                    int(np.ceil((b - a) / spacing))),
+                          endpoint=False)
+              for a, b in zip(angles[:-1], angles[1:])]
+    return np.append(np.concatenate(pieces), angles[-1])
+
+
+def fine_angles(face):
+    """Lists of angles psi, phi to draw a face with."""
+    return (subdivide(face.psi, np.radians(1)),
+            subdivide(np.append(face.phi, face.phi[0] + 2 * np.pi),
+                      np.radians(1)))
+
+
+# ---------------------------------------------------------------- VTK
+
+
+def surface(points, pressure=None):
+    """Points on a two-dimensional grid as a smooth VTK surface."""
+    grid = vtk.vtkStructuredGrid()
+    grid.SetDimensions(points.shape[1], points.shape[0], 1)
+    vtk_points = vtk.vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(points.reshape(-1, 3), deep=True))
+    grid.SetPoints(vtk_points)
+    if pressure is not None:
+        grid.GetPointData().SetScalars(
+            numpy_to_vtk(pressure.ravel(), deep=True))
+    polygons = vtk.vtkGeometryFilter()
+    polygons.SetInputData(grid)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputConnection(polygons.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def surface_actor(points, color):
+    """A lit surface of one color."""
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(surface(points))
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    appearance = actor.GetProperty()
+    appearance.SetColor(color)
+    appearance.SetAmbient(0.25)
+    appearance.SetDiffuse(0.75)
+    appearance.SetSpecular(0.12)
+    appearance.SetSpecularPower(25)
+    return actor
+
+
+def lookup_table():
+    """The colors of the pressures."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for i, color in enumerate(COLORS(np.arange(256))):
+        table.SetTableValue(i, *color)
+    table.SetRange(*PRESSURE_RANGE)
+    return table
+
+
+def footprint_actor(points, pressure):
+    """The part of a surface under pressure, in the exact colors of the bar."""
+    clip = vtk.vtkClipPolyData()
+    clip.SetInputData(surface(points, pressure))
+    clip.SetValue(0.002)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(clip.GetOutputPort())
+    mapper.SetLookupTable(lookup_table())
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -2)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def line_actor(lines, color, width, opacity=1):
+    """Polylines, each an array of points."""
+    data, points, cells = vtk.vtkPolyData(), vtk.vtkPoints(), vtk.vtkCellArray()
+    for line in lines:
+        cells.InsertNextCell(len(line))
+        for point in line:
+            cells.InsertCellPoint(points.InsertNextPoint(point))
+    data.SetPoints(points)
+    data.SetLines(cells)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(color)
+    actor.GetProperty().SetLineWidth(width * OVERSAMPLING)
+    actor.GetProperty().SetOpacity(opacity)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def mesh_lines(face):
+    """The sides of the elements on a face, curved as they are."""
+    psi, phi = fine_angles(face)
+    along = face.positions(psi, face.phi)
+    around = face.positions(face.psi, phi)
+    return list(np.moveaxis(along, 1, 0)) + list(around)
+
+
+def wall_actors(path):
+    """The tire: both faces, the edges between them, and the mesh."""
+    outer, inner = Face(path, 1), Face(path, 0)
+    psi, phi = fine_angles(outer)
+    outside, inside = outer.positions(psi, phi), inner.positions(psi, phi)
+    pressure = outer.interpolate(outer.pressure, psi, phi)
+    actors = [surface_actor(outside, RUBBER), surface_actor(inside, INSIDE),
+              footprint_actor(outside, pressure)]
+    for end in (0, -1):
+        edge = np.stack([outside[end], inside[end]])
+        actors.append(surface_actor(edge, INSIDE))
+    actors.append(line_actor(mesh_lines(outer), (0, 0, 0), 0.6, 0.35))
+    return actors
+
+
+def foundation_actors(path):
+    """The foundation: a pane of glass with an outline, a little behind the
+    footprint so as not to change its colors."""
+    outer = Face(path, 1)
+    x = outer.positions(outer.psi, outer.phi)[..., 0].max() - 0.3
+    y, z = 90, 150
+    corners = np.array([[[x, -y, -z], [x, y, -z]], [[x, -y, z], [x, y, z]]])
+    pane = surface_actor(corners, (0.55, 0.7, 0.85))
+    pane.GetProperty().SetOpacity(0.12)
+    outline = corners[[0, 0, 1, 1, 0], [0, 1, 1, 0, 0]]
+    return [pane, line_actor([outline], (0.35, 0.45, 0.55), 1.2)]
+
+
+def add_lights(renderer):
+    """A key light from above the camera, and a fill light beside it."""
+    renderer.RemoveAllLights()
+    for position, intensity in (((0.5, 1, 1.5), 0.85), ((-1.5, 0.2, 0.7), 0.4)):
+        light = vtk.vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(position)
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
+
+
+def render(actors):
+    """The picture of some actors, as an array of RGB values."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    add_lights(renderer)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(OVERSAMPLING * WIDTH, OVERSAMPLING * HEIGHT)
+    window.AddRenderer(renderer)
+
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(1000, 460, 330)
+    camera.SetFocalPoint(0, 52, 4)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(27.5)
+    renderer.ResetCameraClippingRange()
+
+    picture = vtk.vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    picture.Update()
+    image = picture.GetOutput()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+    width, height, _ = image.GetDimensions()
+    return pixels.reshape(height, width, 3)[::-1]
+
+
+def reduce_size(pixels):
+    """Averages blocks of pixels, which smooths all edges."""
+    height, width, _ = pixels.shape
+    blocks = pixels.reshape(height // OVERSAMPLING, OVERSAMPLING,
+                            width // OVERSAMPLING, OVERSAMPLING, 3)
+    return blocks.mean((1, 3)) / 255
+
+
+# ---------------------------------------------------------------- program
+
+
+def write_picture(pixels, path):
+    """Adds a color bar and writes the PNG."""
+    figure = plt.figure(figsize=(WIDTH / 100, HEIGHT / 100), dpi=100)
+    axes = figure.add_axes([0, 0, 1, 1])
+    axes.imshow(pixels, interpolation="none")
+    axes.axis("off")
+    bar = figure.colorbar(
+        plt.cm.ScalarMappable(plt.Normalize(*PRESSURE_RANGE), COLORS),
+        cax=figure.add_axes([0.79, 0.25, 0.024, 0.5]), extend="max")
+    bar.set_label("contact pressure (MPa)", fontsize=17)
+    bar.ax.tick_params(labelsize=15)
+    figure.savefig(path)
+    plt.close(figure)
+
+
+def main():
+    """Draw the tire of one VTU file."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("shell", type=Path, help="shell-NNNN.vtu")
+    parser.add_argument("picture", type=Path, help="the PNG to write")
+    arguments = parser.parse_args()
+    actors = wall_actors(arguments.shell) + foundation_actors(arguments.shell)
+    write_picture(reduce_size(render(actors)), arguments.picture)
+
+
+if __name__ == "__main__":
+    main()

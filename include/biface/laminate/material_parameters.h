@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_material_parameters_h
+#define biface_laminate_material_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+#include <biface/laminate/material.h>
+
+namespace Biface
+{
+  /** A named material as a user describes it. */
+  struct MaterialParameters
+  {
+    enum class Type
+    {
+      isotropic,
+      transversely_isotropic,
+      orthotropic
+    };
+
+    std::string name;
+    Type        type = Type::isotropic;
+    double      E = 0, nu = 0;
+    double      E_L = 0, E_T = 0, G_LT = 0, G_TT = 0, nu_LT = 0, nu_TT = 0;
+    double      E_1 = 0, E_2 = 0, E_3 = 0;
+    double      G_12 = 0, G_13 = 0, G_23 = 0;
+    double      nu_12 = 0, nu_13 = 0, nu_23 = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /**
+     * The stiffness in the material's own axes, see
+     * OrthotropicMaterial::stiffness(). Throws InputError where a constant is
+     * not admissible.
+     */
+    dealii::SymmetricTensor<4, 3>
+    stiffness() const;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <utility>
+#include <vector>
+
+#include <biface/base/parameter_tools.h>
+#include <biface/laminate/material_parameters.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  MaterialParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Type",
+               type,
+               {"isotropic", "transversely isotropic", "orthotropic"},
+               "Which of the constants below are used: 'isotropic' E, nu; "
+               "'transversely isotropic' about the cords or fibers E_L to "
+               "nu_TT; 'orthotropic' the nine constants E_1 to nu_23, axis 1 "
+               "along the fibers, 3 across the ply.");
+
+    const std::vector<std::pair<std::string, double *>> moduli{{"E", &E},
+                                                               {"E_L", &E_L},
+                                                               {"E_T", &E_T},
+                                                               {"G_LT", &G_LT},
+                                                               {"G_TT", &G_TT},
+                                                               {"E_1", &E_1},
+                                                               {"E_2", &E_2},
+                                                               {"E_3", &E_3},
+                                                               {"G_12", &G_12},
+                                                               {"G_13", &G_13},
+                                                               {"G_23", &G_23}};
+    for (const auto &modulus : moduli)
+      prm.add_parameter(modulus.first,
+                        *modulus.second,
+                        (modulus.first[0] == 'E'
+                           ? "Young's modulus. Unit: force/area."
+                           : "Shear modulus. Unit: force/area."),
+                        Patterns::Double());
+
+    const std::vector<std::pair<std::string, double *>> ratios{
+      {"nu", &nu},
+      {"nu_LT", &nu_LT},
+      {"nu_TT", &nu_TT},
+      {"nu_12", &nu_12},
+      {"nu_13", &nu_13},
+      {"nu_23", &nu_23}};
+    for (const auto &ratio : ratios)
+      prm.add_parameter(ratio.first,
+                        *ratio.second,
+                        "Poisson's ratio: the strain along the second axis "
+                        "under a stress along the first. No unit.",
+                        Patterns::Double());
+  }
+
+
+  SymmetricTensor<4, 3>
+  MaterialParameters::stiffness() const
+  {
+    const std::string section = "Material " + name;
+    switch (type)
+      {
+        case Type::isotropic:
+          check_positive(section + "/E", E);
+          return OrthotropicMaterial::isotropic(E, nu).stiffness(section);
+        case Type::transversely_isotropic:
+          check_positive(section + "/E_L", E_L);
+          check_positive(section + "/E_T", E_T);
+          check_positive(section + "/G_LT", G_LT);
+          check_positive(section + "/G_TT", G_TT);
+          return OrthotropicMaterial::transversely_isotropic(
+                   E_L, E_T, G_LT, G_TT, nu_LT, nu_TT)
+            .stiffness(section);
+        case Type::orthotropic:
+          return OrthotropicMaterial{
+            E_1, E_2, E_3, G_12, G_13, G_23, nu_12, nu_13, nu_23}
+            .stiffness(section);
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
+} // namespace Biface

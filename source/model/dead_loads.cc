@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/model/dead_loads.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  DeadLoads::add_parameters(ParameterHandler &prm)
+  {
+    const std::string form =
+      "three components, then, if need be, the face it acts on ('middle', "
+      "which is the default, 'inner', 'outer') and 'local' for components in "
+      "the frame e_1, e_2, e_3 instead of x, y, z. ";
+
+    prm.add_parameter("Point forces",
+                      point_forces,
+                      "Forces at named points: a list, separated by commas, of "
+                      "'name: ' and " +
+                        form + "Unit: force.",
+                      Patterns::Anything());
+    prm.add_parameter("Edge forces",
+                      edge_forces,
+                      "Forces along edges: a list, separated by commas, of "
+                      "'alpha_1 min: ' (or alpha_1 max, alpha_2 min, alpha_2 "
+                      "max) and " +
+                        form +
+                        "Unit: force per length of the edge on the reference "
+                        "surface.",
+                      Patterns::Anything());
+    prm.add_parameter("Area force",
+                      area_force,
+                      "A force on the whole shell, such as its weight: "
+                      "components x, y, z. Unit: force per area of the surface "
+                      "midway between the faces.");
+  }
+
+
+  namespace
+  {
+    /** A force that does not depend on the place, but for its axes. */
+    struct Force
+    {
+      Tensor<1, 3>          components;
+      bool                  local = false;
+      std::array<double, 2> faces{{0.5, 0.5}};
+
+      Force() = default;
+
+      Force(const std::string &entry,
+            const std::string &text,
+            const std::string &description)
+      {
+        const std::string form =
+          "it must be written 'name: F_1 F_2 F_3', and may end with one of "
+          "'middle', 'inner', 'outer' and with 'local'";
+        std::vector<std::string> words = split_words(description);
+        if (words.size() < 3)
+          throw InputError(entry, text, form);
+        for (unsigned int i = 0; i < 3; ++i)
+          components[i] = parse_number(entry, words[i], form);
+        for (unsigned int i = 3; i < words.size(); ++i)
+          if (words[i] == "inner")
+            faces = {{1, 0}};
+          else if (words[i] == "outer")
+            faces = {{0, 1}};
+          else if (words[i] == "local")
+            local = true;
+          else if (words[i] != "middle")
+            throw InputError(entry, text, form);
+      }
+    };
+
+
+    /** Add a share of a force to the nodal forces. */
+    void
+    add_nodal_force(const Discretization &discretization,
+                    const Node           &node,
+                    const Force          &force,
+                    const double          share,
+                    LA::Vector           &nodal_forces)
+    {
+      const Tensor<1, 3> f =
+        (force.local ? force.components
+                     : node.surface.to_frame(force.components));
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
+          discretization.constraints.distribute_local_to_global(
+            Vector<double>({share * force.faces[face] * f[i]}),
+            {node.dofs[2 * i + face]},
+            nodal_forces);
+    }
+  } // namespace
+
+
+  LA::Vector
+  DeadLoads::assemble(const Discretization &discretization) const
+  {
+    LA::Vector nodal_forces = discretization.owned_vector();
+
+    for (const std::string &text :
+         Utilities::split_string_list(point_forces, ','))
+      {
+        const std::string entry = "Loads/Point forces";
+        const auto        item =
+          split_named(entry, text, "it must be written 'name: F_1 F_2 F_3'");
+        const Force        force(entry, text, item.second);
+        const unsigned int n = discretization.node_of_point(entry, item.first);
+        if (n < discretization.nodes.size() &&
+            discretization.nodes[n].locally_owned)
+          add_nodal_force(
+            discretization, discretization.nodes[n], force, 1, nodal_forces);
+      }
+
+    const std::array<std::string, 4> edge_names{
+      {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
+    for (const std::string &text :
+         Utilities::split_string_list(edge_forces, ','))
+      {
+        const std::string entry = "Loads/Edge forces";
+        const auto        item =
+          split_named(entry, text, "it must be written 'edge: F_1 F_2 F_3'");
+        const Force force(entry, text, item.second);
+        const auto  name =
+          std::find(edge_names.begin(), edge_names.end(), item.first);
+        if (name == edge_names.end())
+          throw InputError(entry,
+                           text,
+                           "the edges are 'alpha_1 min', 'alpha_1 max', "
+                           "'alpha_2 min', 'alpha_2 max'");
+        const Edge edge = static_cast<Edge>(name - edge_names.begin());
+        for (const BoundarySegment &segment : discretization.boundary)
+          if (segment.edge == edge)
+            for (const unsigned int n : segment.nodes)
+              add_nodal_force(discretization,
+                              discretization.nodes[n],
+                              force,
+                              segment.length / 2,
+                              nodal_forces);
+      }
+
+    Force weight;
+    weight.components = area_force;
+    if (area_force.norm() > 0)
+      for (const Cell &cell : discretization.cells)
+        for (const unsigned int n : cell.nodes)
+          add_nodal_force(discretization,
+                          discretization.nodes[n],
+                          weight,
+                          cell.geometry.weight / 4,
+                          nodal_forces);
+
+    nodal_forces.compress(VectorOperation::add);
+    return nodal_forces;
+  }
+
+
+  LA::Vector
+  assemble_unit_pressure(const Discretization &discretization)
+  {
+    LA::Vector nodal_forces = discretization.owned_vector();
+
+    Force pressure;
+    pressure.components = Tensor<1, 3>({0, 0, 1});
+    pressure.local      = true;
+    pressure.faces      = {{1, 0}};
+    for (const Cell &cell : discretization.cells)
+      for (const unsigned int n : cell.nodes)
+        add_nodal_force(discretization,
+                        discretization.nodes[n],
+                        pressure,
+                        cell.geometry.weight / 4,
+                        nodal_forces);
+    nodal_forces.compress(VectorOperation::add);
+    return nodal_forces;
+  }
+} // namespace Biface

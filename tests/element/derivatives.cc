@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The variation of the strains, the internal force and the tangent of an
+// element are the derivatives of the strains, the energy and the internal
+// force.
+
+#include <biface/laminate/laminate.h>
+
+#include "one_cell.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  template <int n>
+  Tensor<1, n>
+  some_vector(const double size, const unsigned int seed)
+  {
+    Tensor<1, n> vector;
+    for (unsigned int i = 0; i < n; ++i)
+      vector[i] = size * some_number(100 * seed + i);
+    return vector;
+  }
+
+
+  using NodalVector = MixedElement::NodalVector;
+
+  void
+  test_strain(const ElementGeometry &geometry)
+  {
+    const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(0.3, 2);
+    const auto variation = MixedElement(geometry, V).strain_variation(dV);
+    // exact, since the strains are quadratic
+    const auto difference = (MixedElement(geometry, V + dV).strain() -
+                             MixedElement(geometry, V - dV).strain()) /
+                            2;
+    check_small("variation of the strains",
+                (variation - difference).norm(),
+                1e-13,
+                variation.norm());
+    check_range(
+      "far from that at rest",
+      (variation - MixedElement(geometry, NodalVector()).strain_variation(dV))
+          .norm() /
+        variation.norm(),
+      0.01,
+      10);
+  }
+
+
+  void
+  test_law(const ElementGeometry &geometry,
+           const ThicknessLaw     law,
+           const bool             with_initial_resultants)
+  {
+    Laminate::Parameters parameters;
+    parameters.law = law;
+    const ModeStiffness stiffness(Laminate(parameters).stiffness());
+
+    const double      step = 1e-4;
+    const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(1, 2);
+    // of the size that the strains give
+    Modes::Vector H_0;
+    if (with_initial_resultants)
+      H_0 = some_vector<Modes::n>(
+        stiffness.resultants(MixedElement(geometry, V).strain()).norm(), 3);
+
+    const auto force_at = [&](const NodalVector &V) {
+      const MixedElement element(geometry, V);
+      return element.internal_force(stiffness.resultants(element.strain()),
+                                    H_0);
+    };
+    const auto energy_at = [&](const NodalVector &V) {
+      const MixedElement  element(geometry, V);
+      const Modes::Vector E = element.strain();
+      return geometry.weight *
+             (Modes::mean_product(stiffness.resultants(E), E) / 2 +
+              Modes::mean_product(H_0, element.nonlinear_strain()));
+    };
+
+    if (law != ThicknessLaw::asymmetric)
+      {
+        const double difference =
+          (energy_at(V + step * dV) - energy_at(V - step * dV)) / (2 * step);
+        check_small("  internal force",
+                    force_at(V) * dV - difference,
+                    1e-8,
+                    force_at(V).norm() * dV.norm());
+      }
+
+    const MixedElement        element(geometry, V);
+    MixedElement::NodalMatrix K;
+    element.tangent(stiffness, stiffness.resultants(element.strain()) + H_0, K);
+    double deviation = 0, scale = 0;
+    for (unsigned int j = 0; j < 24; ++j)
+      {
+        NodalVector unit;
+        unit[j] = step;
+        const NodalVector difference =
+          (force_at(V + unit) - force_at(V - unit)) / (2 * step);
+        for (unsigned int i = 0; i < 24; ++i)
+          {
+            deviation =
+              std::hypot(deviation, std::abs(K[i][j] - difference[i]));
+            scale = std::max(scale, std::abs(K[i][j]));
+          }
+      }
+    check_small("  tangent", deviation, 1e-8, scale);
+  }
+} // namespace
+
+
+int
+main()
+{
+  const Laminate        laminate{Laminate::Parameters()};
+  const ElementGeometry geometry =
+    make_cells(torus(), {{"40:45:1", "10:15:1"}}, laminate.faces())[0].geometry;
+
+  test_strain(geometry);
+  const std::string names[] = {"symmetric", "asymmetric", "full"};
+  for (const auto law :
+       {ThicknessLaw::symmetric, ThicknessLaw::asymmetric, ThicknessLaw::full})
+    for (const bool with_initial_resultants : {false, true})
+      {
+        std::cout << names[static_cast<unsigned int>(law)] << " law"
+                  << (with_initial_resultants ? ", initial resultants" : "")
+                  << std::endl;
+        test_law(geometry, law, with_initial_resultants);
+      }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// On a torus, the energy of an interpolated infinitesimal rigid motion falls
+// with the fourth power of the size of the cells: its strains are of second
+// order.
+
+#include <biface/laminate/laminate.h>
+
+#include "one_cell.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  /** The energy of a rigid motion in the linear theory, as a fraction of that
+   * of a unit strain over the same area. */
+  double
+  relative_energy(const std::string  &n_cells,
+                  const Tensor<1, 3> &translation,
+                  const Tensor<1, 3> &rotation)
+  {
+    const Laminate      laminate{Laminate::Parameters()};
+    const ModeStiffness stiffness(laminate.stiffness());
+
+    double energy = 0, scale = 0;
+    for (const TestCell &cell :
+         make_cells(torus(),
+                    {{"20:80:" + n_cells, "-10:50:" + n_cells}},
+                    laminate.faces()))
+      {
+        MixedElement::NodalVector V;
+        for (unsigned int v = 0; v < 4; ++v)
+          for (unsigned int face = 0; face < 2; ++face)
+            {
+              const SurfacePoint &point = cell.points[v];
+              const Tensor<1, 3>  x =
+                point.position + laminate.faces()[face] * point.frame[2];
+              const Tensor<1, 3> u =
+                point.to_frame(translation + cross_product_3d(rotation, x));
+              for (unsigned int i = 0; i < 3; ++i)
+                V[MixedElement::dof(v, i, face)] = u[i];
+            }
+        const Modes::Vector E =
+          MixedElement(cell.geometry, MixedElement::NodalVector())
+            .strain_variation(V);
+        energy += cell.geometry.weight *
+                  Modes::mean_product(stiffness.resultants(E), E);
+        scale += cell.geometry.weight * stiffness(0, 0);
+      }
+    return energy / scale;
+  }
+
+
+  void
+  test(const std::string  &name,
+       const Tensor<1, 3> &translation,
+       const Tensor<1, 3> &rotation)
+  {
+    const double coarse = relative_energy("8", translation, rotation);
+    const double medium = relative_energy("16", translation, rotation);
+    const double fine   = relative_energy("32", translation, rotation);
+    check_range(name + ", 8 to 16 cells", coarse / medium, 14, 18);
+    check_range(name + ", 16 to 32 cells", medium / fine, 15, 17);
+  }
+} // namespace
+
+
+int
+main()
+{
+  const Tensor<1, 3> none;
+  test("translation along x", Tensor<1, 3>({1, 0, 0}), none);
+  test("translation along the axle", Tensor<1, 3>({0, 1, 0}), none);
+  test("rotation about x", none, Tensor<1, 3>({1, 0, 0}));
+  test("rotation about the axle", none, Tensor<1, 3>({0, 1, 0}));
+  test("rotation about z", none, Tensor<1, 3>({0, 0, 1}));
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_tests_model_coarse_torus_h
+#define biface_tests_model_coarse_torus_h
+
+#include <deal.II/base/mpi.h>
+
+#include <memory>
+
+#include <biface/laminate/laminate.h>
+#include <biface/model/shell_equations.h>
+#include <biface/surface/circular_arc.h>
+#include <biface/surface/surface_of_revolution.h>
+
+/** A section of the bias tire's torus on a coarse, uneven grid, held at its
+ * edges of the first coordinate. */
+inline std::unique_ptr<Biface::Discretization>
+coarse_torus(const Biface::Laminate &laminate)
+{
+  using namespace Biface;
+
+  auto surface = std::make_unique<SurfaceOfRevolution>(
+    std::make_shared<CircularArc>(CircularArc::Parameters()));
+  ChartGrid::Parameters parameters;
+  parameters.intervals = {{"-60:50:5:1.1", "-30:30:6"}};
+  parameters.closed    = false;
+  const ChartGrid grid(parameters, *surface);
+  return std::make_unique<Discretization>(
+    MPI_COMM_WORLD, std::move(surface), grid, laminate.faces(), Supports());
+}
+
+
+/** A displacement without a pattern, the same for any number of ranks, zero
+ * where the shell is held. The largest entry is about @p size. */
+inline Biface::LA::Vector
+some_displacement(const Biface::Discretization &discretization,
+                  const double                  size,
+                  const unsigned int            seed)
+{
+  Biface::LA::Vector V = discretization.owned_vector();
+  for (const Biface::Node &node : discretization.nodes)
+    if (node.locally_owned)
+      for (unsigned int i = 0; i < 6; ++i)
+        if (!discretization.constraints.is_constrained(node.dofs[i]))
+          V(node.dofs[i]) = size * std::sin(seed + 131.7 * node.alpha[0] +
+                                            77.3 * node.alpha[1] + 2.1 * i);
+  V.compress(dealii::VectorOperation::insert);
+  return V;
+}
+
+
+/** The state at @p V, with its resultants, and the nodes in contact of
+ * @p state. */
+inline Biface::State
+at(const Biface::ShellEquations &equations,
+   const Biface::State          &state,
+   const Biface::LA::Vector     &V)
+{
+  Biface::State result = state;
+  result.displacement  = V;
+  equations.settle_resultants(result);
+  return result;
+}
+
+#endif

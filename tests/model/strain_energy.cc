@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The residual of an unloaded, prestressed shell is minus the derivative of its
+// strain energy; a pressure adds the work it does on the inner face.
+
+#include "coarse_torus.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string &name, const ThicknessLaw law)
+  {
+    Laminate::Parameters parameters;
+    parameters.law              = law;
+    parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
+    const Laminate          laminate(parameters);
+    const auto              discretization = coarse_torus(laminate);
+    const ContactConditions contact{ContactConditions::Parameters()};
+
+    ShellEquations equations(*discretization, laminate, contact);
+    State          state = at(equations,
+                     equations.initial_state(),
+                     some_displacement(*discretization, 0.2, 1));
+    equations.take_as_prestress(state);
+    state = at(equations, state, some_displacement(*discretization, 0.2, 2));
+
+    const LA::Vector direction = some_displacement(*discretization, 1, 3);
+    equations.assemble(state, Loads());
+    const double work  = equations.residual() * direction;
+    const double scale = equations.residual().l2_norm() * direction.l2_norm();
+
+    const double step   = 1e-3;
+    LA::Vector   V      = discretization->owned_vector();
+    double       change = 0;
+    // two steps cancel the cubic part: exact, since the energy is quartic
+    for (const double s : {-2., -1., 1., 2.})
+      {
+        V = state.displacement;
+        V.add(s * step, direction);
+        const double energy = equations.strain_energy(at(equations, state, V));
+        change +=
+          (std::abs(s) == 1 ? 2. / 3 * s : -1. / 24 * s) * energy / step;
+      }
+
+    // the work of a unit pressure
+    double     pressure_work = 0;
+    LA::Vector ghosted       = discretization->ghosted_vector();
+    ghosted                  = direction;
+    for (const Cell &cell : discretization->cells)
+      for (unsigned int v = 0; v < 4; ++v)
+        pressure_work += cell.geometry.weight / 4 *
+                         ghosted(cell.dofs[MixedElement::dof(v, 2, 0)]);
+    pressure_work = Utilities::MPI::sum(pressure_work, MPI_COMM_WORLD);
+    Loads loads;
+    loads.pressure = 0.7;
+    equations.assemble(state, loads);
+    const double loaded_work = equations.residual() * direction;
+
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::cout << name << std::endl;
+        check_range(
+          "  work in the energy's direction", std::abs(work) / scale, 0.01, 1);
+        check_small("  change of the energy", work + change, 1e-9, scale);
+        check_small("  work of a pressure",
+                    loaded_work - work - 0.7 * pressure_work,
+                    1e-12,
+                    scale);
+      }
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  test("symmetric law", ThicknessLaw::symmetric);
+  test("full law", ThicknessLaw::full);
+}

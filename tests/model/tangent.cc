@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The tangent of a prestressed shell in contact is minus the derivative of its
+// residual, with the nodes in contact kept, and symmetric where it says so.
+
+#include "coarse_torus.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string   &name,
+       const ThicknessLaw   law,
+       const MultiplierMass mass,
+       const StrainTheory   theory)
+  {
+    Laminate::Parameters parameters;
+    parameters.law = law;
+    const Laminate laminate(parameters);
+    const auto     discretization = coarse_torus(laminate);
+
+    // a foundation as soft as the shell, so that neither hides the other
+    ContactConditions::Parameters contact_parameters;
+    contact_parameters.mass           = mass;
+    contact_parameters.regularization = 1;
+    contact_parameters.normal         = Tensor<1, 3>({1, 0.2, -0.1});
+    const ContactConditions contact(contact_parameters);
+
+    ShellEquations equations(*discretization, laminate, contact);
+    State          state      = at(equations,
+                     equations.initial_state(),
+                     some_displacement(*discretization, 0.2, 1));
+    const auto     resultants = state.resultants;
+    equations.take_as_prestress(state);
+
+    // the prestress stays, and is in equilibrium with what is not listed
+    double change = state.displacement.linfty_norm(), stress = 0;
+    for (unsigned int c = 0; c < resultants.size(); ++c)
+      {
+        change = std::hypot(
+          change,
+          (equations.total_resultants(state, c) - resultants[c]).norm());
+        stress = std::max(stress, resultants[c].norm());
+      }
+    equations.assemble(state, Loads());
+    const double unbalanced = equations.residual().l2_norm();
+
+    change = Utilities::MPI::max(change, MPI_COMM_WORLD);
+    stress = Utilities::MPI::max(stress, MPI_COMM_WORLD);
+
+    state = at(equations, state, some_displacement(*discretization, 0.2, 2));
+    equations.set_theory(theory, state);
+    state = at(equations, state, some_displacement(*discretization, 0.2, 3));
+
+    Loads loads;
+    loads.pressure              = 0.1;
+    loads.foundation            = equations.touching_plane(state).moved(6);
+    const unsigned int n_active = equations.update_active_set(state, loads);
+
+    equations.assemble(state, loads);
+    const double force = equations.residual().l2_norm();
+
+    LA::Vector       product = discretization->owned_vector();
+    const LA::Vector x       = some_displacement(*discretization, 1, 6);
+    const LA::Vector y       = some_displacement(*discretization, 1, 7);
+    equations.tangent().vmult(product, y);
+    double skew = product * x;
+    equations.tangent().vmult(product, x);
+    skew = std::abs(skew - product * y) / (product.l2_norm() * y.l2_norm());
+    const bool is_symmetric = (skew < 1e-12);
+
+    const double step      = 1e-5;
+    double       deviation = 0;
+    for (const unsigned int seed : {4, 5})
+      {
+        const LA::Vector direction =
+          some_displacement(*discretization, 1, seed);
+        equations.assemble(state, loads);
+        equations.tangent().vmult(product, direction);
+        const double scale = product.l2_norm();
+
+        for (const double sign : {-1., 1.})
+          {
+            LA::Vector V = discretization->owned_vector();
+            V            = state.displacement;
+            V.add(sign * step, direction);
+            equations.assemble(at(equations, state, V), loads);
+            product.add(sign / (2 * step), equations.residual());
+          }
+        deviation = std::hypot(deviation, product.l2_norm() / scale);
+      }
+
+    const unsigned int n_nodes = discretization->n_nodes();
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::cout << name << std::endl;
+        check_true("  prestressed", stress > 1);
+        check_small("  prestress, its change", change, 1e-14, stress);
+        check_small("  and its forces", unbalanced, 1e-12, stress);
+        check_range("  nodes in contact", n_active, 4, n_nodes / 2);
+        check_true("  forces are there", force > 1);
+        check_small("  tangent", deviation, 1e-8);
+        check_true("  symmetric or not, as it says",
+                   is_symmetric == equations.is_symmetric());
+        std::cout << (is_symmetric ? "  symmetric" : "  not symmetric")
+                  << std::endl;
+      }
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  test("symmetric law, consistent mass",
+       ThicknessLaw::symmetric,
+       MultiplierMass::consistent,
+       StrainTheory::nonlinear);
+  test("symmetric law, lumped mass",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear);
+  test("asymmetric law, consistent mass",
+       ThicknessLaw::asymmetric,
+       MultiplierMass::consistent,
+       StrainTheory::nonlinear);
+  test("full law, lumped mass",
+       ThicknessLaw::full,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear);
+  test("linear theory",
+       ThicknessLaw::symmetric,
+       MultiplierMass::consistent,
+       StrainTheory::linear);
+}
