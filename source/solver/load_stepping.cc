@@ -39,8 +39,40 @@ namespace Biface
                       "end of the stage, counted from where it first touched. "
                       "Unit: length.",
                       Patterns::Double());
-    prm.add_parameter(
-      "Steps", n_steps, "Number of equal steps.", Patterns::Integer(1));
+    prm.add_parameter("Load factor",
+                      factor,
+                      "What the section 'Loads' and prescribed displacements "
+                      "of supports are multiplied by at the end of the stage. "
+                      "No unit.",
+                      Patterns::Double());
+    add_choice(prm,
+               "Control",
+               control,
+               {"load", "displacement", "arc length"},
+               "What is given in every step: 'load' (equal steps of all "
+               "loads), 'displacement' (equal steps of one displacement; the "
+               "loads follow on their way to those given, or beyond), or 'arc "
+               "length' (steps of the displacements as a whole, which adapt "
+               "and pass turning points of the load, until the loads given are "
+               "reached; 'Steps' sets the first: 1/Steps of the loads).");
+    prm.add_parameter("Control point",
+                      control_point,
+                      "Name of the point whose displacement (of the middle "
+                      "surface) is given.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Control component",
+               control_component,
+               {"x", "y", "z"},
+               "Component of the displacement that is given.");
+    prm.add_parameter("Control value",
+                      control_value,
+                      "Its value at the end of the stage. Unit: length.",
+                      Patterns::Double());
+    prm.add_parameter("Steps",
+                      n_steps,
+                      "Number of steps; see 'Control'.",
+                      Patterns::Integer(1));
     add_choice(prm,
                "Strain theory",
                theory,

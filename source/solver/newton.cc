@@ -150,10 +150,10 @@ namespace Biface
         n_changes   = equations.update_active_set(state, loads);
         last_update = increment.linfty_norm();
         ++result.iterations;
-        if (!(last_update <= discretization.size()))
+        if (!(last_update <= 1e3 * discretization.size()))
           {
-            result.message = "the iteration diverged: an update exceeded the "
-                             "size of the shell";
+            result.message = "the iteration diverged: an update exceeded 1000 "
+                             "times the size of the shell";
             return result;
           }
 

@@ -14,6 +14,7 @@
 #include <biface/surface/surface_of_revolution.h>
 
 #include <boost/property_tree/json_parser.hpp>
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -76,10 +77,10 @@ main()
   };
 
   Laminate::Parameters parameters;
-  const Laminate       laminate(parameters);
+  const Laminate       laminate(parameters, cord_ply());
   const auto           D  = laminate.stiffness();
   parameters.law          = ThicknessLaw::asymmetric;
-  const auto D_asymmetric = Laminate(parameters).stiffness();
+  const auto D_asymmetric = Laminate(parameters, cord_ply()).stiffness();
 
   std::vector<double> entries, entries_asymmetric;
   for (unsigned int i = 0; i < Resultants::n; ++i)

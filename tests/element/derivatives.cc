@@ -7,6 +7,7 @@
 #include <biface/laminate/laminate.h>
 
 #include "one_cell.h"
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -57,7 +58,7 @@ namespace
   {
     Laminate::Parameters parameters;
     parameters.law = law;
-    const ModeStiffness stiffness(Laminate(parameters).stiffness());
+    const ModeStiffness stiffness(Laminate(parameters, cord_ply()).stiffness());
 
     const double      step = 1e-4;
     const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(1, 2);
@@ -115,7 +116,7 @@ namespace
 int
 main()
 {
-  const Laminate        laminate{Laminate::Parameters()};
+  const Laminate        laminate(Laminate::Parameters(), cord_ply());
   const ElementGeometry geometry =
     make_cells(torus(), {{"40:45:1", "10:15:1"}}, laminate.faces())[0].geometry;
 

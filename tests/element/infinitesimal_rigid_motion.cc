@@ -7,6 +7,7 @@
 #include <biface/laminate/laminate.h>
 
 #include "one_cell.h"
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -21,7 +22,7 @@ namespace
                   const Tensor<1, 3> &translation,
                   const Tensor<1, 3> &rotation)
   {
-    const Laminate      laminate{Laminate::Parameters()};
+    const Laminate      laminate(Laminate::Parameters(), cord_ply());
     const ModeStiffness stiffness(laminate.stiffness());
 
     double energy = 0, scale = 0;

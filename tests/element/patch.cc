@@ -22,7 +22,7 @@ namespace
   const Laminate laminate(
     {{OrthotropicMaterial::isotropic(E, nu).stiffness("material"), h, 0, {}}},
     ThicknessLaw::symmetric,
-    Laminate::Reference::inner);
+    0);
 
   /** Displacement at the position (x, y) and the height z over the inner
    * face. */

@@ -24,7 +24,7 @@ main()
       0,
       {}}},
     ThicknessLaw::symmetric,
-    Laminate::Reference::inner);
+    0);
   const TestCell cell =
     make_cells(Plane(), {{"0:3:1", "0:4:1"}}, laminate.faces())[0];
 

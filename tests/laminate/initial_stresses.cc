@@ -5,6 +5,7 @@
 
 #include <biface/laminate/laminate.h>
 
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -24,9 +25,10 @@ namespace
     Resultants::Vector expected;
     for (unsigned int i = 0; i < tangential.size(); ++i)
       expected[i] = tangential[i];
-    check_small(what,
-                (Laminate(parameters).initial_resultants() - expected).norm(),
-                1e-13);
+    check_small(
+      what,
+      (Laminate(parameters, cord_ply()).initial_resultants() - expected).norm(),
+      1e-13);
   }
 } // namespace
 
@@ -34,21 +36,28 @@ namespace
 int
 main()
 {
-  test("none", "1 @ 20, 1 @ 0", "", {});
+  test("none", "cord: 1 @ 20, cord: 1 @ 0", "", {});
 
   // h/2 to each face; the order is 11-, 11+, 22-, 22+, 12-, 12+
-  test("uniform", "2 @ 0", "3 5 7", {3, 3, 5, 5, 7, 7});
+  test("uniform", "cord: 2 @ 0", "3 5 7", {3, 3, 5, 5, 7, 7});
 
   // the inner half of h = 2: 3/4 to the inner face, 1/4 to the outer one
-  test("inner ply", "1 @ 0, 1 @ 0", "4 8 12, 0 0 0", {3, 1, 6, 2, 9, 3});
-  test("bending", "1 @ 0, 1 @ 0", "-4 0 0, 4 0 0", {-2, 2});
+  test("inner ply",
+       "cord: 1 @ 0, cord: 1 @ 0",
+       "4 8 12, 0 0 0",
+       {3, 1, 6, 2, 9, 3});
+  test("bending", "cord: 1 @ 0, cord: 1 @ 0", "-4 0 0, 4 0 0", {-2, 2});
 
   // at 30 degrees: cos^2 = 3/4, sin^2 = 1/4, cos sin = sqrt(3)/4
   const double s = std::sqrt(3.);
-  test("along cords at 30 degrees", "2 @ 30", "4 0 0", {3, 3, 1, 1, s, s});
-  test("along cords at -30 degrees", "2 @ -30", "4 0 0", {3, 3, 1, 1, -s, -s});
-  test("across cords at 90 degrees", "2 @ 90", "0 4 0", {4, 4});
-  test("shear at 45 degrees", "2 @ 45", "0 0 4", {-4, -4, 4, 4});
+  test(
+    "along cords at 30 degrees", "cord: 2 @ 30", "4 0 0", {3, 3, 1, 1, s, s});
+  test("along cords at -30 degrees",
+       "cord: 2 @ -30",
+       "4 0 0",
+       {3, 3, 1, 1, -s, -s});
+  test("across cords at 90 degrees", "cord: 2 @ 90", "0 4 0", {4, 4});
+  test("shear at 45 degrees", "cord: 2 @ 45", "0 0 4", {-4, -4, 4, 4});
 
   // stresses across the thickness, which only a program can give
   Ply ply{{}, 2, 0, {}};
@@ -57,8 +66,7 @@ main()
   ply.initial_stress[1][2] = 5;
   ply.initial_stress[2][2] = 7;
   const auto H =
-    Laminate({ply}, ThicknessLaw::symmetric, Laminate::Reference::middle)
-      .initial_resultants();
+    Laminate({ply}, ThicknessLaw::symmetric, 1).initial_resultants();
   Resultants::Vector expected;
   expected[6] = expected[7] = 3;
   expected[8] = expected[9] = 5;

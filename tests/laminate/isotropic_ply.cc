@@ -64,8 +64,7 @@ namespace
          t,
          angle += 0.3,
          {}});
-    return Stiffness(
-      Laminate(plies, law, Laminate::Reference::inner).stiffness());
+    return Stiffness(Laminate(plies, law, 0).stiffness());
   }
 } // namespace
 

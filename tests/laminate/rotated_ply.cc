@@ -20,9 +20,8 @@ namespace
   Resultants::Matrix
   stiffness(const double degrees, const ThicknessLaw law)
   {
-    return Laminate({{ply_stiffness, 1.2, degrees * numbers::PI / 180, {}}},
-                    law,
-                    Laminate::Reference::inner)
+    return Laminate(
+             {{ply_stiffness, 1.2, degrees * numbers::PI / 180, {}}}, law, 0)
       .stiffness();
   }
 

@@ -21,12 +21,14 @@ coarse_torus(const Biface::Laminate &laminate)
 
   auto surface = std::make_unique<SurfaceOfRevolution>(
     std::make_shared<CircularArc>(CircularArc::Parameters()));
+  Supports supports;
+  supports.edges[0] = supports.edges[1] = "fixed";
   ChartGrid::Parameters parameters;
   parameters.intervals = {{"-60:50:5:1.1", "-30:30:6"}};
   parameters.closed    = false;
   const ChartGrid grid(parameters, *surface);
   return std::make_unique<Discretization>(
-    MPI_COMM_WORLD, std::move(surface), grid, laminate.faces(), Supports());
+    MPI_COMM_WORLD, std::move(surface), grid, laminate.faces(), supports);
 }
 
 

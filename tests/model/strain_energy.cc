@@ -4,6 +4,7 @@
 // strain energy; a pressure adds the work it does on the inner face.
 
 #include "coarse_torus.h"
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -17,7 +18,7 @@ namespace
     Laminate::Parameters parameters;
     parameters.law              = law;
     parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
-    const Laminate          laminate(parameters);
+    const Laminate          laminate(parameters, cord_ply());
     const auto              discretization = coarse_torus(laminate);
     const ContactConditions contact{ContactConditions::Parameters()};
 

@@ -4,6 +4,7 @@
 // residual, with the nodes in contact kept, and symmetric where it says so.
 
 #include "coarse_torus.h"
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -19,7 +20,7 @@ namespace
   {
     Laminate::Parameters parameters;
     parameters.law = law;
-    const Laminate laminate(parameters);
+    const Laminate laminate(parameters, cord_ply());
     const auto     discretization = coarse_torus(laminate);
 
     // a foundation as soft as the shell, so that neither hides the other

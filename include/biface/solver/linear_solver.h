@@ -49,8 +49,8 @@ namespace Biface
    * Compute the residual of a solution and judge it: a direct solver gives
    * numbers for a singular matrix, too.
    *
-   * @return success where the solution is finite, its relative residual is at
-   * most 1e-8.
+   * @return success where the solution is finite, its residual is at most 1e-3
+   * of the right hand side and at most 1e-10 of @f$|A|_\infty|x| + |b|@f$.
    */
   LinearSolverResult
   check_solution(const LA::SparseMatrix &A,
