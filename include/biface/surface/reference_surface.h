@@ -100,7 +100,8 @@ namespace Biface
    * dealii::MappingManifold the cells then lie on the exact surface and, where
    * their sides are coordinate lines, have its exact metric.
    *
-   * A new surface implements evaluate(), pull_back() and clone().
+   * A new surface implements evaluate(), pull_back(), clone() and
+   * coordinate_unit().
    */
   class ReferenceSurface : public dealii::ChartManifold<2, 3, 2>
   {
