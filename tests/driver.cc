@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Runs the program on a parameter file, and prints its exit code, what it says
-// of errors, and the history less iterations and times.
+// of errors, the history less iterations and times, and the displacements of
+// the middle surface at named points.
 //
 // Comments of the parameter file can say more:
 //   # arguments: further words of the command line, separated by blanks
@@ -56,6 +57,9 @@ main(int argc, char *argv[])
         file = line.substr(8);
     }
   words.push_back(file);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::remove_all("results");
+  MPI_Barrier(MPI_COMM_WORLD);
 
   std::vector<char *> arguments;
   for (std::string &word : words)
@@ -91,6 +95,17 @@ main(int argc, char *argv[])
           std::cout << "1000*max_pressure" << std::endl;
         else
           std::cout << 1000 * std::stod(columns[6]) << std::endl;
+      }
+
+  std::ifstream probes("results/probes.csv");
+  if (code != Biface::wrong_input)
+    while (std::getline(probes, line))
+      {
+        const auto columns = Utilities::split_string_list(line, ',');
+        if (columns[4] == "middle")
+          std::cout << columns[3] << " at load factor " << columns[2] << ": "
+                    << columns[5] << ' ' << columns[6] << ' ' << columns[7]
+                    << std::endl;
       }
   return 0;
 }

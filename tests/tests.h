@@ -11,7 +11,7 @@
  * Print whether a deviation, as a fraction of a scale, is within a bound.
  *
  * The outputs of tests are compared with an absolute tolerance, which small
- * numbers would slip through: so the judgement is made here, and the number is
+ * numbers would slip through: so the judgment is made here, and the number is
  * printed only where it is bad.
  */
 inline void

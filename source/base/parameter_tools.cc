@@ -45,9 +45,11 @@ namespace Biface
                const std::string &text,
                const std::string &allowed)
   {
-    const std::string trimmed = dealii::Utilities::trim(text);
-    double            value   = 0;
-    const auto        result =
+    std::string trimmed = dealii::Utilities::trim(text);
+    if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
+      trimmed.erase(0, 1);
+    double     value = 0;
+    const auto result =
       std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
     if (trimmed.empty() || result.ec != std::errc() ||
         result.ptr != trimmed.data() + trimmed.size() || !std::isfinite(value))

@@ -15,7 +15,7 @@ namespace Biface
   {
     prm.add_parameter("Plane normal",
                       normal,
-                      "Normal of the rigid plane, from the shell towards the "
+                      "Normal of the rigid plane, from the shell toward the "
                       "foundation: three components x, y, z, of any length "
                       "but zero.");
     add_choice(prm,

@@ -22,29 +22,32 @@ namespace Biface
         v[i] = V[MixedElement::dof(vertex, i, face)];
       return v;
     }
+  } // namespace
 
 
-    DisplacementGradient
-    displacement_gradient(const ElementGeometry           &geometry,
-                          const MixedElement::NodalVector &V,
-                          const unsigned int               q)
-    {
-      const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+  DisplacementGradient
+  displacement_gradient(const ElementGeometry           &geometry,
+                        const MixedElement::NodalVector &V,
+                        const unsigned int               q)
+  {
+    const ElementGeometry::Vertex &vertex = geometry.vertices[q];
 
-      DisplacementGradient u;
-      for (unsigned int face = 0; face < 2; ++face)
-        {
-          const Tensor<1, 3> v = nodal_displacement(V, q, face);
-          for (unsigned int a = 0; a < 2; ++a)
-            u.g[face][a] = vertex.slope[a] *
-                             (v - nodal_displacement(V, q ^ (1 << a), face)) +
-                           vertex.connection[a] * v;
-          u.beta += beta_sign[face] / geometry.thickness * v;
-        }
-      return u;
-    }
+    DisplacementGradient u;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        const Tensor<1, 3> v = nodal_displacement(V, q, face);
+        for (unsigned int a = 0; a < 2; ++a)
+          u.g[face][a] =
+            vertex.slope[a] * (v - nodal_displacement(V, q ^ (1 << a), face)) +
+            vertex.connection[a] * v;
+        u.beta += beta_sign[face] / geometry.thickness * v;
+      }
+    return u;
+  }
 
 
+  namespace
+  {
     /** The transpose of displacement_gradient(). */
     void
     add_nodal_force(const ElementGeometry      &geometry,

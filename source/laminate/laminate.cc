@@ -23,7 +23,7 @@ namespace Biface
                       "The plies, inner ply first, separated by commas, each "
                       "as 'material: thickness @ angle'. The angle is that of "
                       "the material's first axis, from the first coordinate "
-                      "line (the meridian) towards the second. Units: length, "
+                      "line (the meridian) toward the second. Units: length, "
                       "degrees.",
                       Patterns::Anything());
     prm.add_parameter("Initial ply stresses",

@@ -2,6 +2,7 @@
 
 #include <deal.II/physics/transformations.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 

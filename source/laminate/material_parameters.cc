@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/laminate/material_parameters.h>
 
@@ -65,6 +66,10 @@ namespace Biface
       {
         case Type::isotropic:
           check_positive(section + "/E", E);
+          if (!(nu > -1 && nu < 0.5))
+            throw InputError(section + "/nu",
+                             number_to_string(nu),
+                             "it must lie between -1 and 0.5");
           return OrthotropicMaterial::isotropic(E, nu).stiffness(section);
         case Type::transversely_isotropic:
           check_positive(section + "/E_L", E_L);

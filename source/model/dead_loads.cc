@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -119,8 +120,6 @@ namespace Biface
             discretization, discretization.nodes[n], force, 1, nodal_forces);
       }
 
-    const std::array<std::string, 4> edge_names{
-      {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
     for (const std::string &text :
          Utilities::split_string_list(edge_forces, ','))
       {
@@ -135,7 +134,13 @@ namespace Biface
                            text,
                            "the edges are 'alpha_1 min', 'alpha_1 max', "
                            "'alpha_2 min', 'alpha_2 max'");
-        const Edge edge = static_cast<Edge>(name - edge_names.begin());
+        const Edge   edge       = static_cast<Edge>(name - edge_names.begin());
+        unsigned int n_segments = 0;
+        for (const BoundarySegment &segment : discretization.boundary)
+          n_segments += (segment.edge == edge);
+        if (Utilities::MPI::sum(n_segments, discretization.communicator) == 0)
+          throw InputError(
+            entry, text, "the coordinate is closed and has no such edge");
         for (const BoundarySegment &segment : discretization.boundary)
           if (segment.edge == edge)
             for (const unsigned int n : segment.nodes)

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include <biface/base/input_error.h>
@@ -111,130 +110,6 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    /** Equations @f$c^-v^- + c^+v^+ = \bar v@f$ for one component at one
-     * node, in reduced form. */
-    struct FaceEquations
-    {
-      std::vector<std::array<double, 3>> rows;
-
-      /** @return whether the new equation agrees with those there are. */
-      bool
-      add(std::array<double, 3> row)
-      {
-        for (const auto &old : rows)
-          {
-            const unsigned int pivot =
-              (std::abs(old[1]) >= std::abs(old[0]) ? 1 : 0);
-            const double factor = row[pivot] / old[pivot];
-            for (unsigned int i = 0; i < 3; ++i)
-              row[i] -= factor * old[i];
-            row[pivot] = 0;
-          }
-        if (std::abs(row[0]) < 1e-12 && std::abs(row[1]) < 1e-12)
-          return std::abs(row[2]) < 1e-12;
-        rows.push_back(row);
-        return true;
-      }
-    };
-  } // namespace
-
-
-  void
-  Discretization::make_constraints(const Supports &supports)
-  {
-    // equations of the components of the nodes
-    std::map<std::pair<unsigned int, unsigned int>, FaceEquations> equations;
-    bool       contradiction = false;
-    const auto add           = [&](const unsigned int                   node,
-                         const std::vector<SupportCondition> &conditions) {
-      for (const SupportCondition &condition : conditions)
-        if (!equations[{node, condition.component}].add(
-              {{condition.faces[0], condition.faces[1], condition.value}}))
-          contradiction = true;
-    };
-
-    for (unsigned int edge = 0; edge < 4; ++edge)
-      {
-        const auto conditions = supports.edge_conditions(edge);
-        for (const unsigned int node : edge_nodes[edge])
-          add(node, conditions);
-      }
-    for (const auto &item : supports.point_conditions())
-      {
-        const unsigned int node = node_of_point("Supports/Points", item.first);
-        if (node != numbers::invalid_unsigned_int)
-          add(node, item.second);
-      }
-    if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
-                            communicator) > 0)
-      throw InputError("the section 'Supports' prescribes different values of "
-                       "one displacement, but at most one value is possible.");
-
-    constraints.reinit(locally_relevant);
-    for (const auto &item : equations)
-      {
-        const Node        &node = nodes[item.first.first];
-        const unsigned int i    = item.first.second;
-        const auto        &rows = item.second.rows;
-
-        const std::array<types::global_dof_index, 2> dofs{
-          {node.dofs[2 * i], node.dofs[2 * i + 1]}};
-        const auto prescribe = [&](const unsigned int face,
-                                   const double       factor,
-                                   const double       value) {
-          constraints.add_line(dofs[face]);
-          if (factor != 0)
-            constraints.add_entry(dofs[face], dofs[1 - face], factor);
-          if (value != 0)
-            prescribed.push_back(
-              {dofs[face],
-               factor != 0 ? dofs[1 - face] : numbers::invalid_dof_index,
-               factor,
-               value});
-        };
-
-        if (rows.size() == 1)
-          {
-            const unsigned int face =
-              (std::abs(rows[0][1]) >= std::abs(rows[0][0]) ? 1 : 0);
-            prescribe(face,
-                      -rows[0][1 - face] / rows[0][face],
-                      rows[0][2] / rows[0][face]);
-          }
-        else
-          {
-            const double determinant =
-              rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-            prescribe(0,
-                      0,
-                      (rows[0][2] * rows[1][1] - rows[0][1] * rows[1][2]) /
-                        determinant);
-            prescribe(1,
-                      0,
-                      (rows[0][0] * rows[1][2] - rows[0][2] * rows[1][0]) /
-                        determinant);
-          }
-      }
-    constraints.close();
-
-    for (Node &node : nodes)
-      {
-        node.outer_face_free = false;
-        for (unsigned int i = 0; i < 3; ++i)
-          if (!constraints.is_constrained(node.dofs[2 * i + Resultants::outer]))
-            node.outer_face_free = true;
-      }
-
-    types::global_dof_index n_owned_free = 0;
-    for (const auto dof : locally_owned)
-      if (!constraints.is_constrained(dof))
-        ++n_owned_free;
-    n_free = Utilities::MPI::sum(n_owned_free, communicator);
-  }
-
-
   void
   Discretization::collect_cells_and_nodes(const ChartGrid &grid)
   {
@@ -271,6 +146,19 @@ namespace Biface
           alpha[1] = center[1] + std::remainder(alpha[1] - center[1], period);
           if (grid.closed && alpha[1] > start + (1 - 1e-12) * period)
             alpha[1] -= period;
+        }
+      // the grid line itself, so that all ranks have the same numbers
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          const auto &lines = grid.lines[a];
+          const auto  above =
+            std::lower_bound(lines.begin(), lines.end(), alpha[a]);
+          if (above == lines.end() ||
+              (above != lines.begin() &&
+               alpha[a] - *(above - 1) < *above - alpha[a]))
+            alpha[a] = *(above - 1);
+          else
+            alpha[a] = *above;
         }
       return alpha;
     };
@@ -352,76 +240,6 @@ namespace Biface
 
     for (const auto &set : adjacent)
       neighbors.emplace_back(set.begin(), set.end());
-  }
-
-
-  void
-  Discretization::find_points()
-  {
-    for (const NamedPoint &point : points)
-      {
-        unsigned int   found    = numbers::invalid_unsigned_int;
-        double         distance = std::numeric_limits<double>::max();
-        const Point<3> position = surface->evaluate(point.alpha).position;
-        for (unsigned int n = 0; n < nodes.size(); ++n)
-          {
-            const double d = nodes[n].alpha.distance(point.alpha);
-            if (nodes[n].surface.position.distance(position) <
-                  1e-8 * diameter &&
-                d < distance)
-              {
-                found    = n;
-                distance = d;
-              }
-          }
-        // both lips of a slit are at one place: the nearer coordinate counts
-        const double nearest = Utilities::MPI::min(distance, communicator);
-        if (nearest == std::numeric_limits<double>::max())
-          throw InputError(
-            "Points",
-            point.name + ": " +
-              number_to_string(point.alpha[0] / surface->coordinate_unit(0)) +
-              " " +
-              number_to_string(point.alpha[1] / surface->coordinate_unit(1)),
-            "a point must be a node of the mesh");
-        nodes_of_points.push_back(
-          distance <= nearest + 1e-9 ? found : numbers::invalid_unsigned_int);
-      }
-  }
-
-
-  unsigned int
-  Discretization::node_of_point(const std::string &entry,
-                                const std::string &name) const
-  {
-    std::string names;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      {
-        if (points[i].name == name)
-          return nodes_of_points[i];
-        names += (names.empty() ? "'" : ", '") + points[i].name + "'";
-      }
-    throw InputError(entry,
-                     name,
-                     points.empty()
-                       ? "there are no points; they are named in 'Points'"
-                       : "the points are " + names);
-  }
-
-
-  LA::Vector
-  Discretization::displacement_functional(const std::string &point,
-                                          const unsigned int component) const
-  {
-    LA::Vector         functional = owned_vector();
-    const unsigned int n          = node_of_point("Control point", point);
-    if (n != numbers::invalid_unsigned_int && nodes[n].locally_owned)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int face = 0; face < 2; ++face)
-          functional(nodes[n].dofs[2 * i + face]) =
-            nodes[n].surface.frame[i][component] / 2;
-    functional.compress(VectorOperation::insert);
-    return functional;
   }
 
 

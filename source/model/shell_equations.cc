@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/element/follower_pressure.h>
 #include <biface/model/shell_equations.h>
 
 namespace Biface
@@ -15,10 +16,12 @@ namespace Biface
   ShellEquations::ShellEquations(const Discretization    &discretization,
                                  const Laminate          &laminate,
                                  const ContactConditions &contact,
-                                 const DeadLoads         &dead_loads)
+                                 const DeadLoads         &dead_loads,
+                                 const PressureKind       pressure_kind)
     : discretization(discretization)
     , stiffness(laminate.stiffness())
     , symmetric_stiffness(laminate.is_symmetric())
+    , pressure_kind(pressure_kind)
     , contact(contact)
     , initial_resultants(discretization.cells.size(),
                          Modes::constant(laminate.initial_resultants()))
@@ -79,6 +82,13 @@ namespace Biface
     MixedElement::NodalVector force =
       element.internal_force(H, initial_resultants[c]);
 
+    if (pressure_kind == PressureKind::follower)
+      {
+        const FollowerPressure pressure(cell.geometry, V);
+        equations.unit_pressure = pressure.force();
+        pressure.add_derivative(-loads.pressure, equations.tangent);
+      }
+
     if (linearization_point)
       {
         const auto dV =
@@ -122,7 +132,7 @@ namespace Biface
         if (!state.active[node])
           continue;
         const double lambda = contact.multiplier(
-          clearance(state, loads, discretization.nodes[node]), true);
+          clearance(state, loads, discretization.nodes[node]));
         for (unsigned int r = 0; r < 4; ++r)
           for (unsigned int i = 0; i < 3; ++i)
             {
@@ -134,8 +144,7 @@ namespace Biface
               for (unsigned int j = 0; j < 3; ++j)
                 equations
                   .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
-                  M[r][s] * contact.multiplier_stiffness(true) * m[r][i] *
-                  m[s][j];
+                  M[r][s] * contact.multiplier_stiffness() * m[r][i] * m[s][j];
             }
       }
   }
@@ -150,20 +159,40 @@ namespace Biface
 
     double        force_square = 0;
     CellEquations equations;
+    if (pressure_kind == PressureKind::follower)
+      unit_pressure = 0;
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
       {
         cell_equations(state, loads, c, equations);
         force_square += equations.force_square;
         adder.add(c, equations.tangent, equations.residual, matrix, rhs);
+        if (pressure_kind == PressureKind::follower)
+          add_nodal_forces(c, equations.unit_pressure, unit_pressure);
       }
     matrix.compress(VectorOperation::add);
     rhs.compress(VectorOperation::add);
+    unit_pressure.compress(VectorOperation::add);
 
     const LA::Vector load = load_direction(loads);
     rhs += load;
     force_scale =
       std::sqrt(Utilities::MPI::sum(force_square, discretization.communicator) +
                 load.norm_sqr());
+  }
+
+
+  void
+  ShellEquations::add_nodal_forces(const unsigned int               c,
+                                   const MixedElement::NodalVector &force,
+                                   LA::Vector &nodal_forces) const
+  {
+    Vector<double>                       local(MixedElement::n_dofs);
+    std::vector<types::global_dof_index> dofs(
+      discretization.cells[c].dofs.begin(), discretization.cells[c].dofs.end());
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      local[i] = force[i];
+    discretization.constraints.distribute_local_to_global(
+      local, dofs, nodal_forces);
   }
 
 
@@ -197,14 +226,18 @@ namespace Biface
   ShellEquations::relative_residual() const
   {
     const double norm = rhs.l2_norm();
-    return norm == 0 ? 0. : norm / force_scale;
+    if (norm == 0)
+      return 0;
+    // without any force, what is left comes from prescribed displacements
+    return force_scale == 0 ? 1. : norm / force_scale;
   }
 
 
   bool
   ShellEquations::is_symmetric() const
   {
-    return symmetric_stiffness && contact.is_symmetric();
+    return symmetric_stiffness && contact.is_symmetric() &&
+           pressure_kind == PressureKind::dead;
   }
 
 
@@ -312,7 +345,7 @@ namespace Biface
     if (!state.active[node])
       return 0;
     return -contact.multiplier(
-      clearance(state, loads, discretization.nodes[node]), true);
+      clearance(state, loads, discretization.nodes[node]));
   }
 
 

@@ -7,6 +7,7 @@
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/model/supports.h>
+#include <biface/surface/chart_grid.h>
 
 namespace Biface
 {
@@ -14,9 +15,6 @@ namespace Biface
 
   namespace
   {
-    const std::array<std::string, 4> edge_names{
-      {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
-
     const std::array<double, 2> inner{{1, 0}};
     const std::array<double, 2> outer{{0, 1}};
     const std::array<double, 2> mean{{0.5, 0.5}};

@@ -3,6 +3,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -115,7 +117,7 @@ namespace Biface
   ResultsWriter::append_history(const StepReport &report) const
   {
     std::ostringstream line;
-    line << report.step << ',' << report.stage->name << ','
+    line << report.step << ',' << report.stage << ','
          << csv_number(report.approach) << ','
          << csv_number(report.contact.force) << ',' << report.contact.n_nodes
          << ',' << csv_number(report.contact.area) << ','
@@ -163,7 +165,7 @@ namespace Biface
 
         const auto append = [&](const std::string &face,
                                 const double       share_of_inner) {
-          text += std::to_string(report.step) + ',' + report.stage->name + ',' +
+          text += std::to_string(report.step) + ',' + report.stage + ',' +
                   csv_number(report.loads.factor) + ',' + point.name + ',' +
                   face;
           for (unsigned int i = 0; i < 6; ++i)
@@ -234,11 +236,18 @@ namespace Biface
       nearest = std::min(nearest, distance(node));
     nearest = Utilities::MPI::min(nearest, discretization.communicator);
 
+    // of two lines equally near, the one with the lesser coordinate
+    double line = std::numeric_limits<double>::max();
+    for (const Node &node : discretization.nodes)
+      if (distance(node) <= nearest + 1e-9)
+        line = std::min(line, node.alpha[1]);
+    line = Utilities::MPI::min(line, discretization.communicator);
+
     Rows rows;
     for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
       {
         const Node &node = discretization.nodes[n];
-        if (!node.locally_owned || distance(node) > nearest + 1e-9)
+        if (!node.locally_owned || node.alpha[1] != line)
           continue;
 
         std::vector<double> row{chart_coordinate(surface, node, 0),
@@ -276,7 +285,20 @@ namespace Biface
 
     const std::string name =
       "shell-" + Utilities::int_to_string(report.step, 4) + ".vtu";
-    patches.write_vtu_in_parallel(path(name), communicator);
+    // every rank writes its part: say what went wrong on any of them
+    bool failed = false;
+    try
+      {
+        patches.write_vtu_in_parallel(path(name), communicator);
+      }
+    catch (const ExceptionBase &)
+      {
+        failed = true;
+      }
+    if (Utilities::MPI::max(static_cast<unsigned int>(failed), communicator) >
+        0)
+      throw InputError("the file '" + path(name) +
+                       "' cannot be written, but results must go somewhere.");
 
     times_and_names.emplace_back(report.step, name);
     std::ostringstream record;

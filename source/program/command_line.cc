@@ -20,7 +20,7 @@ namespace Biface
     optind                 = 0; // begin anew, also on a second call
 
     int found;
-    while ((found = getopt_long(argc, argv, ":", options, nullptr)) != -1)
+    while ((found = getopt_long_only(argc, argv, ":", options, nullptr)) != -1)
       switch (found)
         {
           case 's':

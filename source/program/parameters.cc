@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/base/parameter_tools.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
@@ -47,6 +48,15 @@ namespace Biface
     prm.leave_subsection();
 
     prm.enter_subsection("Loads");
+    add_choice(prm,
+               "Pressure",
+               pressure_kind,
+               {"dead", "follower"},
+               "What the pressure of the stages does as the inner face moves: "
+               "'dead' (it keeps its initial direction and is counted on the "
+               "undeformed surface midway between the faces, as in the paper) "
+               "or 'follower' (true pressure on the deformed inner face; the "
+               "tangent is not symmetric).");
     loads.add_parameters(prm);
     prm.leave_subsection();
 

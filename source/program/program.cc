@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -66,7 +67,7 @@ namespace Biface
       out << "\n  approach        force   nodes         area  greatest "
              "pressure\n";
       for (const StepReport &report : reports)
-        if (report.stage->contact)
+        if (report.in_contact)
           {
             char line[128];
             std::snprintf(line,
@@ -112,13 +113,17 @@ namespace Biface
           reports.push_back(report);
         });
 
-      print_load_deflection(reports, out);
+      if (std::any_of(reports.begin(), reports.end(), [](const auto &report) {
+            return report.in_contact;
+          }))
+        print_load_deflection(reports, out);
       simulation.get_timer().print_summary();
       out << (result.success ? "Results" : "What was reached") << " in "
           << parameters.output.directory
-          << ": history.csv, shell.pvd (for ParaView), contact-*.csv, "
-             "profile-*.csv, parameters.prm"
-          << std::endl;
+          << ": history.csv, contact-*.csv, profile-*.csv, "
+          << (parameters.points.list.empty() ? "" : "probes.csv, ")
+          << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
+          << "parameters.prm" << std::endl;
       if (!result.success)
         {
           err << "biface: " << result.message << "; " << reports.size()

@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <numeric>
@@ -21,51 +22,97 @@ namespace Biface
 
   namespace
   {
-    /** The sections of a file that its lines stand in, as
-     * "Section/Subsection/". The first line has the number 1. */
-    std::vector<std::string>
-    sections_of_lines(const std::string &text)
+    /** A line of a parameter file. */
+    struct Line
     {
-      std::vector<std::string> result(1);
-      std::string              path;
-      std::istringstream       lines(text);
-      std::string              line;
-      while (std::getline(lines, line))
+      /** The section it stands in, as "Section/Subsection/". */
+      std::string section;
+      /** `set`, `subsection`, `end`, `include`, or anything else. */
+      std::string keyword;
+      /** What stands before and after the first '='. */
+      std::string name;
+      std::string value;
+    };
+
+
+    /** The lines of a file, the first one with the number 1. */
+    std::vector<Line>
+    scan(const std::string &text)
+    {
+      std::vector<Line>  result(1);
+      std::string        section;
+      std::istringstream lines(text);
+      std::string        content;
+      while (std::getline(lines, content))
         {
-          result.push_back(path);
-          line = Utilities::trim(line.substr(0, line.find('#')));
-          std::smatch match;
-          if (std::regex_match(line, match, std::regex("subsection\\s+(.*)")))
-            path += match[1].str() + "/";
-          else if (line == "end" && !path.empty())
-            path.erase(path.find_last_of('/', path.size() - 2) + 1);
+          content = Utilities::trim(content.substr(0, content.find('#')));
+
+          Line              line;
+          const std::size_t end = content.find_first_of(" \t");
+          line.section          = section;
+          line.keyword          = content.substr(0, end);
+          for (char &c : line.keyword)
+            c = std::tolower(static_cast<unsigned char>(c));
+          if (end != std::string::npos)
+            {
+              const std::string rest   = content.substr(end);
+              const std::size_t equals = rest.find('=');
+              line.name = Utilities::trim(rest.substr(0, equals));
+              if (equals != std::string::npos)
+                line.value = Utilities::trim(rest.substr(equals + 1));
+            }
+          result.push_back(line);
+
+          if (line.keyword == "subsection")
+            section += line.name + "/";
+          else if (line.keyword == "end" && !section.empty())
+            section.erase(section.find_last_of('/', section.size() - 2) + 1);
         }
       return result;
     }
 
 
-    /** ParameterHandler silently takes the last of two settings of one entry:
-     * more likely, one of them is a mistake. */
-    void
-    check_duplicates(const std::string &source, const std::string &text)
+    /** A text as it is quoted in a sentence: not longer than a line or two. */
+    std::string
+    quoted(const std::string &text)
     {
-      const std::vector<std::string>      sections = sections_of_lines(text);
+      return "'" + (text.size() <= 200 ? text : text.substr(0, 197) + "...") +
+             "'";
+    }
+
+
+    /**
+     * Refuse what ParameterHandler would take without a word, and not as meant:
+     * two settings of one entry, of which it takes the last; braces, which it
+     * takes for a list of alternatives; other files, which every rank would
+     * read.
+     */
+    void
+    check_lines(const std::string &source, const std::string &text)
+    {
+      const std::vector<Line>             lines = scan(text);
       std::map<std::string, unsigned int> line_of_entry;
-      std::istringstream                  lines(text);
-      std::string                         line;
-      for (unsigned int number = 1; std::getline(lines, line); ++number)
+      for (unsigned int number = 1; number < lines.size(); ++number)
         {
-          std::smatch match;
-          if (!std::regex_match(
-                line, match, std::regex("\\s*set\\s+([^=#]*[^=#\\s])\\s*=.*")))
+          const Line       &line = lines[number];
+          const std::string where =
+            source + ", line " + std::to_string(number) + ": ";
+          const std::string name = line.section + line.name;
+          if (line.keyword == "include")
+            throw InputError(where +
+                             "a parameter file must not include another one.");
+          if (line.keyword != "set")
             continue;
-          const std::string name  = sections[number] + match[1].str();
-          const auto        entry = line_of_entry.emplace(name, number);
+          const auto entry = line_of_entry.emplace(name, number);
           if (!entry.second)
-            throw InputError(
-              source + ", line " + std::to_string(number) + ": the entry '" +
-              name + "' is set a second time, but line " +
-              std::to_string(entry.first->second) + " has set it already.");
+            throw InputError(where + "the entry " + quoted(name) +
+                             " is set a second time, but line " +
+                             std::to_string(entry.first->second) +
+                             " has set it already.");
+          if (line.value.find('{') != std::string::npos)
+            throw InputError(where + "the entry " + quoted(name) + " is " +
+                             quoted(line.value) +
+                             ", but a value must not hold a brace.");
         }
     }
 
@@ -154,6 +201,11 @@ namespace Biface
         return "it must be a whole number";
       if (std::regex_match(pattern, std::regex("\\[Bool\\]")))
         return "it must be 'true' or 'false'";
+      if (std::regex_match(
+            pattern,
+            match,
+            std::regex("\\[Double ([-+.0-9e]+)\\.\\.\\.MAX_DOUBLE.*\\]")))
+        return "it must be a number, " + match[1].str() + " or above";
       if (std::regex_match(pattern, std::regex("\\[Double.*\\]")))
         return "it must be a number";
       if (std::regex_search(pattern, std::regex("^\\[List of <\\[Double")) &&
@@ -174,12 +226,15 @@ namespace Biface
     {
       std::ostringstream stream;
       exception.print_info(stream);
-      const std::string said = Utilities::trim(
-        std::regex_replace(stream.str(), std::regex("\\s+"), " "));
+      // regular expressions recurse: keep them from very long lines
+      std::string said = stream.str();
+      if (said.size() > 2000)
+        said = said.substr(0, 1000) + " ... " + said.substr(said.size() - 900);
+      said = Utilities::trim(std::regex_replace(said, std::regex("\\s+"), " "));
 
-      const std::vector<std::string> sections = sections_of_lines(text);
-      std::smatch                    match;
-      const auto                     is = [&](const std::string &form) {
+      const std::vector<Line> lines = scan(text);
+      std::smatch             match;
+      const auto              is = [&](const std::string &form) {
         return std::regex_match(said, match, std::regex(form));
       };
       const std::string line  = "Line <([0-9]+)> of file <input string>?: ";
@@ -189,11 +244,11 @@ namespace Biface
                (source.rfind("--set", 0) == 0 ? "" : ", line " + number) + ": ";
       };
 
-      if (is(line + "The entry value (.*) for the entry named (.*) does not "
+      if (is(line + "The entry value ?(.*) for the entry named (.*) does not "
                     "match the given pattern: (.*)"))
         {
           const std::string name =
-            sections.at(std::stoi(match[1])) + match[3].str();
+            lines.at(std::stoi(match[1])).section + match[3].str();
           return where(match[1]) +
                  InputError(name, match[2], allowed_by(match[4])).what();
         }
@@ -202,14 +257,14 @@ namespace Biface
           is(line + "There is no such subsection to be entered: (.*)"))
         {
           const std::string name =
-            sections.at(std::stoi(match[1])) + match[2].str();
+            lines.at(std::stoi(match[1])).section + match[2].str();
           return where(match[1]) + "there is no entry '" + name +
                  "'; the nearest name is '" + nearest_name(prm, name) + "'.";
         }
       if (is(line + "The line <(.*)> could not be parsed.*"))
-        return where(match[1]) + "'" + match[2].str() +
-               "' is none of 'set ENTRY = VALUE', 'subsection NAME', 'end', "
-               "'include FILE', and no comment.";
+        return where(match[1]) + quoted(match[2].str()) +
+               " is none of 'set ENTRY = VALUE', 'subsection NAME', 'end', and "
+               "no comment.";
       if (is(line + "(.*)"))
         return where(match[1]) + match[2].str();
       if (is("There are unequal numbers of 'subsection' and 'end'.*"))
@@ -285,9 +340,16 @@ namespace Biface
       "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
     for (const auto &source : sources)
       {
-        check_duplicates(source.first, source.second);
+        check_lines(source.first, source.second);
         parse(names_only, source.first, source.second, true);
       }
+
+    for (unsigned int i = 0; i < materials.size(); ++i)
+      if (materials[i].find_first_of(":/@") != std::string::npos ||
+          std::count(materials.begin(), materials.end(), materials[i]) > 1)
+        throw InputError("Materials",
+                         materials[i],
+                         "each name must be there once, without ':', '/', '@'");
 
     parameters.add_parameters(prm, materials, n_stages);
     for (const auto &source : sources)
@@ -295,8 +357,18 @@ namespace Biface
 
     std::string &points_file = parameters.surface.points_file;
     if (!points_file.empty())
-      points_file =
-        (std::filesystem::path(file_name).parent_path() / points_file).string();
+      {
+        // absolute, so that the parameters as written find it, too
+        points_file =
+          std::filesystem::absolute(
+            std::filesystem::path(file_name).parent_path() / points_file)
+            .string();
+        prm.enter_subsection("Surface");
+        prm.enter_subsection("Points");
+        prm.set("File", points_file);
+        prm.leave_subsection();
+        prm.leave_subsection();
+      }
 
     try
       {

@@ -40,14 +40,19 @@ namespace Biface
     , laminate(parameters.laminate, parameters.materials)
     , discretization(make_discretization(parameters, laminate, communicator))
     , contact(parameters.contact)
-    , equations(*discretization, laminate, contact, parameters.loads)
+    , equations(*discretization,
+                laminate,
+                contact,
+                parameters.loads,
+                parameters.pressure_kind)
     , linear_solver(communicator, timer)
     , state(equations.initial_state())
   {
-    for (const Stage &stage : parameters.stages)
-      if (stage.control == Stage::Control::displacement)
-        discretization->node_of_point(stage.name + "/Control point",
-                                      stage.control_point);
+    for (unsigned int i = 0; i < parameters.stages.size(); ++i)
+      if (parameters.stages[i].control == Stage::Control::displacement)
+        discretization->node_of_point("Stage " + std::to_string(i + 1) +
+                                        "/Control point",
+                                      parameters.stages[i].control_point);
   }
 
 

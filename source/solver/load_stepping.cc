@@ -2,127 +2,15 @@
 
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
 #include <biface/solver/load_stepping.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  void
-  Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
-  {
-    name = "stage " + std::to_string(number);
-    prm.add_parameter("Name",
-                      name,
-                      "What the stage is called in results.",
-                      Patterns::Anything());
-    prm.add_parameter("Pressure",
-                      pressure,
-                      "Pressure on the inner face at the end of the stage; it "
-                      "keeps its initial direction and is counted on the "
-                      "surface midway between the faces. Unit: force/area.",
-                      Patterns::Double());
-    prm.add_parameter("Contact",
-                      contact,
-                      "Whether the rigid plane of the section 'Contact' is "
-                      "there. It first touches the shell as deformed at the "
-                      "begin of the first stage with contact.",
-                      Patterns::Bool());
-    prm.add_parameter("Travel",
-                      travel,
-                      "How far the plane has moved against its normal at the "
-                      "end of the stage, counted from where it first touched. "
-                      "Unit: length.",
-                      Patterns::Double());
-    prm.add_parameter("Load factor",
-                      factor,
-                      "What the section 'Loads' and prescribed displacements "
-                      "of supports are multiplied by at the end of the stage. "
-                      "No unit.",
-                      Patterns::Double());
-    add_choice(prm,
-               "Control",
-               control,
-               {"load", "displacement", "arc length"},
-               "What is given in every step: 'load' (equal steps of all "
-               "loads), 'displacement' (equal steps of one displacement; the "
-               "loads follow on their way to those given, or beyond), or 'arc "
-               "length' (steps of the displacements as a whole, which adapt "
-               "and pass turning points of the load, until the loads given are "
-               "reached; 'Steps' sets the first: 1/Steps of the loads).");
-    prm.add_parameter("Control point",
-                      control_point,
-                      "Name of the point whose displacement (of the middle "
-                      "surface) is given.",
-                      Patterns::Anything());
-    add_choice(prm,
-               "Control component",
-               control_component,
-               {"x", "y", "z"},
-               "Component of the displacement that is given.");
-    prm.add_parameter("Control value",
-                      control_value,
-                      "Its value at the end of the stage. Unit: length.",
-                      Patterns::Double());
-    prm.add_parameter("Steps",
-                      n_steps,
-                      "Number of steps; see 'Control'.",
-                      Patterns::Integer(1));
-    add_choice(prm,
-               "Strain theory",
-               theory,
-               {"nonlinear", "linear"},
-               "'nonlinear' (finite displacements) or 'linear' (linearized "
-               "about the state in which the stage begins, with its stresses; "
-               "contact stays one-sided).");
-    prm.add_parameter("Begin from prestress",
-                      from_prestress,
-                      "Whether the stage begins in the undeformed shape with "
-                      "the resultants reached so far as initial ones, in "
-                      "equilibrium with the loads so far, which are no longer "
-                      "listed: 'Pressure' then counts from 0.",
-                      Patterns::Bool());
-  }
-
-
-  void
-  Stage::check(const std::string &section) const
-  {
-    if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
-      throw InputError(section + "/Name",
-                       name,
-                       "it must not be empty nor hold a comma or a quotation "
-                       "mark");
-    if (!std::isfinite(pressure))
-      throw InputError(section + "/Pressure",
-                       number_to_string(pressure),
-                       "it must be a number");
-    if (!std::isfinite(travel))
-      throw InputError(
-        section + "/Travel", number_to_string(travel), "it must be a number");
-    if (!std::isfinite(factor))
-      throw InputError(section + "/Load factor",
-                       number_to_string(factor),
-                       "it must be a number");
-    if (control != Control::load && theory == StrainTheory::linear)
-      throw InputError(section + "/Strain theory",
-                       "linear",
-                       "a linear stage must have 'Control = load'");
-    if (control == Control::displacement && control_point.empty())
-      throw InputError(section + "/Control point",
-                       control_point,
-                       "control by a displacement needs a point");
-    if (!contact && travel != 0)
-      throw InputError(section + "/Travel",
-                       number_to_string(travel),
-                       "without 'Contact = true' there is no plane to move");
-  }
-
 
   void
   LoadStepping::Parameters::add_parameters(ParameterHandler &prm)
@@ -132,6 +20,11 @@ namespace Biface
                       "How often a step that does not converge is halved "
                       "before the run ends.",
                       Patterns::Integer(0, 30));
+    prm.add_parameter("Maximum arc steps",
+                      max_arc_steps,
+                      "After how many steps of given arc length a stage ends, "
+                      "whether its loads were reached or not.",
+                      Patterns::Integer(1));
     prm.add_parameter("Greatest growth",
                       greatest_growth,
                       "How much longer than the first one a step of given arc "
@@ -181,51 +74,90 @@ namespace Biface
 
     Progress progress;
     progress.begin = reached;
-    switch (stage.control)
-      {
-        case Stage::Control::load:
-          return follow_loads(stage, progress, 0, 1, state, observer);
-        case Stage::Control::displacement:
-          return follow_displacement(stage, progress, state, observer);
-        case Stage::Control::arc_length:
-          return follow_arc(stage, progress, state, observer);
-      }
-    Assert(false, ExcInternalError());
-    return {};
+    if (stage.control == Stage::Control::load)
+      return follow_loads(stage, progress, state, observer);
+
+    // the loads follow: there must be some, and nothing else may move with them
+    const std::string what = "the stage '" + stage.name +
+                             "' is controlled by a displacement or an arc "
+                             "length, but ";
+    if (stage.pressure == reached.pressure && stage.factor == reached.factor)
+      throw InputError(what + "neither its pressure nor its load factor "
+                              "differs from that of the stage before.");
+    if (stage.contact && stage.travel != reached.travel)
+      throw InputError(what + "its foundation moves, too.");
+    if (!equations.discretization.prescribed.empty())
+      throw InputError(what + "supports prescribe displacements, too.");
+
+    return stage.control == Stage::Control::displacement
+             ? follow_displacement(stage, progress, state, observer)
+             : follow_arc(stage, progress, state, observer);
   }
+
+
+  namespace
+  {
+    /** The size of steps, which is halved by failures. */
+    class StepSize
+    {
+    public:
+      StepSize(const double first, const double greatest)
+        : value(first), greatest(greatest)
+      {}
+
+      double
+      get() const
+      {
+        return value;
+      }
+
+      void
+      succeeded(const double growth)
+      {
+        value  = std::min(growth * value, greatest);
+        n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+      }
+
+      /** @return whether there may be another attempt. */
+      bool
+      failed(const unsigned int max_cuts, ConditionalOStream &out)
+      {
+        if (n_cuts == max_cuts)
+          return false;
+        ++n_cuts;
+        value /= 2;
+        out << "  the step is cut in half" << std::endl;
+        return true;
+      }
+
+    private:
+      double       value;
+      const double greatest;
+      unsigned int n_cuts = 0;
+    };
+  } // namespace
 
 
   LoadSteppingResult
   LoadStepping::follow_loads(const Stage    &stage,
                              Progress       &progress,
-                             const double    first,
-                             const double    last,
                              State          &state,
                              const Observer &observer)
   {
     for (unsigned int k = 1; k <= stage.n_steps; ++k)
       {
-        const double target = first + (last - first) * k / stage.n_steps;
-        double       size   = (last - first) / stage.n_steps;
-        unsigned int n_cuts = 0;
-        progress.fraction   = first + (last - first) * (k - 1) / stage.n_steps;
-        while (progress.fraction != target)
+        const double target = static_cast<double>(k) / stage.n_steps;
+        StepSize     size(1. / stage.n_steps, 1. / stage.n_steps);
+        while (progress.fraction < target)
           {
             const double left = target - progress.fraction;
             const double next =
-              (size < left * (1 - 1e-9) ? progress.fraction + size : target);
+              (size.get() < left * (1 - 1e-9) ? progress.fraction + size.get()
+                                              : target);
             if (step(stage, progress, next, nullptr, state, observer))
-              {
-                size *= 2;
-                n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
-              }
-            else if (++n_cuts > parameters.max_cuts)
+              size.succeeded(2);
+            else if (!size.failed(parameters.max_cuts, out))
               return failure(stage);
-            else
-              {
-                size = (next - progress.fraction) / 2;
-                out << "  the step is cut in half" << std::endl;
-              }
           }
       }
     return {};
@@ -246,27 +178,21 @@ namespace Biface
     displacement            = state.displacement;
     const double begin      = functional * displacement;
 
-    double       done   = 0;
-    double       size   = 1. / stage.n_steps;
-    unsigned int n_cuts = 0;
+    double   done = 0;
+    StepSize size(1. / stage.n_steps, 1. / stage.n_steps);
     while (done < 1)
       {
-        const double next = (done + size < 1 - 1e-9 ? done + size : 1.);
+        const double next =
+          (done + size.get() < 1 - 1e-9 ? done + size.get() : 1.);
         const DisplacementControl control(
           functional, (next - done) * (stage.control_value - begin));
         if (step(stage, progress, progress.fraction, &control, state, observer))
           {
-            done   = next;
-            size   = std::min(2 * size, 1. / stage.n_steps);
-            n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+            done = next;
+            size.succeeded(2);
           }
-        else if (++n_cuts > parameters.max_cuts)
+        else if (!size.failed(parameters.max_cuts, out))
           return failure(stage);
-        else
-          {
-            size /= 2;
-            out << "  the step is cut in half" << std::endl;
-          }
       }
     return {};
   }
@@ -284,37 +210,37 @@ namespace Biface
     LA::Vector before   = equations.discretization.owned_vector();
     LA::Vector previous = equations.discretization.owned_vector();
 
-    // the first step gives the length of the later ones
+    // the first step is one of the loads, and gives the length of the later
+    // ones
     before = state.displacement;
-    if (!step(stage, progress, 1. / stage.n_steps, nullptr, state, observer))
-      return failure(stage);
+    StepSize first(1. / stage.n_steps, 1. / stage.n_steps);
+    while (!step(stage, progress, first.get(), nullptr, state, observer))
+      if (!first.failed(parameters.max_cuts, out))
+        return failure(stage);
     previous = state.displacement;
     previous -= before;
-    double       length          = previous.l2_norm();
-    const double greatest_length = parameters.greatest_growth * length;
 
-    unsigned int n_cuts = 0;
-    while (progress.fraction < 1)
+    StepSize length(previous.l2_norm(),
+                    parameters.greatest_growth * previous.l2_norm());
+    for (unsigned int n = 1; progress.fraction < 1; ++n)
       {
+        if (n >= parameters.max_arc_steps)
+          return {false,
+                  "the loads of the stage '" + stage.name +
+                    "' were not reached in " + std::to_string(n) + " steps"};
+
         before = state.displacement;
-        const ArcLengthControl control(length, previous);
+        const ArcLengthControl control(length.get(), previous);
         if (step(stage, progress, progress.fraction, &control, state, observer))
           {
             previous = state.displacement;
             previous -= before;
             const double ease =
               std::sqrt(wanted_iterations / std::max(1u, last_n_iterations));
-            length *= std::min(2., std::max(0.5, ease));
-            length = std::min(length, greatest_length);
-            n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+            length.succeeded(std::min(2., std::max(0.5, ease)));
           }
-        else if (++n_cuts > parameters.max_cuts)
+        else if (!length.failed(parameters.max_cuts, out))
           return failure(stage);
-        else
-          {
-            length /= 2;
-            out << "  the step is cut in half" << std::endl;
-          }
       }
     return {};
   }
@@ -352,10 +278,12 @@ namespace Biface
       {
         out << "  beyond the loads of the stage: tried again with these"
             << std::endl;
-        trial        = state;
-        fraction     = 1;
-        path.control = nullptr;
-        result       = try_step(trial, path, fraction);
+        const unsigned int spent = result.iterations;
+        trial                    = state;
+        fraction                 = 1;
+        path.control             = nullptr;
+        result                   = try_step(trial, path, fraction);
+        result.iterations += spent;
       }
     last_n_iterations = result.iterations;
     if (!result.converged)
@@ -372,7 +300,8 @@ namespace Biface
 
     StepReport report;
     report.step       = n_steps;
-    report.stage      = &stage;
+    report.stage      = stage.name;
+    report.in_contact = stage.contact;
     report.loads      = loads_at(reached, stage);
     report.approach   = (stage.contact ? reached.travel : 0.);
     report.contact    = equations.summarize_contact(state, report.loads);
@@ -440,7 +369,7 @@ namespace Biface
   {
     return {false,
             "step " + std::to_string(n_steps + 1) + " (" + stage.name +
-              ") did not converge after " +
-              std::to_string(parameters.max_cuts) + " cuts: " + last_message};
+              ") did not converge, though cut in half " +
+              std::to_string(parameters.max_cuts) + " times: " + last_message};
   }
 } // namespace Biface

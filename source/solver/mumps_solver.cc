@@ -6,6 +6,7 @@
 #include <dmumps_c.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <string>
 #include <vector>
@@ -53,7 +54,9 @@ namespace Biface
 
     ~Instance()
     {
-      call(terminate);
+      // collective: where one rank alone unwinds, the others will not come
+      if (std::uncaught_exceptions() == 0)
+        call(terminate);
     }
 
     bool

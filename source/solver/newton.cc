@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include <biface/base/parameter_tools.h>
 #include <biface/solver/newton.h>
@@ -108,7 +110,9 @@ namespace Biface
         const bool at_rest =
           (result.iterations == 0 ? path.control == nullptr : n_changes == 0);
         const double small = parameters.update_tolerance * thickness;
-        if (at_rest && equations.support_violation() <= small &&
+        if (at_rest &&
+            equations.support_violation() <=
+              std::max(small, 1e-12 * discretization.size()) &&
             (result.residuals.back() <= parameters.residual_tolerance ||
              last_update <= small))
           {
@@ -126,13 +130,23 @@ namespace Biface
           equations.tangent(), equations.is_symmetric());
         if (linear.success)
           linear = linear_solver.solve(increment, equations.residual());
+        if (linear.success)
+          equations.distribute(increment);
         if (linear.success && path.control != nullptr)
           {
             LA::Vector per_load = discretization.owned_vector();
             linear              = linear_solver.solve(per_load,
                                          equations.load_direction(path.rate));
+            // supports hold still while the load grows
+            discretization.constraints.distribute(per_load);
             const double change =
               path.control->load_change(total, increment, per_load);
+            if (!std::isfinite(change))
+              {
+                result.message = "the controlled displacement does not depend "
+                                 "on the loads";
+                return result;
+              }
             increment.add(change, per_load);
             fraction += change;
             loads = path.loads(fraction);
@@ -142,7 +156,6 @@ namespace Biface
             result.message = linear.message;
             return result;
           }
-        equations.distribute(increment);
 
         TimerOutput::Scope scope(timer, "Update of the state");
         total += increment;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/intervals.h>
 
@@ -52,6 +53,35 @@ namespace Biface
     for (unsigned int a = 0; a < 2; ++a)
       lines[a] = parse_intervals(
         entry_names[a], parameters.intervals[a], surface.coordinate_unit(a));
+
+    const std::pair<double, double> range = surface.range();
+    const double tolerance = 1e-9 * (lines[0].back() - lines[0].front());
+    if (lines[0].front() < range.first - tolerance ||
+        lines[0].back() > range.second + tolerance)
+      throw InputError(
+        entry_names[0],
+        parameters.intervals[0],
+        "the surface has alpha_1 from " +
+          number_to_string(range.first / surface.coordinate_unit(0)) + " to " +
+          number_to_string(range.second / surface.coordinate_unit(0)));
+
+    const double period = surface.get_periodicity()[1];
+    if (period > 0)
+      {
+        if (lines[1].back() - lines[1].front() > period * (1 + 1e-12))
+          throw InputError(entry_names[1],
+                           parameters.intervals[1],
+                           "it must not span more than 360 degrees");
+        for (unsigned int j = 1; j < lines[1].size(); ++j)
+          if (!(lines[1][j] - lines[1][j - 1] < 0.49 * period))
+            throw InputError(entry_names[1],
+                             parameters.intervals[1],
+                             "each cell must span less than 176 degrees");
+      }
+    if (static_cast<double>(lines[0].size()) * lines[1].size() > 3e8)
+      throw InputError(entry_names[0],
+                       parameters.intervals[0],
+                       "the mesh must have fewer than 300 million nodes");
 
     if (closed)
       {

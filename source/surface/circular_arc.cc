@@ -54,6 +54,13 @@ namespace Biface
   }
 
 
+  std::pair<double, double>
+  CircularArc::range() const
+  {
+    return {-numbers::PI, numbers::PI};
+  }
+
+
   double
   CircularArc::coordinate_unit() const
   {

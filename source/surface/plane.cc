@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <limits>
+
 #include <biface/surface/plane.h>
 
 namespace Biface
@@ -31,6 +33,14 @@ namespace Biface
   Plane::clone() const
   {
     return std::make_unique<Plane>();
+  }
+
+
+  std::pair<double, double>
+  Plane::range() const
+  {
+    return {std::numeric_limits<double>::lowest(),
+            std::numeric_limits<double>::max()};
   }
 
 

@@ -3,7 +3,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <biface/base/input_error.h>
@@ -93,6 +95,13 @@ namespace Biface
   }
 
 
+  std::pair<double, double>
+  SplineCurve::range() const
+  {
+    return {0, length()};
+  }
+
+
   double
   SplineCurve::coordinate_unit() const
   {
@@ -118,8 +127,9 @@ namespace Biface
         const std::vector<std::string> cells =
           Utilities::split_string_list(line, ',');
         const std::string entry = name + ", line " + std::to_string(number);
-        if (header_allowed && cells.size() == 2 &&
-            std::isalpha(static_cast<unsigned char>(cells[0][0])))
+        if (header_allowed && cells.size() == 2 && !cells[0].empty() &&
+            std::isalpha(static_cast<unsigned char>(cells[0][0])) &&
+            cells[0] != "nan" && cells[0] != "inf")
           {
             header_allowed = false;
             continue;

@@ -44,7 +44,9 @@ namespace Biface
 
 
   StraightLine::StraightLine(const Parameters &parameters)
-    : begin(parameters.begin), direction(unit_direction(parameters))
+    : begin(parameters.begin)
+    , direction(unit_direction(parameters))
+    , length(parameters.begin.distance(parameters.end))
   {}
 
 
@@ -59,6 +61,13 @@ namespace Biface
   StraightLine::parameter_of(const Point<2> &point) const
   {
     return (point - begin) * direction;
+  }
+
+
+  std::pair<double, double>
+  StraightLine::range() const
+  {
+    return {0, length};
   }
 
 

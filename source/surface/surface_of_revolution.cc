@@ -57,6 +57,13 @@ namespace Biface
   }
 
 
+  std::pair<double, double>
+  SurfaceOfRevolution::range() const
+  {
+    return meridian->range();
+  }
+
+
   double
   SurfaceOfRevolution::coordinate_unit(const unsigned int a) const
   {

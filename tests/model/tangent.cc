@@ -16,7 +16,8 @@ namespace
   test(const std::string   &name,
        const ThicknessLaw   law,
        const MultiplierMass mass,
-       const StrainTheory   theory)
+       const StrainTheory   theory,
+       const PressureKind   pressure = PressureKind::dead)
   {
     Laminate::Parameters parameters;
     parameters.law = law;
@@ -30,11 +31,12 @@ namespace
     contact_parameters.normal         = Tensor<1, 3>({1, 0.2, -0.1});
     const ContactConditions contact(contact_parameters);
 
-    ShellEquations equations(*discretization, laminate, contact);
-    State          state      = at(equations,
+    ShellEquations equations(
+      *discretization, laminate, contact, DeadLoads(), pressure);
+    State      state      = at(equations,
                      equations.initial_state(),
                      some_displacement(*discretization, 0.2, 1));
-    const auto     resultants = state.resultants;
+    const auto resultants = state.resultants;
     equations.take_as_prestress(state);
 
     // the prestress stays, and is in equilibrium with what is not listed
@@ -138,4 +140,14 @@ main(int argc, char *argv[])
        ThicknessLaw::symmetric,
        MultiplierMass::consistent,
        StrainTheory::linear);
+  test("follower pressure",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear,
+       PressureKind::follower);
+  test("follower pressure, linear theory",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::linear,
+       PressureKind::follower);
 }

@@ -33,6 +33,12 @@ namespace
       return std::atan2(point[1] / 50, (point[0] - 70) / 30);
     }
 
+    std::pair<double, double>
+    range() const override
+    {
+      return {-numbers::PI, numbers::PI};
+    }
+
     double
     coordinate_unit() const override
     {

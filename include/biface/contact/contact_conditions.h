@@ -51,19 +51,19 @@ namespace Biface
       : parameters(parameters)
     {}
 
-    /** The multiplier of a node. */
+    /** The multiplier of an active node. */
     double
-    multiplier(const double clearance, const bool active) const
+    multiplier(const double clearance) const
     {
-      return active ? parameters.regularization * clearance : 0.;
+      return parameters.regularization * clearance;
     }
 
-    /** Minus the derivative of the multiplier with respect to the motion along
-     * the foundation's normal. */
+    /** Minus the derivative of an active node's multiplier with respect to its
+     * motion along the foundation's normal. */
     double
-    multiplier_stiffness(const bool active) const
+    multiplier_stiffness() const
     {
-      return active ? parameters.regularization : 0.;
+      return parameters.regularization;
     }
 
     /** Whether the node should be active, by its state now: a node apart

@@ -95,6 +95,14 @@ namespace Biface
     void
     add_geometric_stiffness(const Modes::Vector &H, NodalMatrix &K) const;
   };
+
+
+  /** The derivatives of the displacements at a vertex of an element with the
+   * given nodal displacements. */
+  DisplacementGradient
+  displacement_gradient(const ElementGeometry           &geometry,
+                        const MixedElement::NodalVector &V,
+                        const unsigned int               vertex);
 } // namespace Biface
 
 #endif

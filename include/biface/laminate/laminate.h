@@ -48,7 +48,7 @@ namespace Biface
     dealii::SymmetricTensor<4, 3> stiffness;
     /** Unit: length. */
     double thickness;
-    /** From @f$\mathbf e_1@f$ towards @f$\mathbf e_2@f$, radians. */
+    /** From @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$, radians. */
     double angle;
     /** Initial stress in the ply's own axes. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> initial_stress;

@@ -52,7 +52,7 @@ namespace Biface
 
   /**
    * The stiffness of a ply whose axis 1 lies at @p angle (radians) from
-   * @f$\mathbf e_1@f$ towards @f$\mathbf e_2@f$, in the axes of the shell.
+   * @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$, in the axes of the shell.
    */
   dealii::SymmetricTensor<4, 3>
   rotate_about_normal(const dealii::SymmetricTensor<4, 3> &stiffness,

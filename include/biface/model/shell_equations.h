@@ -30,7 +30,8 @@ namespace Biface
     ShellEquations(const Discretization    &discretization,
                    const Laminate          &laminate,
                    const ContactConditions &contact,
-                   const DeadLoads         &dead_loads = DeadLoads());
+                   const DeadLoads         &dead_loads    = DeadLoads(),
+                   const PressureKind       pressure_kind = PressureKind::dead);
 
     /** The unloaded shell. */
     State
@@ -59,7 +60,8 @@ namespace Biface
       return rhs;
     }
 
-    /** The derivative of residual() when the loads grow by @p rate. */
+    /** The derivative of residual() when the loads grow by @p rate, at the
+     * state of the last assembly. */
     LA::Vector
     load_direction(const Loads &rate) const;
 
@@ -156,6 +158,8 @@ namespace Biface
     {
       MixedElement::NodalVector residual;
       MixedElement::NodalMatrix tangent;
+      /** Of a unit of follower pressure, not part of the residual. */
+      MixedElement::NodalVector unit_pressure;
       /** Sum of the squares of the forces that cancel in the residual. */
       double force_square;
     };
@@ -174,6 +178,7 @@ namespace Biface
 
     const ModeStiffness      stiffness;
     const bool               symmetric_stiffness;
+    const PressureKind       pressure_kind;
     const ContactConditions &contact;
 
     /** Initial resultants of each locally owned cell. */
@@ -181,6 +186,12 @@ namespace Biface
 
     /** The state about which the strains are linearized, if they are. */
     std::optional<State> linearization_point;
+
+    /** Add forces on the nodes of a cell to those of all nodes. */
+    void
+    add_nodal_forces(const unsigned int               cell,
+                     const MixedElement::NodalVector &force,
+                     LA::Vector                      &nodal_forces) const;
 
     /** Set the inhomogeneities of the constraints to what the prescribed
      * displacements lack. */
@@ -193,7 +204,7 @@ namespace Biface
 
     /** Nodal forces of the dead loads, and of a unit pressure. */
     const LA::Vector dead_load;
-    const LA::Vector unit_pressure;
+    LA::Vector       unit_pressure;
 
     LA::SparseMatrix matrix;
     LA::Vector       rhs;

@@ -36,6 +36,7 @@ namespace Biface
     std::vector<MaterialParameters> materials;
     Supports                        supports;
     DeadLoads                       loads;
+    PressureKind                    pressure_kind = PressureKind::dead;
     ContactConditions::Parameters   contact;
     std::vector<Stage>              stages;
     Newton::Parameters              newton;

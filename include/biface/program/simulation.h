@@ -51,13 +51,6 @@ namespace Biface
       return equations;
     }
 
-    /** The last converged state. */
-    const State &
-    get_state() const
-    {
-      return state;
-    }
-
     /** Times of the parts of the run. */
     dealii::TimerOutput &
     get_timer()

@@ -14,61 +14,19 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/newton.h>
+#include <biface/solver/stage.h>
 
 namespace Biface
 {
-  /** A stage of loading: from the loads of the stage before to its own, in
-   * equal steps. */
-  struct Stage
-  {
-    std::string  name   = "stage";
-    StrainTheory theory = StrainTheory::nonlinear;
-    /** At the end of the stage. */
-    double pressure = 0;
-    /** Whether there is a foundation, and how far it has come at the end. */
-    bool   contact = false;
-    double travel  = 0;
-    /** Of the dead loads and prescribed displacements, at the end. */
-    double       factor  = 0;
-    unsigned int n_steps = 1;
-
-    /** What is given in every step. */
-    enum class Control
-    {
-      /** All loads. */
-      load,
-      /** A displacement; the loads follow. */
-      displacement,
-      /** The length of the way of all displacements; the loads follow. */
-      arc_length
-    };
-    Control control = Control::load;
-    /** The displacement that is given: a named point, its component (0 to 2 for
-     * x to z), and its value at the end of the stage. */
-    std::string  control_point;
-    unsigned int control_component = 0;
-    double       control_value     = 0;
-
-    /** Begin with the stresses reached so far, but undeformed and unloaded. */
-    bool from_prestress = false;
-
-    /** @param number of the stage, for its default name. */
-    void
-    add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
-
-    /** Throws InputError where a value is not usable. */
-    void
-    check(const std::string &section) const;
-  };
-
-
   /** A converged step, as reported. */
   struct StepReport
   {
     /** Counted from 1 through all stages. */
-    unsigned int step  = 0;
-    const Stage *stage = nullptr;
-    Loads        loads;
+    unsigned int step = 0;
+    /** Name of the stage, and whether it has a foundation. */
+    std::string stage;
+    bool        in_contact = false;
+    Loads       loads;
     /** Travel of the foundation since it touched the shell. */
     double         approach = 0;
     ContactSummary contact;
@@ -102,6 +60,7 @@ namespace Biface
     struct Parameters
     {
       unsigned int max_cuts        = 6;
+      unsigned int max_arc_steps   = 1000;
       double       greatest_growth = 10;
 
       void
@@ -147,8 +106,6 @@ namespace Biface
     LoadSteppingResult
     follow_loads(const Stage    &stage,
                  Progress       &progress,
-                 const double    first,
-                 const double    last,
                  State          &state,
                  const Observer &observer);
 
@@ -205,7 +162,7 @@ namespace Biface
     unsigned int last_n_iterations = 0;
     std::string  last_message;
     /** The plane as it touches the shell at the begin of the first stage with
-     * contact. */
+     * contact, or the first one after a prestress. */
     std::optional<RigidPlane> touching_plane;
   };
 } // namespace Biface

@@ -68,8 +68,7 @@ namespace Biface
   public:
     /**
      * @param length s.
-     * @param previous what the displacements changed by in the step before;
-     * zero in the first step, in which the load grows.
+     * @param previous what the displacements changed by in the step before.
      */
     ArcLengthControl(const double length, const LA::Vector &previous)
       : length(length), previous(previous)

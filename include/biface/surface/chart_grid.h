@@ -60,6 +60,11 @@ namespace Biface
   };
 
 
+  /** The names of the edges in parameter files, indexed by Edge. */
+  const std::array<std::string, 4> edge_names{
+    {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
+
+
   /**
    * Build the grid as a triangulation on the surface. The first reference
    * coordinate of each cell is that of @f$\alpha_1@f$, the second that of

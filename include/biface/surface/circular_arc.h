@@ -35,6 +35,9 @@ namespace Biface
     double
     parameter_of(const dealii::Point<2> &point) const override;
 
+    std::pair<double, double>
+    range() const override;
+
     double
     coordinate_unit() const override;
 

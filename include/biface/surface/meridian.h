@@ -6,6 +6,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <utility>
+
 namespace Biface
 {
   /**
@@ -34,6 +36,11 @@ namespace Biface
     /** The parameter of a point on the curve. */
     virtual double
     parameter_of(const dealii::Point<2> &point) const = 0;
+
+    /** The least and the greatest parameter, between which parameter_of() is
+     * the inverse of evaluate(). */
+    virtual std::pair<double, double>
+    range() const = 0;
 
     /** See ReferenceSurface::coordinate_unit(). */
     virtual double

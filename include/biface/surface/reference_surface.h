@@ -8,6 +8,7 @@
 #include <deal.II/grid/manifold.h>
 
 #include <array>
+#include <utility>
 
 namespace Biface
 {
@@ -131,6 +132,10 @@ namespace Biface
     /** The tangents @f$A_a\mathbf e_a@f$. */
     dealii::DerivativeForm<1, 2, 3>
     push_forward_gradient(const dealii::Point<2> &alpha) const override;
+
+    /** The least and the greatest value of the first coordinate. */
+    virtual std::pair<double, double>
+    range() const = 0;
 
     /**
      * One unit of the coordinate @p a, as a person writes it, in the

@@ -35,12 +35,16 @@ namespace Biface
     double
     parameter_of(const dealii::Point<2> &point) const override;
 
+    std::pair<double, double>
+    range() const override;
+
     double
     coordinate_unit() const override;
 
   private:
     const dealii::Point<2>     begin;
     const dealii::Tensor<1, 2> direction;
+    const double               length;
   };
 } // namespace Biface
 

@@ -39,6 +39,9 @@ namespace Biface
     std::unique_ptr<dealii::Manifold<2, 3>>
     clone() const override;
 
+    std::pair<double, double>
+    range() const override;
+
     double
     coordinate_unit(const unsigned int a) const override;
 

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <mpi.h>
+
 #include <memory>
 #include <string>
 

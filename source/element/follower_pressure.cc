@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include <biface/element/follower_pressure.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  FollowerPressure::FollowerPressure(const ElementGeometry           &geometry,
+                                     const MixedElement::NodalVector &V)
+    : geometry(geometry)
+  {
+    constexpr unsigned int inner = Resultants::inner;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+        const DisplacementGradient u = displacement_gradient(geometry, V, q);
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            tangents[q][a] = u.g[inner][a];
+            tangents[q][a][a] += vertex.metric.zeta[inner][a];
+          }
+        const Tensor<1, 3> force =
+          area(q) * cross_product_3d(tangents[q][0], tangents[q][1]);
+        for (unsigned int i = 0; i < 3; ++i)
+          nodal_force[MixedElement::dof(q, i, inner)] = force[i];
+      }
+  }
+
+
+  void
+  FollowerPressure::add_derivative(const double               factor,
+                                   MixedElement::NodalMatrix &K) const
+  {
+    constexpr unsigned int inner = Resultants::inner;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+
+        const auto add = [&](const unsigned int  node,
+                             const unsigned int  j,
+                             const Tensor<1, 3> &change) {
+          for (unsigned int i = 0; i < 3; ++i)
+            K[MixedElement::dof(q, i, inner)]
+             [MixedElement::dof(node, j, inner)] +=
+              factor * area(q) * change[i];
+        };
+        // t_1 x t_2 changes with the derivative of one of the two tangents
+        const auto change_of_cross_product = [&](const unsigned int  a,
+                                                 const Tensor<1, 3> &dt) {
+          return a == 0 ? cross_product_3d(dt, tangents[q][1])
+                        : cross_product_3d(tangents[q][0], dt);
+        };
+
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              Tensor<1, 3> unit;
+              unit[j] = vertex.slope[a];
+              add(q,
+                  j,
+                  change_of_cross_product(
+                    a, unit + vertex.connection[a] * unit / vertex.slope[a]));
+              add(q ^ (1 << a), j, change_of_cross_product(a, -unit));
+            }
+      }
+  }
+
+
+  double
+  FollowerPressure::area(const unsigned int vertex) const
+  {
+    // the slopes are 1/(A_a times the change of alpha_a)
+    const auto &slope = geometry.vertices[vertex].slope;
+    return 1 / (4 * std::abs(slope[0] * slope[1]));
+  }
+} // namespace Biface
