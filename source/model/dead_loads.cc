@@ -98,6 +98,22 @@ namespace Biface
             {node.dofs[2 * i + face]},
             nodal_forces);
     }
+
+
+    /** Add a force per area of the surface midway between the faces. */
+    void
+    add_area_force(const Discretization &discretization,
+                   const Force          &force,
+                   LA::Vector           &nodal_forces)
+    {
+      for (const Cell &cell : discretization.cells)
+        for (const unsigned int n : cell.nodes)
+          add_nodal_force(discretization,
+                          discretization.nodes[n],
+                          force,
+                          cell.geometry.weight / 4,
+                          nodal_forces);
+    }
   } // namespace
 
 
@@ -151,16 +167,12 @@ namespace Biface
                               nodal_forces);
       }
 
-    Force weight;
-    weight.components = area_force;
     if (area_force.norm() > 0)
-      for (const Cell &cell : discretization.cells)
-        for (const unsigned int n : cell.nodes)
-          add_nodal_force(discretization,
-                          discretization.nodes[n],
-                          weight,
-                          cell.geometry.weight / 4,
-                          nodal_forces);
+      {
+        Force weight;
+        weight.components = area_force;
+        add_area_force(discretization, weight, nodal_forces);
+      }
 
     nodal_forces.compress(VectorOperation::add);
     return nodal_forces;
@@ -176,13 +188,7 @@ namespace Biface
     pressure.components = Tensor<1, 3>({0, 0, 1});
     pressure.local      = true;
     pressure.faces      = {{1, 0}};
-    for (const Cell &cell : discretization.cells)
-      for (const unsigned int n : cell.nodes)
-        add_nodal_force(discretization,
-                        discretization.nodes[n],
-                        pressure,
-                        cell.geometry.weight / 4,
-                        nodal_forces);
+    add_area_force(discretization, pressure, nodal_forces);
     nodal_forces.compress(VectorOperation::add);
     return nodal_forces;
   }
