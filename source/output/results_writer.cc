@@ -201,18 +201,22 @@ namespace Biface
 
           const Point<3> x = discretization.deformed_position(
             state.displacement, node, Resultants::outer);
+          const double pressure = equations.pressure(state, report.loads, n);
+          const ThicknessMetric metric(node.surface.curvature,
+                                       discretization.get_faces());
           rows.push_back({chart_coordinate(surface, node, 0),
                           chart_coordinate(surface, node, 1),
                           x[0],
                           x[1],
                           x[2],
                           equations.clearance(state, report.loads, node),
-                          equations.pressure(state, report.loads, n),
-                          static_cast<double>(state.active[n])});
+                          pressure,
+                          static_cast<double>(state.active[n]),
+                          pressure * metric.area_ratio(Resultants::outer)});
         }
     write_csv(
       path("contact-" + Utilities::int_to_string(report.step, 4) + ".csv"),
-      "alpha_1,alpha_2,x,y,z,clearance,pressure,active",
+      "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure",
       rows,
       discretization.communicator);
   }

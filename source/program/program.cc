@@ -8,6 +8,7 @@
 
 #include <biface/base/input_error.h>
 #include <biface/base/version.h>
+#include <biface/model/rigid_motions.h>
 #include <biface/output/results_writer.h>
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>
@@ -37,6 +38,16 @@ namespace Biface
           blas.find("mkl") == std::string::npos)
         out << "  (not OpenBLAS: linear solves may take several times as long; "
                "on Debian, install libopenblas0-pthread)\n";
+
+      const std::vector<std::string> motions =
+        free_rigid_motions(discretization);
+      if (!motions.empty())
+        {
+          out << "The supports leave rigid motions free: ";
+          for (unsigned int i = 0; i < motions.size(); ++i)
+            out << (i > 0 ? ", " : "") << motions[i];
+          out << ". Loads or contact alone must hold them.\n";
+        }
       out << std::endl;
     }
 

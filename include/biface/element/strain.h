@@ -33,6 +33,14 @@ namespace Biface
           zeta_bar[a] = 1 + curvature[a] * (faces[0] + faces[1]) / 2;
         }
     }
+
+    /** An area of the surface midway between the faces, as a fraction of that
+     * of a face, @f$\bar\mu/\mu^\pm@f$. */
+    double
+    area_ratio(const unsigned int face) const
+    {
+      return zeta_bar[0] * zeta_bar[1] / (zeta[face][0] * zeta[face][1]);
+    }
   };
 
 

@@ -123,7 +123,9 @@ namespace Biface
     double
     clearance(const State &state, const Loads &loads, const Node &node) const;
 
-    /** Contact pressure at a node; its position in Discretization::nodes. */
+    /** Contact pressure at a node, given by its position in
+     * Discretization::nodes; counted on the surface midway between the faces.
+     */
     double
     pressure(const State       &state,
              const Loads       &loads,

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_rigid_motions_h
+#define biface_model_rigid_motions_h
+
+#include <string>
+#include <vector>
+
+#include <biface/model/discretization.h>
+
+namespace Biface
+{
+  /**
+   * The infinitesimal rigid motions that the supports leave free, in words:
+   * "translation along y", "rotation about x", or "translation along x with
+   * rotation about z" for one that combines several. Rotations are about axes
+   * through the mean of all nodes.
+   *
+   * Such a shell is held by its loads or by contact alone, if at all. Must be
+   * called on all ranks.
+   */
+  std::vector<std::string>
+  free_rigid_motions(const Discretization &discretization);
+} // namespace Biface
+
+#endif

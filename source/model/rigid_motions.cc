@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <biface/model/rigid_motions.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_motions = 6;
+
+    using Combination = std::array<double, n_motions>;
+
+    const std::array<std::string, n_motions> names{{"translation along x",
+                                                    "translation along y",
+                                                    "translation along z",
+                                                    "rotation about x",
+                                                    "rotation about y",
+                                                    "rotation about z"}};
+
+
+    /** Displacement of a point by a motion, about the origin, of a body of unit
+     * size. */
+    Tensor<1, 3>
+    displacement(const unsigned int motion, const Tensor<1, 3> &x)
+    {
+      Tensor<1, 3> axis;
+      axis[motion % 3] = 1;
+      return motion < 3 ? axis : cross_product_3d(axis, x);
+    }
+
+
+    Point<3>
+    mean_of_nodes(const Discretization &discretization)
+    {
+      Tensor<1, 3> sum;
+      for (const Node &node : discretization.nodes)
+        if (node.locally_owned)
+          sum += node.surface.position;
+      return Point<3>(Utilities::MPI::sum(sum, discretization.communicator) /
+                      static_cast<double>(discretization.n_nodes()));
+    }
+
+
+    /** The matrix of the sum of squares by which a combination of motions
+     * violates the supports. */
+    LAPACKFullMatrix<double>
+    violation_matrix(const Discretization &discretization)
+    {
+      const Point<3> center = mean_of_nodes(discretization);
+      const double   size   = discretization.size();
+
+      std::vector<double> squares(n_motions * n_motions);
+      for (const Node &node : discretization.nodes)
+        if (node.locally_owned)
+          for (unsigned int d = 0; d < 6; ++d)
+            {
+              if (!discretization.constraints.is_constrained(node.dofs[d]))
+                continue;
+              const auto value = [&](const unsigned int motion,
+                                     const unsigned int dof) {
+                const Tensor<1, 3> x = (node.surface.position - center +
+                                        discretization.get_faces()[dof % 2] *
+                                          node.surface.frame[2]) /
+                                       size;
+                return displacement(motion, x) * node.surface.frame[dof / 2];
+              };
+
+              // supports couple the two faces of a node only
+              Combination violation;
+              for (unsigned int m = 0; m < n_motions; ++m)
+                {
+                  violation[m] = value(m, d);
+                  for (const auto &entry :
+                       *discretization.constraints.get_constraint_entries(
+                         node.dofs[d]))
+                    for (unsigned int other = 0; other < 6; ++other)
+                      if (node.dofs[other] == entry.first)
+                        violation[m] -= entry.second * value(m, other);
+                }
+              for (unsigned int i = 0; i < n_motions; ++i)
+                for (unsigned int j = 0; j < n_motions; ++j)
+                  squares[n_motions * i + j] += violation[i] * violation[j];
+            }
+      Utilities::MPI::sum(squares, discretization.communicator, squares);
+
+      LAPACKFullMatrix<double> matrix(n_motions, n_motions);
+      for (unsigned int i = 0; i < n_motions; ++i)
+        for (unsigned int j = 0; j < n_motions; ++j)
+          matrix(i, j) = squares[n_motions * i + j];
+      return matrix;
+    }
+
+
+    /** Eliminate, so that single motions show where there are any. */
+    void
+    reduce(std::vector<Combination> &rows)
+    {
+      for (unsigned int row = 0; row < rows.size(); ++row)
+        {
+          // the greatest entry left, among those not yet used as a pivot
+          unsigned int pivot_row = row, pivot = 0;
+          double       greatest = 0;
+          for (unsigned int r = row; r < rows.size(); ++r)
+            for (unsigned int m = 0; m < n_motions; ++m)
+              if (std::abs(rows[r][m]) > greatest)
+                {
+                  greatest  = std::abs(rows[r][m]);
+                  pivot_row = r;
+                  pivot     = m;
+                }
+          std::swap(rows[row], rows[pivot_row]);
+          const double scale = rows[row][pivot];
+          for (double &entry : rows[row])
+            entry /= scale;
+          for (unsigned int r = 0; r < rows.size(); ++r)
+            if (r != row)
+              {
+                const double factor = rows[r][pivot];
+                for (unsigned int m = 0; m < n_motions; ++m)
+                  rows[r][m] -= factor * rows[row][m];
+              }
+        }
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  free_rigid_motions(const Discretization &discretization)
+  {
+    // squares of violations, of the order of the number of nodes held
+    const double tolerance = 1e-10;
+
+    LAPACKFullMatrix<double> matrix = violation_matrix(discretization);
+    Vector<double>           eigenvalues;
+    FullMatrix<double>       eigenvectors;
+    matrix.compute_eigenvalues_symmetric(
+      -1., tolerance, 1e-14, eigenvalues, eigenvectors);
+
+    std::vector<Combination> rows(eigenvalues.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int m = 0; m < n_motions; ++m)
+        rows[i][m] = eigenvectors(m, i);
+    reduce(rows);
+
+    std::vector<std::string> motions;
+    for (const Combination &row : rows)
+      {
+        std::string name;
+        for (unsigned int m = 0; m < n_motions; ++m)
+          if (std::abs(row[m]) > 1e-4)
+            name += (name.empty() ? "" : " with ") + names[m];
+        motions.push_back(name);
+      }
+    std::sort(motions.begin(), motions.end());
+    return motions;
+  }
+} // namespace Biface

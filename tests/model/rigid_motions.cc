@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The rigid motions that supports leave free are found and named.
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+#include <biface/model/rigid_motions.h>
+#include <biface/surface/circular_arc.h>
+#include <biface/surface/plane.h>
+#include <biface/surface/surface_of_revolution.h>
+
+#include "../tests.h"
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  print(const std::string                &what,
+        std::unique_ptr<ReferenceSurface> surface,
+        const std::array<std::string, 2> &intervals,
+        const std::array<std::string, 4> &edges,
+        const std::string                &points  = "",
+        const std::string                &support = "")
+  {
+    ChartGrid::Parameters parameters;
+    parameters.intervals = intervals;
+    parameters.closed    = false;
+    const ChartGrid grid(parameters, *surface);
+    NamedPoints     named;
+    named.list        = points;
+    const auto parsed = named.parse(*surface);
+    Supports   supports;
+    supports.edges  = edges;
+    supports.points = support;
+
+    const Discretization discretization(MPI_COMM_WORLD,
+                                        std::move(surface),
+                                        grid,
+                                        {{-0.1, 0.1}},
+                                        supports,
+                                        parsed);
+    const auto           motions = free_rigid_motions(discretization);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::cout << what << ':' << std::endl;
+        for (const std::string &motion : motions)
+          std::cout << "  " << motion << std::endl;
+        if (motions.empty())
+          std::cout << "  none" << std::endl;
+      }
+  }
+
+
+  std::unique_ptr<ReferenceSurface>
+  torus()
+  {
+    return std::make_unique<SurfaceOfRevolution>(
+      std::make_shared<CircularArc>(CircularArc::Parameters()));
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::array<std::string, 2> plate{{"0:2:4", "0:1:3"}};
+  const auto plane = []() { return std::make_unique<Plane>(); };
+
+  print("free plate", plane(), plate, {{"free", "free", "free", "free"}});
+  print("clamped plate", plane(), plate, {{"fixed", "free", "free", "free"}});
+  print("plate hinged along y",
+        plane(),
+        plate,
+        {{"hinged", "free", "free", "free"}});
+  print("quarter of a plate",
+        plane(),
+        plate,
+        {{"symmetry", "free", "symmetry", "free"}});
+  print("quarter of a plate, held at a corner",
+        plane(),
+        plate,
+        {{"symmetry", "free", "symmetry", "free"}},
+        "corner: 2 1",
+        "corner: v_3 mean");
+  print("half of a torus section",
+        torus(),
+        {{"-60:60:4", "0:180:6"}},
+        {{"free", "free", "symmetry", "symmetry"}});
+}
