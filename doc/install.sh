@@ -7,11 +7,11 @@
 
 set -eu
 
-packages="cmake g++ ninja-build numdiff libdeal.ii-dev libmumps-dev
+packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
 case ${1-} in
   "") ;;
-  tests) packages="$packages clang-format-14 doxygen texlive-binaries" ;;
+  tests) packages="$packages numdiff clang-format-14 doxygen texlive-binaries" ;;
   *)
     echo "Usage: doc/install.sh [tests]" >&2
     exit 1
