@@ -122,11 +122,8 @@ namespace Biface
           plies[p].initial_stress[0][1] = stress[2];
         }
     }
-  } // namespace
 
 
-  namespace
-  {
     double
     parse_reference(const std::string &text, const std::vector<Ply> &plies)
     {

@@ -3,16 +3,10 @@
 // An element of the bias tire has the stiffness, strains, resultants, internal
 // force, tangent and energy of an independent implementation.
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_manifold.h>
-#include <deal.II/grid/tria.h>
-
 #include <biface/element/mixed_element.h>
 #include <biface/laminate/laminate.h>
-#include <biface/surface/circular_arc.h>
-#include <biface/surface/surface_of_revolution.h>
 
+#include "one_cell.h"
 #include <boost/property_tree/json_parser.hpp>
 #include <cord_ply.h>
 #include <tests.h>
@@ -92,32 +86,11 @@ main()
   compare("D, symmetric law", entries, values("D_symmetric"));
   compare("D, asymmetric law", entries_asymmetric, values("D_asymmetric"));
 
-  // one cell of the torus
-  const SurfaceOfRevolution surface(
-    std::make_shared<CircularArc>(CircularArc::Parameters()));
-  std::vector<Point<3>> vertices;
-  for (const double phi : {10, 15})
-    for (const double psi : {40, 45})
-      vertices.push_back(
-        surface.push_forward(Point<2>(psi, phi) * numbers::PI / 180));
-  CellData<2> cell;
-  cell.vertices    = {0, 1, 2, 3};
-  cell.manifold_id = 0;
-  Triangulation<2, 3> triangulation;
-  triangulation.set_manifold(0, surface);
-  triangulation.create_triangulation(vertices, {cell}, SubCellData());
-  triangulation.set_all_manifold_ids(0);
-
-  const MappingManifold<2, 3> mapping;
-  const FE_Q<2, 3>            fe(1);
-  FEValues<2, 3>              at_vertices(
-    mapping, fe, QTrapezoid<2>(), update_quadrature_points | update_gradients);
-  FEValues<2, 3> at_center(
-    mapping, fe, QMidpoint<2>(), update_quadrature_points | update_JxW_values);
-  at_vertices.reinit(triangulation.begin_active());
-  at_center.reinit(triangulation.begin_active());
-  const ElementGeometry geometry =
-    compute_element_geometry(at_vertices, at_center, surface, laminate.faces());
+  const SurfaceOfRevolution surface = torus();
+  const ElementGeometry     geometry =
+    make_cells(surface, {{"40:45:1", "10:15:1"}}, laminate.faces())
+      .front()
+      .geometry;
   compare("element weight",
           std::vector<double>{geometry.weight},
           values("element_weight"));
