@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
 #include <biface/base/read_file.h>
 
 namespace Biface
@@ -36,5 +40,42 @@ namespace Biface
       throw InputError("the file '" + file_name + "' cannot be read (" +
                        reason + "), but it must exist and be readable.");
     return Utilities::MPI::broadcast(communicator, text);
+  }
+
+
+  std::vector<Point<2>>
+  parse_pairs(const std::string &text,
+              const std::string &name,
+              const std::string &meaning)
+  {
+    const std::string form =
+      "each line must hold two numbers, '" + meaning + "'";
+
+    std::vector<Point<2>> points;
+    std::istringstream    lines(text);
+    std::string           line;
+    bool                  header_allowed = true;
+    for (unsigned int number = 1; std::getline(lines, line); ++number)
+      {
+        line = Utilities::trim(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        const std::vector<std::string> cells =
+          Utilities::split_string_list(line, ',');
+        const std::string entry = name + ", line " + std::to_string(number);
+        if (header_allowed && cells.size() == 2 && !cells[0].empty() &&
+            std::isalpha(static_cast<unsigned char>(cells[0][0])) &&
+            cells[0] != "nan" && cells[0] != "inf")
+          {
+            header_allowed = false;
+            continue;
+          }
+        header_allowed = false;
+        if (cells.size() != 2)
+          throw InputError(entry, line, form);
+        points.emplace_back(parse_number(entry, cells[0], form),
+                            parse_number(entry, cells[1], form));
+      }
+    return points;
   }
 } // namespace Biface

@@ -19,8 +19,11 @@ namespace Biface
         const DisplacementGradient u = displacement_gradient(geometry, V, q);
         for (unsigned int a = 0; a < 2; ++a)
           {
-            tangents[q][a] = u.g[inner][a];
+            // along the face, which may rise over the reference surface
+            tangents[q][a] =
+              u.g[inner][a] + vertex.face_slope[inner][a] * u.beta;
             tangents[q][a][a] += vertex.metric.zeta[inner][a];
+            tangents[q][a][2] += vertex.face_slope[inner][a];
           }
         const Tensor<1, 3> force =
           area(q) * cross_product_3d(tangents[q][0], tangents[q][1]);

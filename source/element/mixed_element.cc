@@ -40,8 +40,11 @@ namespace Biface
           u.g[face][a] =
             vertex.slope[a] * (v - nodal_displacement(V, q ^ (1 << a), face)) +
             vertex.connection[a] * v;
-        u.beta += beta_sign[face] / geometry.thickness * v;
+        u.beta += beta_sign[face] / vertex.thickness * v;
       }
+    for (unsigned int face = 0; face < 2; ++face)
+      for (unsigned int a = 0; a < 2; ++a)
+        u.g[face][a] -= vertex.face_slope[face][a] * u.beta;
     return u;
   }
 
@@ -56,10 +59,15 @@ namespace Biface
                     MixedElement::NodalVector  &force)
     {
       const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+
+      Tensor<1, 3> conjugate_beta = conjugate.beta;
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          conjugate_beta -= vertex.face_slope[face][a] * conjugate.g[face][a];
+
       for (unsigned int face = 0; face < 2; ++face)
         {
-          Tensor<1, 3> f =
-            beta_sign[face] / geometry.thickness * conjugate.beta;
+          Tensor<1, 3> f = beta_sign[face] / vertex.thickness * conjugate_beta;
           for (unsigned int a = 0; a < 2; ++a)
             {
               const Tensor<1, 3> &p = conjugate.g[face][a];
@@ -190,6 +198,16 @@ namespace Biface
                 Modes::groups[m].value_at_vertex(q) / 4 * value;
         };
 
+        // d(strain) = p . d(beta)
+        const auto add_beta = [&](const unsigned int  strain,
+                                  const Tensor<1, 3> &p) {
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int face = 0; face < 2; ++face)
+              add_to_modes(strain,
+                           dof(q, i, face),
+                           beta_sign[face] / vertex.thickness * p[i]);
+        };
+
         // d(strain) = p . d(g_a)
         const auto add_g = [&](const unsigned int  strain,
                                const unsigned int  face,
@@ -203,16 +221,8 @@ namespace Biface
               add_to_modes(
                 strain, dof(q ^ (1 << a), i, face), -vertex.slope[a] * p[i]);
             }
-        };
-
-        // d(strain) = p . d(beta)
-        const auto add_beta = [&](const unsigned int  strain,
-                                  const Tensor<1, 3> &p) {
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int face = 0; face < 2; ++face)
-              add_to_modes(strain,
-                           dof(q, i, face),
-                           beta_sign[face] / geometry.thickness * p[i]);
+          if (vertex.face_slope[face][a] != 0)
+            add_beta(strain, -vertex.face_slope[face][a] * p);
         };
 
         for (unsigned int face = 0; face < 2; ++face)
@@ -257,7 +267,9 @@ namespace Biface
     for (unsigned int q = 0; q < 4; ++q)
       {
         const ElementGeometry::Vertex &vertex = geometry.vertices[q];
-        const GeometricCoupling        coupling(resultants[q], vertex.metric);
+        const GeometricCoupling        coupling =
+          GeometricCoupling(resultants[q], vertex.metric)
+            .along_faces(vertex.face_slope);
 
         const auto add = [&](const unsigned int  node_i,
                              const unsigned int  face_i,
@@ -287,8 +299,8 @@ namespace Biface
 
         const std::array<unsigned int, 2> neighbor{{q ^ 1, q ^ 2}};
         const std::array<double, 2>      &slope = vertex.slope;
-        const std::array<double, 2> d_beta{{beta_sign[0] / geometry.thickness,
-                                            beta_sign[1] / geometry.thickness}};
+        const std::array<double, 2>       d_beta{
+          {beta_sign[0] / vertex.thickness, beta_sign[1] / vertex.thickness}};
 
         // g_a = own_a v_q - slope_a v_neighbor
         std::array<Tensor<2, 3>, 2> own;

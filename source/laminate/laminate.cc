@@ -2,168 +2,13 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/utilities.h>
 
-#include <cmath>
-#include <map>
-
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  void
-  Laminate::Parameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Plies",
-                      plies,
-                      "The plies, inner ply first, separated by commas, each "
-                      "as 'material: thickness @ angle'. The angle is that of "
-                      "the material's first axis, from the first coordinate "
-                      "line (the meridian) toward the second. Units: length, "
-                      "degrees.",
-                      Patterns::Anything());
-    prm.add_parameter("Initial ply stresses",
-                      initial_stresses,
-                      "Stresses present in the undeformed shell, one triple "
-                      "'sigma_L sigma_T tau_LT' a ply, inner ply first, "
-                      "separated by commas; empty for none. They act in the "
-                      "nonlinear part of the strains only, in equilibrium "
-                      "with loads that are not listed. Unit: force/area.",
-                      Patterns::Anything());
-    add_choice(prm,
-               "Thickness law",
-               law,
-               {"symmetric", "asymmetric", "full"},
-               "How the thickness strain enters the stiffness: 'symmetric' "
-               "(constant thickness stress, eliminated; free of locking), "
-               "'asymmetric' (the paper's, with a nonsymmetric tangent) or "
-               "'full' (three-dimensional law; locks in bending).");
-    prm.add_parameter("Reference surface",
-                      reference,
-                      "Which surface of the shell the geometry describes: "
-                      "'inner', 'middle', 'outer', 'ply N' (the outer side of "
-                      "ply N, counted from the inner face), or its distance "
-                      "from the inner face. Unit: length.",
-                      Patterns::Anything());
-  }
-
-
-  namespace
-  {
-    std::vector<Ply>
-    parse_plies(const Laminate::Parameters            &parameters,
-                const std::vector<MaterialParameters> &materials)
-    {
-      const std::string entry = "Laminate/Plies";
-      const std::string form  = "each ply is written 'material: thickness @ "
-                                "angle'";
-
-      std::map<std::string, SymmetricTensor<4, 3>> stiffness;
-      std::string                                  names;
-      for (const MaterialParameters &material : materials)
-        {
-          stiffness[material.name] = material.stiffness();
-          names += (names.empty() ? "'" : ", '") + material.name + "'";
-        }
-
-      std::vector<Ply> plies;
-      for (const std::string &text :
-           Utilities::split_string_list(parameters.plies, ','))
-        {
-          const auto colon = text.find(':');
-          const auto at    = text.find('@');
-          if (colon == std::string::npos || at == std::string::npos ||
-              at < colon)
-            throw InputError(entry, text, form);
-          const auto material =
-            stiffness.find(Utilities::trim(text.substr(0, colon)));
-          if (material == stiffness.end())
-            throw InputError(
-              entry, text, "its material must be one of " + names);
-          const double thickness =
-            parse_number(entry, text.substr(colon + 1, at - colon - 1), form);
-          if (!(thickness > 0))
-            throw InputError(entry, text, "a thickness must lie above 0");
-          const double angle =
-            parse_number(entry, text.substr(at + 1), form) * numbers::PI / 180;
-          plies.push_back({material->second, thickness, angle, {}});
-        }
-      if (plies.empty())
-        throw InputError(
-          entry, parameters.plies, "there must be at least one ply");
-      return plies;
-    }
-
-
-    void
-    parse_initial_stresses(const std::string &text, std::vector<Ply> &plies)
-    {
-      const std::string entry = "Laminate/Initial ply stresses";
-      const std::string form =
-        "it must hold one triple 'sigma_L sigma_T tau_LT' a ply (" +
-        std::to_string(plies.size()) + " plies), separated by commas";
-
-      const std::vector<std::string> triples =
-        Utilities::split_string_list(text, ',');
-      if (triples.empty())
-        return;
-      if (triples.size() != plies.size())
-        throw InputError(entry, text, form);
-      for (unsigned int p = 0; p < plies.size(); ++p)
-        {
-          const std::vector<double> stress =
-            parse_numbers(entry, triples[p], 3, form);
-          plies[p].initial_stress[0][0] = stress[0];
-          plies[p].initial_stress[1][1] = stress[1];
-          plies[p].initial_stress[0][1] = stress[2];
-        }
-    }
-
-
-    double
-    parse_reference(const std::string &text, const std::vector<Ply> &plies)
-    {
-      const std::string entry = "Laminate/Reference surface";
-      const std::string form =
-        "it must be 'inner', 'middle', 'outer', 'ply N' with N from 1 to " +
-        std::to_string(plies.size()) + ", or a number";
-
-      double h = 0;
-      for (const Ply &ply : plies)
-        h += ply.thickness;
-      if (text == "inner")
-        return 0;
-      if (text == "middle")
-        return h / 2;
-      if (text == "outer")
-        return h;
-      if (text.rfind("ply ", 0) != 0)
-        return parse_number(entry, text, form);
-
-      const double n = parse_number(entry, text.substr(4), form);
-      if (!(n >= 1 && n <= plies.size() && n == std::floor(n)))
-        throw InputError(entry, text, form);
-      double height = 0;
-      for (unsigned int p = 0; p < n; ++p)
-        height += plies[p].thickness;
-      return height;
-    }
-  } // namespace
-
-
-  Laminate::Laminate(const Parameters                      &parameters,
-                     const std::vector<MaterialParameters> &materials)
-    : plies(parse_plies(parameters, materials))
-    , law(parameters.law)
-    , reference_height(parse_reference(parameters.reference, plies))
-  {
-    parse_initial_stresses(parameters.initial_stresses, plies);
-  }
-
 
   Laminate::Laminate(std::vector<Ply>   plies,
                      const ThicknessLaw law,
@@ -335,5 +180,84 @@ namespace Biface
         H[Resultants::thickness] += stress[2][2] * ply.thickness;
       }
     return H;
+  }
+
+
+  double
+  Laminate::thickness_stress(const Resultants::Vector &E) const
+  {
+    // S_33 = (h E_33 + sum of f_ab^p E_ab^p) / A, see stiffness()
+    const double h   = thickness();
+    double       sum = h * E[Resultants::thickness];
+    double       A   = 0;
+    double       z   = 0;
+    for (const Ply &ply : plies)
+      {
+        const SymmetricTensor<4, 3> b =
+          rotate_about_normal(ply.stiffness, ply.angle);
+        const FaceMoments N(z, z + ply.thickness, h);
+        z += ply.thickness;
+
+        A += ply.thickness / b[2][2][2][2];
+        for (unsigned int ab = 0; ab < 3; ++ab)
+          {
+            const auto &i = tangential_pairs[ab];
+            for (unsigned int p = 0; p < 2; ++p)
+              sum += b[i[0]][i[1]][2][2] / b[2][2][2][2] * N.first[p] *
+                     E[Resultants::tangential(ab, p)];
+          }
+      }
+    return sum / A;
+  }
+
+
+  SymmetricTensor<2, 3>
+  Laminate::strain(const Resultants::Vector &E,
+                   const unsigned int        ply,
+                   const double              z) const
+  {
+    using namespace Resultants;
+
+    const double                h = this->thickness();
+    const std::array<double, 2> N{{1 - z / h, z / h}};
+    SymmetricTensor<2, 3>       strain;
+    for (unsigned int p = 0; p < 2; ++p)
+      {
+        strain[0][0] += N[p] * E[tangential(0, p)];
+        strain[1][1] += N[p] * E[tangential(1, p)];
+        strain[0][1] += N[p] * E[tangential(2, p)] / 2;
+        strain[0][2] += N[p] * E[transverse(0, p)] / 2;
+        strain[1][2] += N[p] * E[transverse(1, p)] / 2;
+      }
+    if (law == ThicknessLaw::symmetric)
+      {
+        const SymmetricTensor<4, 3> b =
+          rotate_about_normal(plies[ply].stiffness, plies[ply].angle);
+        strain[2][2] =
+          (thickness_stress(E) - (b * strain)[2][2]) / b[2][2][2][2];
+      }
+    else
+      strain[2][2] = E[Resultants::thickness];
+    return strain;
+  }
+
+
+  SymmetricTensor<2, 3>
+  Laminate::stress(const Resultants::Vector &E,
+                   const unsigned int        ply,
+                   const double              z) const
+  {
+    const SymmetricTensor<4, 3> b =
+      rotate_about_normal(plies[ply].stiffness, plies[ply].angle);
+    SymmetricTensor<2, 3>       e      = strain(E, ply, z);
+    const SymmetricTensor<2, 3> stress = b * e;
+    if (law != ThicknessLaw::asymmetric)
+      return stress;
+
+    // tangential stresses of plane stress, the others of the full law
+    e[2][2] -= stress[2][2] / b[2][2][2][2];
+    SymmetricTensor<2, 3> plane_stress = b * e;
+    plane_stress[2][2]                 = stress[2][2];
+    return plane_stress;
   }
 } // namespace Biface

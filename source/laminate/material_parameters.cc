@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,21 @@ namespace Biface
                         "Poisson's ratio: the strain along the second axis "
                         "under a stress along the first. No unit.",
                         Patterns::Double());
+
+    const std::vector<std::pair<std::string, double *>> all_strengths{
+      {"X_t", &strengths.X_t},
+      {"X_c", &strengths.X_c},
+      {"Y_t", &strengths.Y_t},
+      {"Y_c", &strengths.Y_c},
+      {"S", &strengths.S}};
+    for (const auto &strength : all_strengths)
+      prm.add_parameter(strength.first,
+                        *strength.second,
+                        "Strength, a positive number; 0 for not given: X_t, "
+                        "X_c along axis 1 in tension and compression, Y_t, Y_c "
+                        "along axis 2, S in shear between both. All five or "
+                        "none. Unit: force/area.",
+                        Patterns::Double(0));
   }
 
 
@@ -86,5 +103,25 @@ namespace Biface
       }
     Assert(false, ExcInternalError());
     return {};
+  }
+
+
+  std::optional<Strengths>
+  MaterialParameters::get_strengths() const
+  {
+    const std::array<std::pair<const char *, double>, 5> all{
+      {{"X_t", strengths.X_t},
+       {"X_c", strengths.X_c},
+       {"Y_t", strengths.Y_t},
+       {"Y_c", strengths.Y_c},
+       {"S", strengths.S}}};
+    if (std::all_of(all.begin(), all.end(), [](const auto &strength) {
+          return strength.second == 0;
+        }))
+      return {};
+    for (const auto &strength : all)
+      check_positive("Material " + name + "/" + strength.first,
+                     strength.second);
+    return strengths;
   }
 } // namespace Biface

@@ -20,63 +20,15 @@ namespace Biface
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** Check that the surface and both faces are regular at all grid points.
-     */
-    void
-    check_geometry(const ReferenceSurface      &surface,
-                   const ChartGrid             &grid,
-                   const std::array<double, 2> &faces)
-    {
-      double size = 0;
-      for (const double alpha_1 : grid.lines[0])
-        size = std::max(size,
-                        surface.evaluate(Point<2>(alpha_1, grid.lines[1][0]))
-                          .position.norm());
-
-      for (const double alpha_1 : grid.lines[0])
-        for (const double alpha_2 : grid.lines[1])
-          {
-            const SurfacePoint point =
-              surface.evaluate(Point<2>(alpha_1, alpha_2));
-            const std::string where =
-              "alpha_1 = " +
-              number_to_string(alpha_1 / surface.coordinate_unit(0));
-
-            if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
-              throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +
-                               where + ", where the radius of the surface is " +
-                               number_to_string(point.lame[1]) +
-                               ", but the surface must keep clear of its axis "
-                               "(A_2 > 0).");
-
-            const ThicknessMetric metric(point.curvature, faces);
-            for (unsigned int face = 0; face < 2; ++face)
-              for (unsigned int a = 0; a < 2; ++a)
-                if (!(metric.zeta[face][a] > 0))
-                  throw InputError(
-                    "the entry 'Laminate/Plies' puts a face at " +
-                    number_to_string(faces[face]) +
-                    " from the reference surface, but at " + where +
-                    " it must stay nearer than the center of curvature, " +
-                    number_to_string(1 / std::abs(point.curvature[a])) +
-                    " away.");
-          }
-    }
-  } // namespace
-
-
   Discretization::Discretization(
     const MPI_Comm                          communicator,
     std::unique_ptr<const ReferenceSurface> surface,
     const ChartGrid                        &grid,
-    const std::array<double, 2>            &faces,
+    const Layup                            &layup,
     const Supports                         &supports,
     const std::vector<NamedPoint>          &points)
     : communicator(communicator)
     , points(points)
-    , faces(faces)
     , surface(std::move(surface))
     , triangulation(
         communicator,
@@ -86,7 +38,8 @@ namespace Biface
     , fe(FE_Q<2, 3>(1), 6)
     , dof_handler(triangulation)
   {
-    check_geometry(*this->surface, grid, faces);
+    make_strips(grid, layup);
+    check_geometry(grid);
     if (grid.closed)
       for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
         if (!supports.edge_conditions(static_cast<unsigned int>(edge)).empty())
@@ -107,6 +60,78 @@ namespace Biface
     collect_cells_and_nodes(grid);
     find_points();
     make_constraints(supports);
+  }
+
+
+  void
+  Discretization::make_strips(const ChartGrid &grid, const Layup &layup)
+  {
+    std::vector<double> lines = grid.lines[0];
+    for (double &alpha_1 : lines)
+      alpha_1 /= surface->coordinate_unit(0);
+
+    line_faces.resize(lines.size());
+    for (unsigned int i = 0; i + 1 < lines.size(); ++i)
+      {
+        const double middle = (lines[i] + lines[i + 1]) / 2;
+        strips.push_back({layup.laminate(middle),
+                          {{layup.laminate(lines[i], middle),
+                            layup.laminate(lines[i + 1], middle)}}});
+        for (unsigned int side = 0; side < 2; ++side)
+          for (unsigned int face = 0; face < 2; ++face)
+            line_faces[i + side][face] +=
+              strips[i].at_lines[side].faces()[face] / 2;
+      }
+    // lines at the edges have one side only
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        line_faces.front()[face] *= 2;
+        line_faces.back()[face] *= 2;
+      }
+    for (const auto &faces : line_faces)
+      greatest_thickness = std::max(greatest_thickness, faces[1] - faces[0]);
+  }
+
+
+  void
+  Discretization::check_geometry(const ChartGrid &grid) const
+  {
+    double size = 0;
+    for (const double alpha_1 : grid.lines[0])
+      size = std::max(
+        size,
+        surface->evaluate(Point<2>(alpha_1, grid.lines[1][0])).position.norm());
+
+    for (unsigned int i = 0; i < grid.lines[0].size(); ++i)
+      for (const double alpha_2 : grid.lines[1])
+        {
+          const double                 alpha_1 = grid.lines[0][i];
+          const std::array<double, 2> &faces   = line_faces[i];
+          const SurfacePoint           point =
+            surface->evaluate(Point<2>(alpha_1, alpha_2));
+          const std::string where =
+            "alpha_1 = " +
+            number_to_string(alpha_1 / surface->coordinate_unit(0));
+
+          if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
+            throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +
+                             where + ", where the radius of the surface is " +
+                             number_to_string(point.lame[1]) +
+                             ", but the surface must keep clear of its axis "
+                             "(A_2 > 0).");
+
+          const ThicknessMetric metric(point.curvature, faces);
+          for (unsigned int face = 0; face < 2; ++face)
+            for (unsigned int a = 0; a < 2; ++a)
+              if (!(metric.zeta[face][a] > 0))
+                throw InputError(
+                  "the entry 'Laminate/Plies' puts a face at " +
+                  number_to_string(faces[face]) +
+                  " from the reference surface, but at " + where +
+                  " it must stay nearer than the center of curvature, " +
+                  number_to_string(1 / std::abs(point.curvature[a])) +
+                  " away.");
+        }
   }
 
 
@@ -163,6 +188,12 @@ namespace Biface
       return alpha;
     };
 
+    const auto line_of = [&](const double alpha_1) {
+      const auto &lines = grid.lines[0];
+      return std::lower_bound(lines.begin(), lines.end(), alpha_1) -
+             lines.begin();
+    };
+
     const auto add_node =
       [&](const DoFHandler<2, 3>::active_cell_iterator &cell,
           const unsigned int                            v,
@@ -173,6 +204,7 @@ namespace Biface
 
         Node node;
         node.alpha   = chart_point(cell->vertex(v), center);
+        node.faces   = line_faces[line_of(node.alpha[0])];
         node.surface = surface->evaluate(node.alpha);
         for (unsigned int i = 0; i < 6; ++i)
           node.dofs[i] = cell->vertex_dof_index(v, i);
@@ -228,8 +260,11 @@ namespace Biface
 
         Cell local;
         local.nodes = cell_nodes;
+        local.strip = line_of(nodes[cell_nodes[0]].alpha[0]);
+        std::array<std::array<double, 2>, 4> faces;
         for (unsigned int v = 0; v < 4; ++v)
           {
+            faces[v] = nodes[cell_nodes[v]].faces;
             for (unsigned int i = 0; i < 6; ++i)
               local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
           }
@@ -274,7 +309,7 @@ namespace Biface
                                     const Node        &node,
                                     const unsigned int face) const
   {
-    return node.surface.position + faces[face] * node.surface.frame[2] +
+    return node.surface.position + node.faces[face] * node.surface.frame[2] +
            node.surface.from_frame(displacement(V, node, face));
   }
 

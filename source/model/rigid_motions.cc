@@ -67,10 +67,10 @@ namespace Biface
                 continue;
               const auto value = [&](const unsigned int motion,
                                      const unsigned int dof) {
-                const Tensor<1, 3> x = (node.surface.position - center +
-                                        discretization.get_faces()[dof % 2] *
-                                          node.surface.frame[2]) /
-                                       size;
+                const Tensor<1, 3> x =
+                  (node.surface.position - center +
+                   node.faces[dof % 2] * node.surface.frame[2]) /
+                  size;
                 return displacement(motion, x) * node.surface.frame[dof / 2];
               };
 

@@ -14,23 +14,25 @@ namespace Biface
   using namespace dealii;
 
   ShellEquations::ShellEquations(const Discretization    &discretization,
-                                 const Laminate          &laminate,
                                  const ContactConditions &contact,
                                  const DeadLoads         &dead_loads,
                                  const PressureKind       pressure_kind)
     : discretization(discretization)
-    , stiffness(laminate.stiffness())
-    , symmetric_stiffness(laminate.is_symmetric())
     , pressure_kind(pressure_kind)
     , contact(contact)
-    , initial_resultants(discretization.cells.size(),
-                         Modes::constant(laminate.initial_resultants()))
     , constraints(discretization.constraints)
     , dead_load(dead_loads.assemble(discretization))
     , unit_pressure(assemble_unit_pressure(discretization))
     , rhs(discretization.owned_vector())
     , adder(discretization, constraints, matrix)
-  {}
+  {
+    for (const Strip &strip : discretization.strips)
+      stiffness.emplace_back(strip.laminate.stiffness());
+    symmetric_stiffness = discretization.strips[0].laminate.is_symmetric();
+    for (const Cell &cell : discretization.cells)
+      initial_resultants.push_back(Modes::constant(
+        discretization.strips[cell.strip].laminate.initial_resultants()));
+  }
 
 
   State
@@ -76,9 +78,10 @@ namespace Biface
 
     // the residual is that of the displacements, the tangent that of the
     // current resultants: see NewtonIteration::mixed
-    const Modes::Vector H = stiffness.resultants(element.strain());
-    element.tangent(
-      stiffness, base.resultants[c] + initial_resultants[c], equations.tangent);
+    const Modes::Vector H = stiffness_of(cell).resultants(element.strain());
+    element.tangent(stiffness_of(cell),
+                    base.resultants[c] + initial_resultants[c],
+                    equations.tangent);
     MixedElement::NodalVector force =
       element.internal_force(H, initial_resultants[c]);
 
@@ -256,7 +259,7 @@ namespace Biface
             const MixedElement element(
               cell.geometry,
               discretization.cell_values(state.displacement, cell));
-            state.resultants[c] = stiffness.resultants(
+            state.resultants[c] = stiffness_of(cell).resultants(
               element.strain() +
               element.strain_variation(
                 discretization.cell_values(ghosted_increment, cell)));
@@ -285,12 +288,12 @@ namespace Biface
             const auto V_0 = discretization.cell_values(
               linearization_point->displacement, cell);
             const MixedElement element(cell.geometry, V_0);
-            state.resultants[c] = stiffness.resultants(
+            state.resultants[c] = stiffness_of(cell).resultants(
               element.strain() + element.strain_variation(V - V_0));
           }
         else
-          state.resultants[c] =
-            stiffness.resultants(MixedElement(cell.geometry, V).strain());
+          state.resultants[c] = stiffness_of(cell).resultants(
+            MixedElement(cell.geometry, V).strain());
       }
   }
 
@@ -404,10 +407,11 @@ namespace Biface
         const MixedElement element(
           cell.geometry, discretization.cell_values(state.displacement, cell));
         const Modes::Vector E = element.strain();
-        energy += cell.geometry.weight *
-                  (Modes::mean_product(stiffness.resultants(E), E) / 2 +
-                   Modes::mean_product(initial_resultants[c],
-                                       element.nonlinear_strain()));
+        energy +=
+          cell.geometry.weight *
+          (Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2 +
+           Modes::mean_product(initial_resultants[c],
+                               element.nonlinear_strain()));
       }
     return Utilities::MPI::sum(energy, discretization.communicator);
   }

@@ -202,8 +202,7 @@ namespace Biface
           const Point<3> x = discretization.deformed_position(
             state.displacement, node, Resultants::outer);
           const double pressure = equations.pressure(state, report.loads, n);
-          const ThicknessMetric metric(node.surface.curvature,
-                                       discretization.get_faces());
+          const ThicknessMetric metric(node.surface.curvature, node.faces);
           rows.push_back({chart_coordinate(surface, node, 0),
                           chart_coordinate(surface, node, 1),
                           x[0],

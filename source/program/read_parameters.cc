@@ -355,18 +355,37 @@ namespace Biface
     for (const auto &source : sources)
       parse(prm, source.first, source.second, false);
 
+    // absolute, so that the parameters as written find the files, too
+    const auto absolute = [&](const std::string &name) {
+      return std::filesystem::absolute(
+               std::filesystem::path(file_name).parent_path() / name)
+        .string();
+    };
     std::string &points_file = parameters.surface.points_file;
     if (!points_file.empty())
       {
-        // absolute, so that the parameters as written find it, too
-        points_file =
-          std::filesystem::absolute(
-            std::filesystem::path(file_name).parent_path() / points_file)
-            .string();
+        points_file = absolute(points_file);
         prm.enter_subsection("Surface");
         prm.enter_subsection("Points");
         prm.set("File", points_file);
         prm.leave_subsection();
+        prm.leave_subsection();
+      }
+    std::string &tables = parameters.laminate.tables;
+    if (!tables.empty())
+      {
+        std::string list;
+        for (const std::string &text :
+             Utilities::split_string_list(tables, ','))
+          {
+            const auto item = split_named(
+              "Laminate/Tables", text, "each table is written 'name: file'");
+            list += (list.empty() ? "" : ", ") + item.first + ": " +
+                    absolute(item.second);
+          }
+        tables = list;
+        prm.enter_subsection("Laminate");
+        prm.set("Tables", list);
         prm.leave_subsection();
       }
 

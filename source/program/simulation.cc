@@ -14,17 +14,18 @@ namespace Biface
   {
     std::unique_ptr<const Discretization>
     make_discretization(const Parameters &parameters,
-                        const Laminate   &laminate,
                         const MPI_Comm    communicator)
     {
       std::unique_ptr<const ReferenceSurface> surface =
         make_surface(parameters.surface, communicator);
-      const ChartGrid               grid(parameters.mesh, *surface);
+      const ChartGrid grid(parameters.mesh, *surface);
+      const Layup     layup(
+        parameters.laminate, parameters.materials, communicator);
       const std::vector<NamedPoint> points = parameters.points.parse(*surface);
       return std::make_unique<const Discretization>(communicator,
                                                     std::move(surface),
                                                     grid,
-                                                    laminate.faces(),
+                                                    layup,
                                                     parameters.supports,
                                                     points);
     }
@@ -37,14 +38,10 @@ namespace Biface
     : parameters(parameters)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
-    , laminate(parameters.laminate, parameters.materials)
-    , discretization(make_discretization(parameters, laminate, communicator))
+    , discretization(make_discretization(parameters, communicator))
     , contact(parameters.contact)
-    , equations(*discretization,
-                laminate,
-                contact,
-                parameters.loads,
-                parameters.pressure_kind)
+    , equations(
+        *discretization, contact, parameters.loads, parameters.pressure_kind)
     , linear_solver(communicator, timer)
     , state(equations.initial_state())
   {

@@ -69,8 +69,6 @@ namespace Biface
                 const NewtonIteration iteration)
   {
     const Discretization &discretization = equations.discretization;
-    const double          thickness =
-      discretization.get_faces()[1] - discretization.get_faces()[0];
 
     NewtonResult result;
     Loads        loads       = path.loads(fraction);
@@ -109,7 +107,8 @@ namespace Biface
         // a condition on the path needs an iteration to be satisfied
         const bool at_rest =
           (result.iterations == 0 ? path.control == nullptr : n_changes == 0);
-        const double small = parameters.update_tolerance * thickness;
+        const double small =
+          parameters.update_tolerance * discretization.thickness();
         if (at_rest &&
             equations.support_violation() <=
               std::max(small, 1e-12 * discretization.size()) &&

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
@@ -106,40 +102,5 @@ namespace Biface
   SplineCurve::coordinate_unit() const
   {
     return 1;
-  }
-
-
-  std::vector<Point<2>>
-  parse_curve_points(const std::string &text, const std::string &name)
-  {
-    const std::string form =
-      "each line must hold two numbers, 'radius, axial coordinate'";
-
-    std::vector<Point<2>> points;
-    std::istringstream    lines(text);
-    std::string           line;
-    bool                  header_allowed = true;
-    for (unsigned int number = 1; std::getline(lines, line); ++number)
-      {
-        line = Utilities::trim(line);
-        if (line.empty() || line[0] == '#')
-          continue;
-        const std::vector<std::string> cells =
-          Utilities::split_string_list(line, ',');
-        const std::string entry = name + ", line " + std::to_string(number);
-        if (header_allowed && cells.size() == 2 && !cells[0].empty() &&
-            std::isalpha(static_cast<unsigned char>(cells[0][0])) &&
-            cells[0] != "nan" && cells[0] != "inf")
-          {
-            header_allowed = false;
-            continue;
-          }
-        header_allowed = false;
-        if (cells.size() != 2)
-          throw InputError(entry, line, form);
-        points.emplace_back(parse_number(entry, cells[0], form),
-                            parse_number(entry, cells[1], form));
-      }
-    return points;
   }
 } // namespace Biface

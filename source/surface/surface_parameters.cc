@@ -67,9 +67,9 @@ namespace Biface
                                "",
                                "the meridian 'points' needs a file");
             return std::make_shared<SplineCurve>(
-              parse_curve_points(
-                read_file(parameters.points_file, communicator),
-                parameters.points_file),
+              parse_pairs(read_file(parameters.points_file, communicator),
+                          parameters.points_file,
+                          "radius, axial coordinate"),
               parameters.points_file);
         }
       Assert(false, ExcInternalError());

@@ -4,7 +4,7 @@
 // force, tangent and energy of an independent implementation.
 
 #include <biface/element/mixed_element.h>
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 
 #include "one_cell.h"
 #include <boost/property_tree/json_parser.hpp>
@@ -70,11 +70,12 @@ main()
     return numbers_of(reference.get_child(name));
   };
 
-  Laminate::Parameters parameters;
-  const Laminate       laminate(parameters, cord_ply());
-  const auto           D  = laminate.stiffness();
-  parameters.law          = ThicknessLaw::asymmetric;
-  const auto D_asymmetric = Laminate(parameters, cord_ply()).stiffness();
+  Layup::Parameters parameters;
+  const Laminate    laminate = Layup(parameters, cord_ply()).laminate(0);
+  const auto        D        = laminate.stiffness();
+  parameters.law             = ThicknessLaw::asymmetric;
+  const auto D_asymmetric =
+    Layup(parameters, cord_ply()).laminate(0).stiffness();
 
   std::vector<double> entries, entries_asymmetric;
   for (unsigned int i = 0; i < Resultants::n; ++i)

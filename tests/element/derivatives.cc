@@ -4,7 +4,7 @@
 // element are the derivatives of the strains, the energy and the internal
 // force.
 
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 
 #include "one_cell.h"
 #include <cord_ply.h>
@@ -56,9 +56,10 @@ namespace
            const ThicknessLaw     law,
            const bool             with_initial_resultants)
   {
-    Laminate::Parameters parameters;
+    Layup::Parameters parameters;
     parameters.law = law;
-    const ModeStiffness stiffness(Laminate(parameters, cord_ply()).stiffness());
+    const ModeStiffness stiffness(
+      Layup(parameters, cord_ply()).laminate(0).stiffness());
 
     const double      step = 1e-4;
     const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(1, 2);
@@ -116,9 +117,16 @@ namespace
 int
 main()
 {
-  const Laminate        laminate(Laminate::Parameters(), cord_ply());
-  const ElementGeometry geometry =
-    make_cells(torus(), {{"40:45:1", "10:15:1"}}, laminate.faces())[0].geometry;
+  const Laminate laminate = Layup(Layup::Parameters(), cord_ply()).laminate(0);
+  const std::array<std::string, 2> cell{{"40:45:1", "10:15:1"}};
+  const ElementGeometry            geometry =
+    make_cells(torus(), cell, laminate.faces())[0].geometry;
+  // faces that rise over the reference surface, both
+  const ElementGeometry tapered =
+    make_cells(torus(), cell, Faces([](const double alpha_1) {
+                 return std::array<double, 2>{{-3 * alpha_1, 2 + 4 * alpha_1}};
+               }))[0]
+      .geometry;
 
   test_strain(geometry);
   const std::string names[] = {"symmetric", "asymmetric", "full"};
@@ -131,4 +139,8 @@ main()
                   << std::endl;
         test_law(geometry, law, with_initial_resultants);
       }
+
+  std::cout << "tapered" << std::endl;
+  test_strain(tapered);
+  test_law(tapered, ThicknessLaw::symmetric, true);
 }

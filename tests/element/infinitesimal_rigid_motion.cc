@@ -4,7 +4,7 @@
 // with the fourth power of the size of the cells: its strains are of second
 // order.
 
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 
 #include "one_cell.h"
 #include <cord_ply.h>
@@ -22,7 +22,8 @@ namespace
                   const Tensor<1, 3> &translation,
                   const Tensor<1, 3> &rotation)
   {
-    const Laminate      laminate(Laminate::Parameters(), cord_ply());
+    const Laminate laminate =
+      Layup(Layup::Parameters(), cord_ply()).laminate(0);
     const ModeStiffness stiffness(laminate.stiffness());
 
     double energy = 0, scale = 0;

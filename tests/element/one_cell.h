@@ -9,6 +9,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,12 +39,16 @@ struct TestCell
 };
 
 
-/** The cells of a grid on a surface; see Biface::ChartGrid for the intervals,
- * and Biface::Laminate::faces(). */
+/** Biface::Laminate::faces() by the first coordinate. */
+using Faces = std::function<std::array<double, 2>(const double alpha_1)>;
+
+
+/** The cells of a grid on a surface; see Biface::ChartGrid for the intervals.
+ */
 inline std::vector<TestCell>
 make_cells(const Biface::ReferenceSurface   &surface,
            const std::array<std::string, 2> &intervals,
-           const std::array<double, 2>      &faces)
+           const Faces                      &faces)
 {
   using namespace dealii;
 
@@ -66,18 +71,31 @@ make_cells(const Biface::ReferenceSurface   &surface,
     {
       at_vertices.reinit(cell);
       at_center.reinit(cell);
-      TestCell result;
-      result.geometry = Biface::compute_element_geometry(
-        at_vertices, at_center, surface, faces);
+      TestCell                             result;
+      std::array<std::array<double, 2>, 4> faces_at_vertices;
       for (unsigned int v = 0; v < 4; ++v)
         {
           result.vertices[v] = cell->vertex_index(v);
           result.points[v] =
             surface.evaluate(surface.pull_back(cell->vertex(v)));
+          faces_at_vertices[v] = faces(surface.pull_back(cell->vertex(v))[0]);
         }
+      result.geometry = Biface::compute_element_geometry(
+        at_vertices, at_center, surface, faces_at_vertices);
       cells.push_back(result);
     }
   return cells;
+}
+
+
+/** The same, of constant thickness. */
+inline std::vector<TestCell>
+make_cells(const Biface::ReferenceSurface   &surface,
+           const std::array<std::string, 2> &intervals,
+           const std::array<double, 2>      &faces)
+{
+  return make_cells(
+    surface, intervals, Faces([faces](const double) { return faces; }));
 }
 
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material.h>
 
 #include "one_cell.h"
 #include <tests.h>

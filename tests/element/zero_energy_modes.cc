@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material.h>
 
 #include "one_cell.h"
 #include <tests.h>

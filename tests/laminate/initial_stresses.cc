@@ -3,7 +3,7 @@
 // Initial ply stresses give the resultants of their integrals with the shape
 // functions of the faces, in the axes of the shell.
 
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 
 #include <cord_ply.h>
 #include <tests.h>
@@ -19,7 +19,7 @@ namespace
        const std::string         &stresses,
        const std::vector<double> &tangential)
   {
-    Laminate::Parameters parameters;
+    Layup::Parameters parameters;
     parameters.plies            = plies;
     parameters.initial_stresses = stresses;
     Resultants::Vector expected;
@@ -27,7 +27,9 @@ namespace
       expected[i] = tangential[i];
     check_small(
       what,
-      (Laminate(parameters, cord_ply()).initial_resultants() - expected).norm(),
+      (Layup(parameters, cord_ply()).laminate(0).initial_resultants() -
+       expected)
+        .norm(),
       1e-13);
   }
 } // namespace

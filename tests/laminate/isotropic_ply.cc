@@ -5,6 +5,7 @@
 // by (1-nu)^2/(1-2nu).
 
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material.h>
 
 #include <tests.h>
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/material.h>
 
 #include <tests.h>
 

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/shell_equations.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
@@ -15,7 +15,7 @@
 /** A section of the bias tire's torus on a coarse, uneven grid, held at its
  * edges of the first coordinate. */
 inline std::unique_ptr<Biface::Discretization>
-coarse_torus(const Biface::Laminate &laminate)
+coarse_torus(const Biface::Layup &layup)
 {
   using namespace Biface;
 
@@ -28,7 +28,7 @@ coarse_torus(const Biface::Laminate &laminate)
   parameters.closed    = false;
   const ChartGrid grid(parameters, *surface);
   return std::make_unique<Discretization>(
-    MPI_COMM_WORLD, std::move(surface), grid, laminate.faces(), supports);
+    MPI_COMM_WORLD, std::move(surface), grid, layup, supports);
 }
 
 

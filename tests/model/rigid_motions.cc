@@ -12,6 +12,7 @@
 #include <biface/surface/surface_of_revolution.h>
 
 #include "../tests.h"
+#include <cord_ply.h>
 
 using namespace dealii;
 using namespace Biface;
@@ -37,13 +38,13 @@ namespace
     supports.edges  = edges;
     supports.points = support;
 
-    const Discretization discretization(MPI_COMM_WORLD,
-                                        std::move(surface),
-                                        grid,
-                                        {{-0.1, 0.1}},
-                                        supports,
-                                        parsed);
-    const auto           motions = free_rigid_motions(discretization);
+    Layup::Parameters layup_parameters;
+    layup_parameters.plies     = "cord: 0.2 @ 0";
+    layup_parameters.reference = "middle";
+    const Layup          layup(layup_parameters, cord_ply());
+    const Discretization discretization(
+      MPI_COMM_WORLD, std::move(surface), grid, layup, supports, parsed);
+    const auto motions = free_rigid_motions(discretization);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         std::cout << what << ':' << std::endl;

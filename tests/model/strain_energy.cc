@@ -15,14 +15,14 @@ namespace
   void
   test(const std::string &name, const ThicknessLaw law)
   {
-    Laminate::Parameters parameters;
+    Layup::Parameters parameters;
     parameters.law              = law;
     parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
-    const Laminate          laminate(parameters, cord_ply());
-    const auto              discretization = coarse_torus(laminate);
+    const Layup             layup(parameters, cord_ply());
+    const auto              discretization = coarse_torus(layup);
     const ContactConditions contact{ContactConditions::Parameters()};
 
-    ShellEquations equations(*discretization, laminate, contact);
+    ShellEquations equations(*discretization, contact);
     State          state = at(equations,
                      equations.initial_state(),
                      some_displacement(*discretization, 0.2, 1));

@@ -17,12 +17,14 @@ namespace
        const ThicknessLaw   law,
        const MultiplierMass mass,
        const StrainTheory   theory,
-       const PressureKind   pressure = PressureKind::dead)
+       const PressureKind   pressure = PressureKind::dead,
+       const std::string   &plies    = Layup::Parameters().plies)
   {
-    Laminate::Parameters parameters;
-    parameters.law = law;
-    const Laminate laminate(parameters, cord_ply());
-    const auto     discretization = coarse_torus(laminate);
+    Layup::Parameters parameters;
+    parameters.plies = plies;
+    parameters.law   = law;
+    const Layup layup(parameters, cord_ply());
+    const auto  discretization = coarse_torus(layup);
 
     // a foundation as soft as the shell, so that neither hides the other
     ContactConditions::Parameters contact_parameters;
@@ -31,12 +33,11 @@ namespace
     contact_parameters.normal         = Tensor<1, 3>({1, 0.2, -0.1});
     const ContactConditions contact(contact_parameters);
 
-    ShellEquations equations(
-      *discretization, laminate, contact, DeadLoads(), pressure);
-    State      state      = at(equations,
+    ShellEquations equations(*discretization, contact, DeadLoads(), pressure);
+    State          state      = at(equations,
                      equations.initial_state(),
                      some_displacement(*discretization, 0.2, 1));
-    const auto resultants = state.resultants;
+    const auto     resultants = state.resultants;
     equations.take_as_prestress(state);
 
     // the prestress stays, and is in equilibrium with what is not listed
@@ -150,4 +151,11 @@ main(int argc, char *argv[])
        MultiplierMass::lumped,
        StrainTheory::linear,
        PressureKind::follower);
+  test("plies that change along the meridian",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear,
+       PressureKind::follower,
+       "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
+       "cord: 1 @ 52 from -38 to 28");
 }

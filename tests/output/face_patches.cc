@@ -23,10 +23,10 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const Laminate          laminate(Laminate::Parameters(), cord_ply());
-  const auto              discretization = coarse_torus(laminate);
+  const Layup             layup(Layup::Parameters(), cord_ply());
+  const auto              discretization = coarse_torus(layup);
   const ContactConditions contact{ContactConditions::Parameters()};
-  const ShellEquations    equations(*discretization, laminate, contact);
+  const ShellEquations    equations(*discretization, contact);
   State                   state = equations.initial_state();
   state.displacement            = some_displacement(*discretization, 3, 1);
 

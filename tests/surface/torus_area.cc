@@ -13,6 +13,7 @@
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 
+#include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -31,11 +32,15 @@ main(int argc, char *argv[])
   parameters.intervals = {{"-120:-15:5:0.8, -15:60:4", "-90:90:7, 90:270:5"}};
   const ChartGrid             grid(parameters, surface);
   const std::array<double, 2> faces{{-1, 5}};
-  const Discretization        discretization(
+  Layup::Parameters           layup_parameters;
+  layup_parameters.plies     = "cord: 6 @ 0";
+  layup_parameters.reference = "1";
+  const Layup          layup(layup_parameters, cord_ply());
+  const Discretization discretization(
     MPI_COMM_WORLD,
     std::make_unique<SurfaceOfRevolution>(surface),
     grid,
-    faces,
+    layup,
     Supports());
 
   // the first moment tells where the section lies

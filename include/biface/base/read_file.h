@@ -3,9 +3,12 @@
 #ifndef biface_base_read_file_h
 #define biface_base_read_file_h
 
+#include <deal.II/base/point.h>
+
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Biface
 {
@@ -15,6 +18,24 @@ namespace Biface
    */
   std::string
   read_file(const std::string &file_name, const MPI_Comm communicator);
+
+
+  /**
+   * Read pairs of numbers from the text of a CSV file, a pair a line; empty
+   * lines and lines that begin with '#' are skipped, and a first line of column
+   * names.
+   *
+   * Throws InputError, naming @p name and the line, where a line holds anything
+   * else.
+   *
+   * @param text what the file holds.
+   * @param name of the file, for error messages.
+   * @param meaning names of the two columns, for error messages.
+   */
+  std::vector<dealii::Point<2>>
+  parse_pairs(const std::string &text,
+              const std::string &name,
+              const std::string &meaning);
 } // namespace Biface
 
 #endif

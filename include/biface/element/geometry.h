@@ -35,12 +35,16 @@ namespace Biface
       std::array<dealii::Tensor<2, 3>, 2> connection;
 
       ThicknessMetric metric;
+
+      /** The shell's thickness h here. */
+      double thickness;
+
+      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: how a face rises
+       * over the reference surface. Zero where the thickness is constant. */
+      std::array<std::array<double, 2>, 2> face_slope;
     };
 
     std::array<Vertex, 4> vertices;
-
-    /** The shell's thickness h. */
-    double thickness;
 
     /**
      * The constant weight of all integrals over the element,
@@ -62,13 +66,14 @@ namespace Biface
    * update_quadrature_points, update_JxW_values.
    * @param surface the manifold of the cell, whose sides must be coordinate
    * lines.
-   * @param faces see Laminate::faces().
+   * @param faces at the vertices, see Laminate::faces(). They are taken as
+   * bilinear in the coordinates between.
    */
   ElementGeometry
   compute_element_geometry(const dealii::FEValues<2, 3> &at_vertices,
                            const dealii::FEValues<2, 3> &at_center,
                            const ReferenceSurface       &surface,
-                           const std::array<double, 2>  &faces);
+                           const std::array<std::array<double, 2>, 4> &faces);
 } // namespace Biface
 
 #endif

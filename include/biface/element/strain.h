@@ -58,7 +58,11 @@ namespace Biface
   {
     /**
      * `g[face][a]` is @f$\mathbf g_a^\pm=\mathbf v^\pm_{,a}/A_a@f$, the
-     * derivative of a face's displacement vector.
+     * derivative of a face's displacement vector, as in the paper. Where the
+     * thickness changes, a face is not parallel to the reference surface, and
+     * it is the derivative at constant @f$\alpha_3@f$ that enters the strains:
+     * @f$\mathbf v^\pm_{,a}/A_a - (\delta^\pm_{,a}/A_a)\boldsymbol\beta@f$,
+     * since the displacement is linear over the thickness.
      */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> g;
 
@@ -175,6 +179,24 @@ namespace Biface
           gg[face][2] = H[tangential(2, face)] / (zeta[0] * zeta[1]);
         }
       bb = H[thickness];
+    }
+
+    /** The coupling of the derivatives along faces that rise by
+     * @p slope[face][a] over the reference surface, in place of those at
+     * constant @f$\alpha_3@f$; see DisplacementGradient::g. */
+    GeometricCoupling
+    along_faces(const std::array<std::array<double, 2>, 2> &slope) const
+    {
+      GeometricCoupling result = *this;
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            const double coupled =
+              gg[face][a] * slope[face][a] + gg[face][2] * slope[face][1 - a];
+            result.gb[face][a] -= coupled;
+            result.bb += slope[face][a] * (coupled - 2 * gb[face][a]);
+          }
+      return result;
     }
 
     /** The coupling applied to @p u: the work-conjugate vectors of the

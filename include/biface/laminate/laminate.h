@@ -3,14 +3,11 @@
 #ifndef biface_laminate_laminate_h
 #define biface_laminate_laminate_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
-#include <biface/laminate/material_parameters.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -41,7 +38,7 @@ namespace Biface
   };
 
 
-  /** One ply. */
+  /** One ply, where it is at hand. */
   struct Ply
   {
     /** Stiffness in the ply's own axes. Unit: force/area. */
@@ -52,37 +49,30 @@ namespace Biface
     double angle;
     /** Initial stress in the ply's own axes. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> initial_stress;
+    /** Its place in the layup, counted from 0 at the inner face. */
+    unsigned int number = 0;
   };
 
 
   /**
-   * A stack of plies, inner ply first, integrated over the thickness with the
-   * linear shape functions @f$N^\pm@f$ of the two faces.
+   * A stack of plies at one place of the shell, inner ply first, integrated
+   * over the thickness with the linear shape functions @f$N^\pm@f$ of the two
+   * faces.
    */
   class Laminate
   {
   public:
-    struct Parameters
-    {
-      std::string  plies = "cord: 1.2 @ 52, cord: 1.2 @ -52, "
-                           "cord: 1.2 @ 52, cord: 1.2 @ -52";
-      std::string  initial_stresses;
-      ThicknessLaw law       = ThicknessLaw::symmetric;
-      std::string  reference = "inner";
-
-      void
-      add_parameters(dealii::ParameterHandler &prm);
-    };
-
-    /** Throws InputError where the plies are not usable, or name a material
-     * that is not in @p materials. */
-    Laminate(const Parameters                      &parameters,
-             const std::vector<MaterialParameters> &materials);
-
-    /** @param reference_height see reference_height(). */
+    /** @param reference_height where the reference surface lies, from the
+     * inner face. Unit: length. */
     Laminate(std::vector<Ply>   plies,
              const ThicknessLaw law,
              const double       reference_height);
+
+    const std::vector<Ply> &
+    get_plies() const
+    {
+      return plies;
+    }
 
     /** The total thickness h. Unit: length. */
     double
@@ -110,15 +100,39 @@ namespace Biface
     Resultants::Vector
     initial_resultants() const;
 
+    /**
+     * The strains at the height @p z above the inner face, in the frame of the
+     * shell, from those of the faces and the thickness strain @p E. Where the
+     * thickness stress is eliminated, the thickness strain is the one that
+     * gives it.
+     *
+     * @param E in the order of Resultants.
+     * @param ply position in get_plies().
+     */
+    dealii::SymmetricTensor<2, 3>
+    strain(const Resultants::Vector &E,
+           const unsigned int        ply,
+           const double              z) const;
+
+    /** The stresses that belong to strain(), without initial ones. Unit:
+     * force/area. */
+    dealii::SymmetricTensor<2, 3>
+    stress(const Resultants::Vector &E,
+           const unsigned int        ply,
+           const double              z) const;
+
     /** Whether stiffness() is symmetric. */
     bool
     is_symmetric() const;
 
   private:
-    std::vector<Ply>   plies;
-    const ThicknessLaw law;
-    /** Where the reference surface lies, from the inner face. */
-    const double reference_height;
+    /** Where the thickness stress is constant: its value. */
+    double
+    thickness_stress(const Resultants::Vector &E) const;
+
+    std::vector<Ply> plies;
+    ThicknessLaw     law;
+    double           reference_height;
   };
 } // namespace Biface
 

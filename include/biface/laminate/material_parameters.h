@@ -5,8 +5,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 
+#include <biface/laminate/failure.h>
 #include <biface/laminate/material.h>
 
 namespace Biface
@@ -28,6 +30,7 @@ namespace Biface
     double      E_1 = 0, E_2 = 0, E_3 = 0;
     double      G_12 = 0, G_13 = 0, G_23 = 0;
     double      nu_12 = 0, nu_13 = 0, nu_23 = 0;
+    Strengths   strengths;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -39,6 +42,11 @@ namespace Biface
      */
     dealii::SymmetricTensor<4, 3>
     stiffness() const;
+
+    /** The strengths, where they are given. Throws InputError where some of
+     * them are and others are not. */
+    std::optional<Strengths>
+    get_strengths() const;
   };
 } // namespace Biface
 

@@ -20,6 +20,7 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/element/geometry.h>
 #include <biface/element/mixed_element.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/named_points.h>
 #include <biface/model/supports.h>
 #include <biface/surface/chart_grid.h>
@@ -35,6 +36,9 @@ namespace Biface
     dealii::Point<2> alpha;
 
     SurfacePoint surface;
+
+    /** @f$\delta^-,\delta^+@f$, see Laminate::faces(). */
+    std::array<double, 2> faces;
 
     /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     std::array<dealii::types::global_dof_index, 6> dofs;
@@ -53,7 +57,19 @@ namespace Biface
     std::array<dealii::types::global_dof_index, MixedElement::n_dofs> dofs;
     /** Positions in Discretization::nodes. */
     std::array<unsigned int, 4> nodes;
-    ElementGeometry             geometry;
+    /** Position in Discretization::strips. */
+    unsigned int    strip;
+    ElementGeometry geometry;
+  };
+
+
+  /** The plies between two lines of the first coordinate. */
+  struct Strip
+  {
+    /** In the middle: those that give the cells their stiffness. */
+    Laminate laminate;
+    /** The same plies at both lines. */
+    std::array<Laminate, 2> at_lines;
   };
 
 
@@ -83,7 +99,7 @@ namespace Biface
 
   /**
    * The mesh with its degrees of freedom: what is fixed once the surface, the
-   * grid, the faces and the supports are known.
+   * grid, the plies and the supports are known.
    *
    * Cells and nodes are plain arrays, filled once, so that what runs in every
    * iteration walks through memory in order. Each rank has the cells it owns
@@ -93,16 +109,14 @@ namespace Biface
   {
   public:
     /**
-     * @param faces see Laminate::faces().
-     *
-     * Throws InputError where @f$A_2@f$ vanishes within the grid, where a face
-     * lies beyond a center of curvature, or where an edge that does not exist
-     * is supported.
+     * Throws InputError where @f$A_2@f$ vanishes within the grid, where plies
+     * have no positive thickness or a face lies beyond a center of curvature,
+     * or where an edge that does not exist is supported.
      */
     Discretization(const MPI_Comm                          communicator,
                    std::unique_ptr<const ReferenceSurface> surface,
                    const ChartGrid                        &grid,
-                   const std::array<double, 2>            &faces,
+                   const Layup                            &layup,
                    const Supports                         &supports,
                    const std::vector<NamedPoint>          &points = {});
 
@@ -110,6 +124,9 @@ namespace Biface
 
     std::vector<Cell> cells;
     std::vector<Node> nodes;
+
+    /** By the lines of the first coordinate, rising. */
+    std::vector<Strip> strips;
 
     /** Nodes that share a cell with the node of the same position, itself
      * included. Complete for locally owned nodes. */
@@ -140,11 +157,11 @@ namespace Biface
       return dof_handler;
     }
 
-    /** See Laminate::faces(). */
-    const std::array<double, 2> &
-    get_faces() const
+    /** The shell's greatest thickness. Unit: length. */
+    double
+    thickness() const
     {
-      return faces;
+      return greatest_thickness;
     }
 
     /** Displacements that are not given by supports. */
@@ -219,6 +236,13 @@ namespace Biface
 
   private:
     void
+    make_strips(const ChartGrid &grid, const Layup &layup);
+
+    /** Check that the surface and both faces are regular at all grid points. */
+    void
+    check_geometry(const ChartGrid &grid) const;
+
+    void
     collect_cells_and_nodes(const ChartGrid &grid);
 
     void
@@ -227,14 +251,17 @@ namespace Biface
     void
     make_constraints(const Supports &supports);
 
-    const std::array<double, 2>                   faces;
     std::unique_ptr<const ReferenceSurface>       surface;
     dealii::parallel::shared::Triangulation<2, 3> triangulation;
     const dealii::MappingManifold<2, 3>           mapping;
     const dealii::FESystem<2, 3>                  fe;
     dealii::DoFHandler<2, 3>                      dof_handler;
-    dealii::types::global_dof_index               n_free   = 0;
-    double                                        diameter = 0;
+    dealii::types::global_dof_index               n_free             = 0;
+    double                                        diameter           = 0;
+    double                                        greatest_thickness = 0;
+    /** Laminate::faces() on each line of the first coordinate: where a ply
+     * ends there, the mean of both sides. */
+    std::vector<std::array<double, 2>> line_faces;
     /** Nodes of this rank on the shell's edges. */
     std::array<std::set<unsigned int>, 4> edge_nodes;
     /** Of each named point. */

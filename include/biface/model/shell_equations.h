@@ -9,7 +9,6 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/contact_conditions.h>
 #include <biface/element/modes.h>
-#include <biface/laminate/laminate.h>
 #include <biface/model/cell_matrix_adder.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/discretization.h>
@@ -28,7 +27,6 @@ namespace Biface
     /** The discretization and the contact conditions are kept by reference.
      * Throws InputError where the dead loads are not usable. */
     ShellEquations(const Discretization    &discretization,
-                   const Laminate          &laminate,
                    const ContactConditions &contact,
                    const DeadLoads         &dead_loads    = DeadLoads(),
                    const PressureKind       pressure_kind = PressureKind::dead);
@@ -178,10 +176,17 @@ namespace Biface
                 const Cell    &cell,
                 CellEquations &equations) const;
 
-    const ModeStiffness      stiffness;
-    const bool               symmetric_stiffness;
-    const PressureKind       pressure_kind;
-    const ContactConditions &contact;
+    const ModeStiffness &
+    stiffness_of(const Cell &cell) const
+    {
+      return stiffness[cell.strip];
+    }
+
+    /** By Discretization::strips. */
+    std::vector<ModeStiffness> stiffness;
+    bool                       symmetric_stiffness;
+    const PressureKind         pressure_kind;
+    const ContactConditions   &contact;
 
     /** Initial resultants of each locally owned cell. */
     std::vector<Modes::Vector> initial_resultants;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <biface/contact/contact_conditions.h>
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/named_points.h>
@@ -31,7 +31,7 @@ namespace Biface
   {
     SurfaceParameters               surface;
     ChartGrid::Parameters           mesh;
-    Laminate::Parameters            laminate;
+    Layup::Parameters               laminate;
     NamedPoints                     points;
     std::vector<MaterialParameters> materials;
     Supports                        supports;

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include <biface/contact/contact_conditions.h>
-#include <biface/laminate/laminate.h>
 #include <biface/model/discretization.h>
 #include <biface/model/shell_equations.h>
 #include <biface/program/parameters.h>
@@ -68,7 +67,6 @@ namespace Biface
     const Parameters                            parameters;
     dealii::ConditionalOStream                  out;
     dealii::TimerOutput                         timer;
-    const Laminate                              laminate;
     const std::unique_ptr<const Discretization> discretization;
     const ContactConditions                     contact;
     ShellEquations                              equations;

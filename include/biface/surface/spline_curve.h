@@ -58,17 +58,6 @@ namespace Biface
     std::unique_ptr<dealii::Functions::CSpline<1>> axial;
   };
 
-
-  /**
-   * Read the points of a curve from the text of a CSV file: two numbers a line,
-   * radius and axial coordinate; empty lines and lines that begin with '#' are
-   * skipped, and a first line of column names.
-   *
-   * Throws InputError, naming @p name and the line, where a line holds anything
-   * else.
-   */
-  std::vector<dealii::Point<2>>
-  parse_curve_points(const std::string &text, const std::string &name);
 } // namespace Biface
 
 #endif

@@ -36,7 +36,7 @@ namespace Biface
     MeridianType             meridian = MeridianType::circular_arc;
     CircularArc::Parameters  circular_arc;
     StraightLine::Parameters straight_line;
-    /** A CSV file, see parse_curve_points(). */
+    /** A CSV file, see parse_pairs(). */
     std::string points_file;
 
     void

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+#include <biface/base/formula.h>
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+
+#include <muParser.h>
+
+namespace Biface
+{
+  struct Formula::Parser
+  {
+    mu::Parser parser;
+    /** Where the parser reads the variables. */
+    mutable std::vector<double> values;
+  };
+
+
+  Formula::Formula(const std::string              &entry,
+                   const std::string              &text,
+                   const std::vector<std::string> &variables)
+    : entry(entry), text(text), variables(variables)
+  {
+    const auto new_parser = std::make_shared<Parser>();
+    new_parser->values.resize(variables.size());
+
+    std::string names;
+    for (const std::string &name : variables)
+      names += (names.empty() ? "" : ", ") + name;
+    const std::string allowed =
+      "it must be a number or a formula" +
+      (names.empty() ? std::string() : " of " + names);
+    try
+      {
+        mu::Parser &p = new_parser->parser;
+        p.DefineConst("pi", dealii::numbers::PI);
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          p.DefineVar(variables[i], &new_parser->values[i]);
+        p.SetExpr(text);
+        int n_values = 0;
+        p.Eval(n_values);
+        if (n_values != 1)
+          throw InputError(entry, text, allowed);
+      }
+    catch (const mu::ParserError &error)
+      {
+        std::string reason = error.GetMsg();
+        while (!reason.empty() && reason.back() == '.')
+          reason.pop_back();
+        throw InputError(entry, text, allowed + " (" + reason + ")");
+      }
+    parser = new_parser;
+  }
+
+
+  double
+  Formula::operator()(const std::vector<double> &values) const
+  {
+    Assert(values.size() == variables.size(),
+           dealii::ExcDimensionMismatch(values.size(), variables.size()));
+    std::copy(values.begin(), values.end(), parser->values.begin());
+    const double result = parser->parser.Eval();
+    if (!std::isfinite(result))
+      {
+        std::string where;
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          where += (where.empty() ? "" : ", ") + variables[i] + " = " +
+                   number_to_string(values[i]);
+        throw InputError(
+          entry, text, "it must be a finite number, also at " + where);
+      }
+    return result;
+  }
+} // namespace Biface

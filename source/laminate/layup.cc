@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <biface/base/formula.h>
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/base/read_file.h>
+#include <biface/laminate/layup.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  Layup::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Plies",
+                      plies,
+                      "The plies, inner ply first, separated by commas, each "
+                      "as 'material: thickness @ angle', and 'from A to B' "
+                      "after it where the ply covers only that part of "
+                      "alpha_1 (from one line of the mesh to another; the "
+                      "cells on both sides of its end share the step). The "
+                      "angle is that of the material's first axis, from the "
+                      "first coordinate line (the meridian) toward the second. "
+                      "Both are numbers, or formulas of alpha_1 and of the "
+                      "'Tables', such as 1.2 + 0.01*abs(alpha_1). Units: "
+                      "length, degrees, alpha_1 as in 'Mesh'.",
+                      Patterns::Anything());
+    prm.add_parameter("Tables",
+                      tables,
+                      "Tables for the formulas of 'Plies': a list, separated "
+                      "by commas, of 'name: file'. Each CSV file has lines "
+                      "'alpha_1, value' with rising alpha_1; values between "
+                      "are interpolated linearly, and constant beyond the "
+                      "ends. The path is that from the parameter file.",
+                      Patterns::Anything());
+    prm.add_parameter("Initial ply stresses",
+                      initial_stresses,
+                      "Stresses present in the undeformed shell, one triple "
+                      "'sigma_L sigma_T tau_LT' a ply, inner ply first, "
+                      "separated by commas; empty for none. They act in the "
+                      "nonlinear part of the strains only, in equilibrium "
+                      "with loads that are not listed. Unit: force/area.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Thickness law",
+               law,
+               {"symmetric", "asymmetric", "full"},
+               "How the thickness strain enters the stiffness: 'symmetric' "
+               "(constant thickness stress, eliminated; free of locking), "
+               "'asymmetric' (the paper's, with a nonsymmetric tangent) or "
+               "'full' (three-dimensional law; locks in bending).");
+    prm.add_parameter("Reference surface",
+                      reference,
+                      "Which surface of the shell the geometry describes: "
+                      "'inner', 'middle', 'outer', 'ply N' (the outer side of "
+                      "ply N, counted from the inner face), or its distance "
+                      "from the inner face. Unit: length.",
+                      Patterns::Anything());
+  }
+
+
+  namespace
+  {
+    using Table  = Functions::InterpolatedTensorProductGridData<1>;
+    using Tables = std::map<std::string, std::shared_ptr<const Table>>;
+
+    Tables
+    read_tables(const std::string &list, const MPI_Comm communicator)
+    {
+      const std::string entry = "Laminate/Tables";
+
+      Tables tables;
+      for (const std::string &text : Utilities::split_string_list(list, ','))
+        {
+          const auto item =
+            split_named(entry, text, "each table is written 'name: file'");
+          const auto pairs = parse_pairs(read_file(item.second, communicator),
+                                         item.second,
+                                         "alpha_1, value");
+          if (pairs.size() < 2)
+            throw InputError(item.second +
+                             ": the table has less than two lines, but it "
+                             "must say what lies between.");
+
+          std::vector<double>      alpha;
+          dealii::Table<1, double> values(pairs.size());
+          for (unsigned int i = 0; i < pairs.size(); ++i)
+            {
+              if (i > 0 && !(pairs[i][0] > alpha.back()))
+                throw InputError(item.second + ": alpha_1 goes from " +
+                                 number_to_string(alpha.back()) + " to " +
+                                 number_to_string(pairs[i][0]) +
+                                 ", but it must rise.");
+              alpha.push_back(pairs[i][0]);
+              values(i) = pairs[i][1];
+            }
+          tables[item.first] = std::make_shared<const Table>(
+            std::array<std::vector<double>, 1>{{alpha}}, values);
+        }
+      return tables;
+    }
+
+
+    /** A formula of alpha_1 and of tables. */
+    std::function<double(const double)>
+    parse_function(const std::string &entry,
+                   const std::string &text,
+                   const Tables      &tables)
+    {
+      std::vector<std::string>                  names{"alpha_1"};
+      std::vector<std::shared_ptr<const Table>> functions;
+      for (const auto &table : tables)
+        {
+          names.push_back(table.first);
+          functions.push_back(table.second);
+        }
+      const Formula formula(entry, text, names);
+      return [formula, functions](const double alpha_1) {
+        std::vector<double> values{alpha_1};
+        for (const auto &function : functions)
+          values.push_back(function->value(Point<1>(alpha_1)));
+        return formula(values);
+      };
+    }
+
+
+    /** Split a text at commas, but not within parentheses. */
+    std::vector<std::string>
+    split_plies(const std::string &text)
+    {
+      std::vector<std::string> parts(1);
+      int                      depth = 0;
+      for (const char c : text)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ',' && depth <= 0)
+            parts.emplace_back();
+          else
+            parts.back() += c;
+        }
+      for (std::string &part : parts)
+        part = Utilities::trim(part);
+      return parts;
+    }
+
+
+    /** Take "from A to B" from the end of a ply's text, where it is there. */
+    void
+    take_range(const std::string &entry,
+               std::string       &angle,
+               PlyDescription    &ply)
+    {
+      const auto from = angle.find(" from ");
+      if (from == std::string::npos)
+        return;
+      const std::string form =
+        "the part it covers is written 'from A to B' with numbers A < B";
+      const std::vector<std::string> words =
+        split_words(angle.substr(from + 6));
+      if (words.size() != 3 || words[1] != "to")
+        throw InputError(entry, ply.text, form);
+      ply.begin = parse_number(entry, words[0], form);
+      ply.end   = parse_number(entry, words[2], form);
+      if (!(ply.begin < ply.end))
+        throw InputError(entry, ply.text, form);
+      angle.erase(from);
+    }
+
+
+    std::vector<PlyDescription>
+    parse_plies(const Layup::Parameters               &parameters,
+                const std::vector<MaterialParameters> &materials,
+                const Tables                          &tables)
+    {
+      const std::string entry = "Laminate/Plies";
+      const std::string form  = "each ply is written 'material: thickness @ "
+                                "angle'";
+      std::string       names;
+      for (const MaterialParameters &material : materials)
+        names += (names.empty() ? "'" : ", '") + material.name + "'";
+
+      std::vector<PlyDescription> plies;
+      for (const std::string &text : split_plies(parameters.plies))
+        {
+          PlyDescription ply;
+          ply.text         = text;
+          const auto colon = text.find(':');
+          const auto at    = text.find('@');
+          if (colon == std::string::npos || at == std::string::npos ||
+              at < colon)
+            throw InputError(entry, text, form);
+
+          ply.material = Utilities::trim(text.substr(0, colon));
+          const auto material =
+            std::find_if(materials.begin(),
+                         materials.end(),
+                         [&](const auto &m) { return m.name == ply.material; });
+          if (material == materials.end())
+            throw InputError(
+              entry, text, "its material must be one of " + names);
+          ply.stiffness = material->stiffness();
+          ply.strengths = material->get_strengths();
+
+          std::string angle = text.substr(at + 1);
+          take_range(entry, angle, ply);
+          ply.thickness = parse_function(
+            entry,
+            Utilities::trim(text.substr(colon + 1, at - colon - 1)),
+            tables);
+          const auto degrees =
+            parse_function(entry, Utilities::trim(angle), tables);
+          ply.angle = [degrees](const double alpha_1) {
+            return degrees(alpha_1) * numbers::PI / 180;
+          };
+          plies.push_back(ply);
+        }
+      return plies;
+    }
+
+
+    void
+    parse_initial_stresses(const std::string           &text,
+                           std::vector<PlyDescription> &plies)
+    {
+      const std::string entry = "Laminate/Initial ply stresses";
+      const std::string form =
+        "it must hold one triple 'sigma_L sigma_T tau_LT' a ply (" +
+        std::to_string(plies.size()) + " plies), separated by commas";
+
+      const std::vector<std::string> triples =
+        Utilities::split_string_list(text, ',');
+      if (triples.empty())
+        return;
+      if (triples.size() != plies.size())
+        throw InputError(entry, text, form);
+      for (unsigned int p = 0; p < plies.size(); ++p)
+        {
+          const std::vector<double> stress =
+            parse_numbers(entry, triples[p], 3, form);
+          plies[p].initial_stress[0][0] = stress[0];
+          plies[p].initial_stress[1][1] = stress[1];
+          plies[p].initial_stress[0][1] = stress[2];
+        }
+    }
+
+
+    /** Where the reference surface lies in given plies. */
+    std::function<double(const std::vector<Ply> &)>
+    parse_reference(const std::string &text, const unsigned int n_plies)
+    {
+      const std::string entry = "Laminate/Reference surface";
+      const std::string form =
+        "it must be 'inner', 'middle', 'outer', 'ply N' with N from 1 to " +
+        std::to_string(n_plies) + ", or a number";
+
+      // the thickness of the plies with numbers below n
+      const auto height = [](const std::vector<Ply> &plies,
+                             const unsigned int      n) {
+        double sum = 0;
+        for (const Ply &ply : plies)
+          sum += (ply.number < n ? ply.thickness : 0.);
+        return sum;
+      };
+      const auto fraction_of_thickness = [=](const double fraction) {
+        return [=](const std::vector<Ply> &plies) {
+          return fraction * height(plies, n_plies);
+        };
+      };
+
+      if (text == "inner")
+        return fraction_of_thickness(0);
+      if (text == "middle")
+        return fraction_of_thickness(0.5);
+      if (text == "outer")
+        return fraction_of_thickness(1);
+      if (text.rfind("ply ", 0) == 0)
+        {
+          const double n = parse_number(entry, text.substr(4), form);
+          if (!(n >= 1 && n <= n_plies && n == std::floor(n)))
+            throw InputError(entry, text, form);
+          return [=](const std::vector<Ply> &plies) {
+            return height(plies, static_cast<unsigned int>(n));
+          };
+        }
+      const double distance = parse_number(entry, text, form);
+      return [=](const std::vector<Ply> &) { return distance; };
+    }
+  } // namespace
+
+
+  Layup::Layup(const Parameters                      &parameters,
+               const std::vector<MaterialParameters> &materials,
+               const MPI_Comm                         communicator)
+    : plies(parse_plies(
+        parameters, materials, read_tables(parameters.tables, communicator)))
+    , law(parameters.law)
+    , reference_height(parse_reference(parameters.reference, plies.size()))
+  {
+    parse_initial_stresses(parameters.initial_stresses, plies);
+  }
+
+
+  Laminate
+  Layup::laminate(const double alpha_1, const double within) const
+  {
+    std::vector<Ply> present;
+    for (unsigned int p = 0; p < plies.size(); ++p)
+      {
+        const PlyDescription &ply = plies[p];
+        if (within < ply.begin || within > ply.end)
+          continue;
+        const double thickness = ply.thickness(alpha_1);
+        if (!(thickness > 0))
+          throw InputError("Laminate/Plies",
+                           ply.text,
+                           "a thickness must lie above 0, and at alpha_1 = " +
+                             number_to_string(alpha_1) + " this one is " +
+                             number_to_string(thickness));
+        present.push_back({ply.stiffness,
+                           thickness,
+                           ply.angle(alpha_1),
+                           ply.initial_stress,
+                           p});
+      }
+    if (present.empty())
+      throw InputError("the entry 'Laminate/Plies' leaves alpha_1 = " +
+                       number_to_string(within) +
+                       " bare, but at least one ply must be everywhere.");
+    const double height = reference_height(present);
+    return Laminate(std::move(present), law, height);
+  }
+} // namespace Biface
