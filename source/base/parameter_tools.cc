@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <charconv>
@@ -79,6 +80,26 @@ namespace Biface
     for (const std::string &word : words)
       numbers.push_back(parse_number(entry, word, allowed));
     return numbers;
+  }
+
+
+  void
+  agree_on_errors(const MPI_Comm               communicator,
+                  const std::function<void()> &function)
+  {
+    std::string message;
+    try
+      {
+        function();
+      }
+    catch (const InputError &error)
+      {
+        message = error.what();
+      }
+    for (const std::string &text :
+         dealii::Utilities::MPI::all_gather(communicator, message))
+      if (!text.empty())
+        throw InputError(text);
   }
 
 

@@ -9,10 +9,11 @@ namespace Biface
   using namespace dealii;
 
   FollowerPressure::FollowerPressure(const ElementGeometry           &geometry,
-                                     const MixedElement::NodalVector &V)
-    : geometry(geometry)
+                                     const MixedElement::NodalVector &V,
+                                     const Resultants::Face           face,
+                                     const std::array<double, 4>     &pressure)
+    : geometry(geometry), face(face), pressure(pressure)
   {
-    constexpr unsigned int inner = Resultants::inner;
     for (unsigned int q = 0; q < 4; ++q)
       {
         const ElementGeometry::Vertex &vertex = geometry.vertices[q];
@@ -20,15 +21,14 @@ namespace Biface
         for (unsigned int a = 0; a < 2; ++a)
           {
             // along the face, which may rise over the reference surface
-            tangents[q][a] =
-              u.g[inner][a] + vertex.face_slope[inner][a] * u.beta;
-            tangents[q][a][a] += vertex.metric.zeta[inner][a];
-            tangents[q][a][2] += vertex.face_slope[inner][a];
+            tangents[q][a] = u.g[face][a] + vertex.face_slope[face][a] * u.beta;
+            tangents[q][a][a] += vertex.metric.zeta[face][a];
+            tangents[q][a][2] += vertex.face_slope[face][a];
           }
         const Tensor<1, 3> force =
-          area(q) * cross_product_3d(tangents[q][0], tangents[q][1]);
+          weight(q) * cross_product_3d(tangents[q][0], tangents[q][1]);
         for (unsigned int i = 0; i < 3; ++i)
-          nodal_force[MixedElement::dof(q, i, inner)] = force[i];
+          nodal_force[MixedElement::dof(q, i, face)] = force[i];
       }
   }
 
@@ -37,7 +37,6 @@ namespace Biface
   FollowerPressure::add_derivative(const double               factor,
                                    MixedElement::NodalMatrix &K) const
   {
-    constexpr unsigned int inner = Resultants::inner;
     for (unsigned int q = 0; q < 4; ++q)
       {
         const ElementGeometry::Vertex &vertex = geometry.vertices[q];
@@ -46,9 +45,9 @@ namespace Biface
                              const unsigned int  j,
                              const Tensor<1, 3> &change) {
           for (unsigned int i = 0; i < 3; ++i)
-            K[MixedElement::dof(q, i, inner)]
-             [MixedElement::dof(node, j, inner)] +=
-              factor * area(q) * change[i];
+            K[MixedElement::dof(q, i, face)]
+             [MixedElement::dof(node, j, face)] +=
+              factor * weight(q) * change[i];
         };
         // t_1 x t_2 changes with the derivative of one of the two tangents
         const auto change_of_cross_product = [&](const unsigned int  a,
@@ -73,10 +72,11 @@ namespace Biface
 
 
   double
-  FollowerPressure::area(const unsigned int vertex) const
+  FollowerPressure::weight(const unsigned int vertex) const
   {
     // the slopes are 1/(A_a times the change of alpha_a)
     const auto &slope = geometry.vertices[vertex].slope;
-    return 1 / (4 * std::abs(slope[0] * slope[1]));
+    return (face == Resultants::inner ? 1 : -1) * pressure[vertex] /
+           (4 * std::abs(slope[0] * slope[1]));
   }
 } // namespace Biface

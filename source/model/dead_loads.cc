@@ -8,6 +8,7 @@
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/model/dead_loads.h>
+#include <biface/model/edge_moments.h>
 
 namespace Biface
 {
@@ -36,6 +37,28 @@ namespace Biface
                         "Unit: force per length of the edge on the reference "
                         "surface.",
                       Patterns::Anything());
+    prm.add_parameter("Edge moments",
+                      edge_moments,
+                      "Moments along edges: a list, separated by commas, of "
+                      "'alpha_1 min: M dead' or 'alpha_1 min: M follower' (and "
+                      "so on for the other edges). A positive moment pushes "
+                      "the outer face outward over the edge. 'dead' is a "
+                      "couple of forces on the faces that keep their "
+                      "direction, 'follower' does work on the angle through "
+                      "which the line between the faces turns about the edge. "
+                      "Unit: force (moment per length of the edge on the "
+                      "reference surface).",
+                      Patterns::Anything());
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      prm.add_parameter(
+        face == Resultants::inner ? "Inner traction" : "Outer traction",
+        tractions[face],
+        "A force on the face that depends on the place: three formulas, "
+        "separated by semicolons, for the components x, y, z, or with "
+        "'; local' after them in the frame e_1, e_2, e_3. The formulas are "
+        "those of 'Pressure distribution'; empty for none. Unit: force/area, "
+        "see 'Area of face loads'.",
+        Patterns::Anything());
     prm.add_parameter("Area force",
                       area_force,
                       "A force on the whole shell, such as its weight: "
@@ -114,11 +137,53 @@ namespace Biface
                           cell.geometry.weight / 4,
                           nodal_forces);
     }
+
+
+    /** Add a force per area of a face that depends on the place. */
+    void
+    add_traction(const Discretization  &discretization,
+                 const Resultants::Face face,
+                 const std::string     &text,
+                 const AreaMeasure      area,
+                 LA::Vector            &nodal_forces)
+    {
+      const std::string entry =
+        std::string("Loads/") +
+        (face == Resultants::inner ? "Inner" : "Outer") + " traction";
+      std::vector<std::string> formulas =
+        Utilities::split_string_list(text, ';');
+      const bool local = (formulas.size() == 4 && formulas[3] == "local");
+      if (local)
+        formulas.pop_back();
+      if (formulas.size() != 3)
+        throw InputError(entry,
+                         text,
+                         "it must be three formulas, separated by semicolons, "
+                         "and may end with '; local'");
+
+      const auto traction = evaluate_at_nodes(entry, formulas, discretization);
+      Force      force;
+      force.local       = local;
+      force.faces       = {{0, 0}};
+      force.faces[face] = 1;
+      for (const Cell &cell : discretization.cells)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            for (unsigned int i = 0; i < 3; ++i)
+              force.components[i] = traction[cell.nodes[v]][i];
+            add_nodal_force(discretization,
+                            discretization.nodes[cell.nodes[v]],
+                            force,
+                            vertex_area(cell, v, area, face),
+                            nodal_forces);
+          }
+    }
   } // namespace
 
 
   LA::Vector
-  DeadLoads::assemble(const Discretization &discretization) const
+  DeadLoads::assemble(const Discretization &discretization,
+                      const AreaMeasure     area) const
   {
     LA::Vector nodal_forces = discretization.owned_vector();
 
@@ -143,20 +208,7 @@ namespace Biface
         const auto        item =
           split_named(entry, text, "it must be written 'edge: F_1 F_2 F_3'");
         const Force force(entry, text, item.second);
-        const auto  name =
-          std::find(edge_names.begin(), edge_names.end(), item.first);
-        if (name == edge_names.end())
-          throw InputError(entry,
-                           text,
-                           "the edges are 'alpha_1 min', 'alpha_1 max', "
-                           "'alpha_2 min', 'alpha_2 max'");
-        const Edge   edge       = static_cast<Edge>(name - edge_names.begin());
-        unsigned int n_segments = 0;
-        for (const BoundarySegment &segment : discretization.boundary)
-          n_segments += (segment.edge == edge);
-        if (Utilities::MPI::sum(n_segments, discretization.communicator) == 0)
-          throw InputError(
-            entry, text, "the coordinate is closed and has no such edge");
+        const Edge  edge = find_edge(entry, text, item.first, discretization);
         for (const BoundarySegment &segment : discretization.boundary)
           if (segment.edge == edge)
             for (const unsigned int n : segment.nodes)
@@ -166,6 +218,28 @@ namespace Biface
                               segment.length / 2,
                               nodal_forces);
       }
+
+    for (const VertexMoment &moment :
+         parse_edge_moments(edge_moments, false, discretization))
+      {
+        const Cell  &cell = discretization.cells[moment.cell];
+        Tensor<1, 3> director;
+        director[2] = cell.geometry.vertices[moment.vertex].thickness;
+        const FollowerCouple      couple(moment.moment, moment.axis, director);
+        MixedElement::NodalVector force;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            force[MixedElement::dof(moment.vertex, i, Resultants::outer)] =
+              couple.force[i];
+            force[MixedElement::dof(moment.vertex, i, Resultants::inner)] =
+              -couple.force[i];
+          }
+        discretization.add_nodal_forces(cell, force, nodal_forces);
+      }
+
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      if (!tractions[face].empty())
+        add_traction(discretization, face, tractions[face], area, nodal_forces);
 
     if (area_force.norm() > 0)
       {
@@ -178,18 +252,4 @@ namespace Biface
     return nodal_forces;
   }
 
-
-  LA::Vector
-  assemble_unit_pressure(const Discretization &discretization)
-  {
-    LA::Vector nodal_forces = discretization.owned_vector();
-
-    Force pressure;
-    pressure.components = Tensor<1, 3>({0, 0, 1});
-    pressure.local      = true;
-    pressure.faces      = {{1, 0}};
-    add_area_force(discretization, pressure, nodal_forces);
-    nodal_forces.compress(VectorOperation::add);
-    return nodal_forces;
-  }
 } // namespace Biface

@@ -232,9 +232,11 @@ namespace Biface
         for (const unsigned int f : cell->face_indices())
           if (cell->at_boundary(f))
             {
+              const std::array<unsigned int, 2> ends{
+                {GeometryInfo<2>::face_to_cell_vertices(f, 0),
+                 GeometryInfo<2>::face_to_cell_vertices(f, 1)}};
               const std::array<unsigned int, 2> side{
-                {cell_nodes[GeometryInfo<2>::face_to_cell_vertices(f, 0)],
-                 cell_nodes[GeometryInfo<2>::face_to_cell_vertices(f, 1)]}};
+                {cell_nodes[ends[0]], cell_nodes[ends[1]]}};
               const unsigned int edge = cell->face(f)->boundary_id();
               edge_nodes[edge].insert(side.begin(), side.end());
               if (!cell->is_locally_owned())
@@ -247,8 +249,11 @@ namespace Biface
                 d = std::remainder(d, period);
               const SurfacePoint middle = surface->evaluate(
                 surface->pull_back(cell->face(f)->center(true)));
-              boundary.push_back(
-                {static_cast<Edge>(edge), side, std::abs(d) * middle.lame[a]});
+              boundary.push_back({static_cast<Edge>(edge),
+                                  static_cast<unsigned int>(cells.size()),
+                                  ends,
+                                  side,
+                                  std::abs(d) * middle.lame[a]});
             }
 
         if (!cell->is_locally_owned())
@@ -311,6 +316,20 @@ namespace Biface
   {
     return node.surface.position + node.faces[face] * node.surface.frame[2] +
            node.surface.from_frame(displacement(V, node, face));
+  }
+
+
+  void
+  Discretization::add_nodal_forces(const Cell                      &cell,
+                                   const MixedElement::NodalVector &force,
+                                   LA::Vector &nodal_forces) const
+  {
+    Vector<double>                       local(MixedElement::n_dofs);
+    std::vector<types::global_dof_index> dofs(cell.dofs.begin(),
+                                              cell.dofs.end());
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      local[i] = force[i];
+    constraints.distribute_local_to_global(local, dofs, nodal_forces);
   }
 
 

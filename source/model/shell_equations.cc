@@ -16,18 +16,24 @@ namespace Biface
   ShellEquations::ShellEquations(const Discretization    &discretization,
                                  const ContactConditions &contact,
                                  const DeadLoads         &dead_loads,
-                                 const PressureKind       pressure_kind)
+                                 const PressureLoad      &pressure)
     : discretization(discretization)
-    , pressure_kind(pressure_kind)
+    , pressure_kind(pressure.kind)
+    , pressure_face(pressure.face)
+    , pressure_distribution(pressure.values(discretization))
     , contact(contact)
     , constraints(discretization.constraints)
-    , dead_load(dead_loads.assemble(discretization))
-    , unit_pressure(assemble_unit_pressure(discretization))
+    , dead_load(dead_loads.assemble(discretization, pressure.area))
+    , unit_load(dead_load)
+    , unit_pressure(pressure.assemble_dead(discretization))
     , rhs(discretization.owned_vector())
     , adder(discretization, constraints, matrix)
   {
     for (const Strip &strip : discretization.strips)
       stiffness.emplace_back(strip.laminate.stiffness());
+    for (const VertexMoment &moment :
+         parse_edge_moments(dead_loads.edge_moments, true, discretization))
+      moments[moment.cell].push_back(moment);
     symmetric_stiffness = discretization.strips[0].laminate.is_symmetric();
     for (const Cell &cell : discretization.cells)
       initial_resultants.push_back(Modes::constant(
@@ -85,12 +91,7 @@ namespace Biface
     MixedElement::NodalVector force =
       element.internal_force(H, initial_resultants[c]);
 
-    if (pressure_kind == PressureKind::follower)
-      {
-        const FollowerPressure pressure(cell.geometry, V);
-        equations.unit_pressure = pressure.force();
-        pressure.add_derivative(-loads.pressure, equations.tangent);
-      }
+    add_follower_loads(loads, c, V, equations);
 
     if (linearization_point)
       {
@@ -106,6 +107,59 @@ namespace Biface
 
     if (loads.foundation)
       add_contact(state, loads, cell, equations);
+  }
+
+
+  void
+  ShellEquations::add_follower_loads(const Loads                     &loads,
+                                     const unsigned int               c,
+                                     const MixedElement::NodalVector &V,
+                                     CellEquations &equations) const
+  {
+    const Cell &cell = discretization.cells[c];
+    if (pressure_kind == PressureKind::follower)
+      {
+        std::array<double, 4> distribution;
+        for (unsigned int v = 0; v < 4; ++v)
+          distribution[v] = pressure_distribution[cell.nodes[v]];
+        const FollowerPressure pressure(
+          cell.geometry, V, pressure_face, distribution);
+        equations.unit_pressure = pressure.force();
+        pressure.add_derivative(-loads.pressure, equations.tangent);
+      }
+
+    const auto found = moments.find(c);
+    if (found == moments.end())
+      return;
+    equations.moments = 0;
+    for (const VertexMoment &moment : found->second)
+      {
+        const auto dof = [&](const unsigned int i, const unsigned int face) {
+          return MixedElement::dof(moment.vertex, i, face);
+        };
+        Tensor<1, 3> director;
+        for (unsigned int i = 0; i < 3; ++i)
+          director[i] =
+            V[dof(i, Resultants::outer)] - V[dof(i, Resultants::inner)];
+        director[2] += cell.geometry.vertices[moment.vertex].thickness;
+
+        const FollowerCouple couple(moment.moment, moment.axis, director);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const auto face : {Resultants::inner, Resultants::outer})
+            {
+              const double sign = (face == Resultants::outer ? 1 : -1);
+              equations.moments[dof(i, face)] += sign * couple.force[i];
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  const double k =
+                    sign * loads.factor * couple.derivative[i][j];
+                  equations.tangent[dof(i, face)][dof(j, Resultants::outer)] -=
+                    k;
+                  equations.tangent[dof(i, face)][dof(j, Resultants::inner)] +=
+                    k;
+                }
+            }
+      }
   }
 
 
@@ -162,6 +216,7 @@ namespace Biface
 
     double        force_square = 0;
     CellEquations equations;
+    unit_load = dead_load;
     if (pressure_kind == PressureKind::follower)
       unit_pressure = 0;
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
@@ -170,11 +225,16 @@ namespace Biface
         force_square += equations.force_square;
         adder.add(c, equations.tangent, equations.residual, matrix, rhs);
         if (pressure_kind == PressureKind::follower)
-          add_nodal_forces(c, equations.unit_pressure, unit_pressure);
+          discretization.add_nodal_forces(
+            discretization.cells[c], equations.unit_pressure, unit_pressure);
+        if (moments.count(c) > 0)
+          discretization.add_nodal_forces(
+            discretization.cells[c], equations.moments, unit_load);
       }
     matrix.compress(VectorOperation::add);
     rhs.compress(VectorOperation::add);
     unit_pressure.compress(VectorOperation::add);
+    unit_load.compress(VectorOperation::add);
 
     const LA::Vector load = load_direction(loads);
     rhs += load;
@@ -184,26 +244,11 @@ namespace Biface
   }
 
 
-  void
-  ShellEquations::add_nodal_forces(const unsigned int               c,
-                                   const MixedElement::NodalVector &force,
-                                   LA::Vector &nodal_forces) const
-  {
-    Vector<double>                       local(MixedElement::n_dofs);
-    std::vector<types::global_dof_index> dofs(
-      discretization.cells[c].dofs.begin(), discretization.cells[c].dofs.end());
-    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-      local[i] = force[i];
-    discretization.constraints.distribute_local_to_global(
-      local, dofs, nodal_forces);
-  }
-
-
   LA::Vector
   ShellEquations::load_direction(const Loads &rate) const
   {
     LA::Vector direction(unit_pressure);
-    direction.sadd(rate.pressure, rate.factor, dead_load);
+    direction.sadd(rate.pressure, rate.factor, unit_load);
     return direction;
   }
 
@@ -340,6 +385,76 @@ namespace Biface
   }
 
 
+  LA::Vector
+  ShellEquations::travel_direction(const State &state, const Loads &loads) const
+  {
+    LA::Vector direction = discretization.owned_vector();
+    for (const Cell &cell : discretization.cells)
+      {
+        const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
+        MixedElement::NodalVector force;
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const Tensor<1, 3> m =
+              discretization.nodes[cell.nodes[r]].surface.to_frame(
+                loads.foundation->normal());
+            for (unsigned int s = 0; s < 4; ++s)
+              if (state.active[cell.nodes[s]])
+                for (unsigned int i = 0; i < 3; ++i)
+                  force[MixedElement::dof(r, i, Resultants::outer)] -=
+                    M[r][s] * contact.multiplier_stiffness() * m[i];
+          }
+        discretization.add_nodal_forces(cell, force, direction);
+      }
+    direction.compress(VectorOperation::add);
+    return direction;
+  }
+
+
+  ShellEquations::ContactForce
+  ShellEquations::contact_force(const State &state, const Loads &loads) const
+  {
+    double     value = 0, per_travel = 0;
+    LA::Vector gradient = discretization.owned_vector();
+    for (const Cell &cell : discretization.cells)
+      {
+        MixedElement::NodalVector per_displacement;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const unsigned int node = cell.nodes[v];
+            if (!state.active[node])
+              continue;
+            // the columns of both masses add up to a quarter each
+            const double area = cell.geometry.weight / 4;
+            value += area * pressure(state, loads, node);
+            per_travel += area * contact.multiplier_stiffness();
+            const Tensor<1, 3> m = discretization.nodes[node].surface.to_frame(
+              loads.foundation->normal());
+            for (unsigned int i = 0; i < 3; ++i)
+              per_displacement[MixedElement::dof(v, i, Resultants::outer)] +=
+                area * contact.multiplier_stiffness() * m[i];
+          }
+        discretization.add_nodal_forces(cell, per_displacement, gradient);
+      }
+    gradient.compress(VectorOperation::add);
+    const MPI_Comm communicator = discretization.communicator;
+    return {Utilities::MPI::sum(value, communicator),
+            gradient,
+            Utilities::MPI::sum(per_travel, communicator)};
+  }
+
+
+  double
+  ShellEquations::least_clearance(const State &state, const Loads &loads) const
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const Node &node : discretization.nodes)
+      if (node.outer_face_free)
+        least = std::min(least, clearance(state, loads, node));
+    return Utilities::MPI::min(least, discretization.communicator);
+  }
+
+
   double
   ShellEquations::pressure(const State       &state,
                            const Loads       &loads,
@@ -359,15 +474,11 @@ namespace Biface
     double force = 0, area = 0, max_pressure = 0;
     if (loads.foundation)
       {
+        force = contact_force(state, loads).value;
         for (const Cell &cell : discretization.cells)
           for (const unsigned int node : cell.nodes)
             if (state.active[node])
-              {
-                // the columns of both masses add up to a quarter each
-                force +=
-                  pressure(state, loads, node) * cell.geometry.weight / 4;
-                area += cell.geometry.weight / 4;
-              }
+              area += cell.geometry.weight / 4;
         for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
           if (discretization.nodes[n].locally_owned && state.active[n])
             max_pressure = std::max(max_pressure, pressure(state, loads, n));
@@ -375,7 +486,7 @@ namespace Biface
 
     const MPI_Comm communicator = discretization.communicator;
     ContactSummary summary;
-    summary.force        = Utilities::MPI::sum(force, communicator);
+    summary.force        = force;
     summary.area         = Utilities::MPI::sum(area, communicator);
     summary.n_nodes      = count_active(state);
     summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);

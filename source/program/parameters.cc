@@ -48,15 +48,7 @@ namespace Biface
     prm.leave_subsection();
 
     prm.enter_subsection("Loads");
-    add_choice(prm,
-               "Pressure",
-               pressure_kind,
-               {"dead", "follower"},
-               "What the pressure of the stages does as the inner face moves: "
-               "'dead' (it keeps its initial direction and is counted on the "
-               "undeformed surface midway between the faces, as in the paper) "
-               "or 'follower' (true pressure on the deformed inner face; the "
-               "tangent is not symmetric).");
+    pressure.add_parameters(prm);
     loads.add_parameters(prm);
     prm.leave_subsection();
 

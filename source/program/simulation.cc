@@ -40,8 +40,7 @@ namespace Biface
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , discretization(make_discretization(parameters, communicator))
     , contact(parameters.contact)
-    , equations(
-        *discretization, contact, parameters.loads, parameters.pressure_kind)
+    , equations(*discretization, contact, parameters.loads, parameters.pressure)
     , linear_solver(communicator, timer)
     , state(equations.initial_state())
   {

@@ -28,7 +28,8 @@ namespace Biface
     prm.add_parameter("Greatest growth",
                       greatest_growth,
                       "How much longer than the first one a step of given arc "
-                      "length may become. No unit.",
+                      "length, or one of a stage with 'Adaptive steps', may "
+                      "become. No unit.",
                       Patterns::Double(1));
   }
 
@@ -76,6 +77,8 @@ namespace Biface
     progress.begin = reached;
     if (stage.control == Stage::Control::load)
       return follow_loads(stage, progress, state, observer);
+    if (stage.control == Stage::Control::force)
+      return follow_force(stage, progress, state, observer);
 
     // the loads follow: there must be some, and nothing else may move with them
     const std::string what = "the stage '" + stage.name +
@@ -139,28 +142,79 @@ namespace Biface
 
 
   LoadSteppingResult
-  LoadStepping::follow_loads(const Stage    &stage,
-                             Progress       &progress,
-                             State          &state,
-                             const Observer &observer)
+  LoadStepping::follow_fractions(
+    const Stage                             &stage,
+    Progress                                &progress,
+    const std::function<bool(const double)> &step_to)
   {
-    for (unsigned int k = 1; k <= stage.n_steps; ++k)
+    // fewer iterations than this are an easy step
+    constexpr double many_iterations = 8;
+
+    const double       first     = 1. / stage.n_steps;
+    const unsigned int n_targets = (stage.adaptive ? 1 : stage.n_steps);
+    for (unsigned int k = 1; k <= n_targets; ++k)
       {
-        const double target = static_cast<double>(k) / stage.n_steps;
-        StepSize     size(1. / stage.n_steps, 1. / stage.n_steps);
+        const double target = static_cast<double>(k) / n_targets;
+        StepSize     size(
+          first, stage.adaptive ? parameters.greatest_growth * first : first);
         while (progress.fraction < target)
           {
             const double left = target - progress.fraction;
             const double next =
               (size.get() < left * (1 - 1e-9) ? progress.fraction + size.get()
                                               : target);
-            if (step(stage, progress, next, nullptr, state, observer))
-              size.succeeded(2);
+            if (step_to(next))
+              {
+                progress.fraction = next;
+                const double ease =
+                  std::sqrt(many_iterations / std::max(1u, last_n_iterations));
+                size.succeeded(stage.adaptive ? std::min(2., std::max(1., ease))
+                                              : 2.);
+              }
             else if (!size.failed(parameters.max_cuts, out))
               return failure(stage);
           }
       }
     return {};
+  }
+
+
+  LoadSteppingResult
+  LoadStepping::follow_loads(const Stage    &stage,
+                             Progress       &progress,
+                             State          &state,
+                             const Observer &observer)
+  {
+    return follow_fractions(stage, progress, [&](const double fraction) {
+      return fraction_step(stage, progress, fraction, nullptr, state, observer);
+    });
+  }
+
+
+  LoadSteppingResult
+  LoadStepping::follow_force(const Stage    &stage,
+                             Progress       &progress,
+                             State          &state,
+                             const Observer &observer)
+  {
+    // how far the plane goes beyond touching, to find something to press on
+    const double nudge = 0.01 * equations.discretization.thickness();
+
+    const double begin =
+      equations.contact_force(state, loads_at(reached, stage)).value;
+    return follow_fractions(stage, progress, [&](const double fraction) {
+      const auto point = [&](const double travel) {
+        LoadPoint result = point_at(stage, progress, fraction);
+        result.travel    = travel;
+        return result;
+      };
+      double travel = reached.travel;
+      if (equations.count_active(state) == 0)
+        travel +=
+          equations.least_clearance(state, loads_at(reached, stage)) + nudge;
+      const ForceControl control(begin + fraction * (stage.force - begin));
+      return step(stage, point, travel, &control, state, observer);
+    });
   }
 
 
@@ -184,9 +238,12 @@ namespace Biface
       {
         const double next =
           (done + size.get() < 1 - 1e-9 ? done + size.get() : 1.);
-        const DisplacementControl control(
-          functional, (next - done) * (stage.control_value - begin));
-        if (step(stage, progress, progress.fraction, &control, state, observer))
+        const DisplacementControl control(rate(stage, progress),
+                                          functional,
+                                          (next - done) *
+                                            (stage.control_value - begin));
+        if (fraction_step(
+              stage, progress, progress.fraction, &control, state, observer))
           {
             done = next;
             size.succeeded(2);
@@ -214,7 +271,8 @@ namespace Biface
     // ones
     before = state.displacement;
     StepSize first(1. / stage.n_steps, 1. / stage.n_steps);
-    while (!step(stage, progress, first.get(), nullptr, state, observer))
+    while (
+      !fraction_step(stage, progress, first.get(), nullptr, state, observer))
       if (!first.failed(parameters.max_cuts, out))
         return failure(stage);
     previous = state.displacement;
@@ -230,8 +288,10 @@ namespace Biface
                     "' were not reached in " + std::to_string(n) + " steps"};
 
         before = state.displacement;
-        const ArcLengthControl control(length.get(), previous);
-        if (step(stage, progress, progress.fraction, &control, state, observer))
+        const ArcLengthControl control(
+          rate(stage, progress), length.get(), previous);
+        if (fraction_step(
+              stage, progress, progress.fraction, &control, state, observer))
           {
             previous = state.displacement;
             previous -= before;
@@ -246,43 +306,71 @@ namespace Biface
   }
 
 
-  bool
-  LoadStepping::step(const Stage       &stage,
-                     Progress          &progress,
-                     const double       guess,
-                     const PathControl *control,
-                     State             &state,
-                     const Observer    &observer)
+  Loads
+  LoadStepping::rate(const Stage &stage, const Progress &progress)
   {
-    const LoadPoint next = point_at(stage, progress, guess);
+    Loads rate;
+    rate.pressure = stage.pressure - progress.begin.pressure;
+    rate.factor   = stage.factor - progress.begin.factor;
+    return rate;
+  }
+
+
+  bool
+  LoadStepping::fraction_step(const Stage       &stage,
+                              Progress          &progress,
+                              const double       guess,
+                              const PathControl *control,
+                              State             &state,
+                              const Observer    &observer)
+  {
+    double     fraction = guess;
+    const auto point    = [&](const double fraction) {
+      return point_at(stage, progress, fraction);
+    };
+    const bool converged =
+      step(stage, point, fraction, control, state, observer);
+    if (converged)
+      progress.fraction = fraction;
+    return converged;
+  }
+
+
+  bool
+  LoadStepping::step(const Stage                                  &stage,
+                     const std::function<LoadPoint(const double)> &point,
+                     double                                       &number,
+                     const PathControl                            *control,
+                     State                                        &state,
+                     const Observer                               &observer)
+  {
+    const LoadPoint first = point(number);
     out << "Step " << n_steps + 1 << ", " << stage.name << ": pressure "
-        << next.pressure << ", load factor " << next.factor;
+        << first.pressure << ", load factor " << first.factor;
     if (stage.contact)
-      out << ", approach " << next.travel;
+      out << ", approach " << first.travel;
     out << (control ? " at its begin" : "") << std::endl;
 
     Newton::Path path;
-    path.loads = [&](const double fraction) {
-      return loads_at(point_at(stage, progress, fraction), stage);
+    path.loads = [&](const double number) {
+      return loads_at(point(number), stage);
     };
-    path.rate.pressure = stage.pressure - progress.begin.pressure;
-    path.rate.factor   = stage.factor - progress.begin.factor;
-    path.control       = control;
+    path.control = control;
 
     Timer        timer;
-    State        trial    = state;
-    double       fraction = guess;
-    NewtonResult result   = try_step(trial, path, fraction);
-    if (result.converged && control != nullptr && fraction > 1 &&
+    State        trial  = state;
+    double       found  = number;
+    NewtonResult result = try_step(trial, path, found);
+    if (result.converged && control != nullptr && found > 1 &&
         stage.control == Stage::Control::arc_length)
       {
         out << "  beyond the loads of the stage: tried again with these"
             << std::endl;
         const unsigned int spent = result.iterations;
         trial                    = state;
-        fraction                 = 1;
+        found                    = 1;
         path.control             = nullptr;
-        result                   = try_step(trial, path, fraction);
+        result                   = try_step(trial, path, found);
         result.iterations += spent;
       }
     last_n_iterations = result.iterations;
@@ -293,9 +381,9 @@ namespace Biface
         return false;
       }
 
-    state             = trial;
-    progress.fraction = fraction;
-    reached           = point_at(stage, progress, fraction);
+    state   = trial;
+    number  = found;
+    reached = point(number);
     ++n_steps;
 
     StepReport report;
@@ -314,14 +402,12 @@ namespace Biface
 
 
   NewtonResult
-  LoadStepping::try_step(State              &state,
-                         const Newton::Path &path,
-                         double             &fraction)
+  LoadStepping::try_step(State &state, const Newton::Path &path, double &number)
   {
     const State  start       = state;
-    const double first_guess = fraction;
+    const double first_guess = number;
     NewtonResult result =
-      newton.solve(state, path, fraction, newton.parameters.iteration);
+      newton.solve(state, path, number, newton.parameters.iteration);
     if (!result.converged &&
         newton.parameters.iteration == NewtonIteration::mixed)
       {
@@ -329,9 +415,9 @@ namespace Biface
             << "; tried again with the substituted iteration" << std::endl;
         const unsigned int spent = result.iterations;
         state                    = start;
-        fraction                 = first_guess;
+        number                   = first_guess;
         result =
-          newton.solve(state, path, fraction, NewtonIteration::substituted);
+          newton.solve(state, path, number, NewtonIteration::substituted);
         result.iterations += spent;
       }
     return result;

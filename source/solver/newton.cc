@@ -65,13 +65,13 @@ namespace Biface
   NewtonResult
   Newton::solve(State                &state,
                 const Path           &path,
-                double               &fraction,
+                double               &number,
                 const NewtonIteration iteration)
   {
     const Discretization &discretization = equations.discretization;
 
     NewtonResult result;
-    Loads        loads       = path.loads(fraction);
+    Loads        loads       = path.loads(number);
     unsigned int n_changes   = equations.update_active_set(state, loads);
     double       last_update = std::numeric_limits<double>::infinity();
     LA::Vector   increment   = discretization.owned_vector();
@@ -133,22 +133,23 @@ namespace Biface
           equations.distribute(increment);
         if (linear.success && path.control != nullptr)
           {
+            const PathControl::Iteration here{equations, state, loads, total};
             LA::Vector per_load = discretization.owned_vector();
-            linear              = linear_solver.solve(per_load,
-                                         equations.load_direction(path.rate));
+            linear =
+              linear_solver.solve(per_load, path.control->load_direction(here));
             // supports hold still while the load grows
             discretization.constraints.distribute(per_load);
             const double change =
-              path.control->load_change(total, increment, per_load);
-            if (!std::isfinite(change))
+              path.control->load_change(here, increment, per_load);
+            if (linear.success && !std::isfinite(change))
               {
-                result.message = "the controlled displacement does not depend "
-                                 "on the loads";
+                result.message = "what is controlled does not depend on the "
+                                 "loads";
                 return result;
               }
             increment.add(change, per_load);
-            fraction += change;
-            loads = path.loads(fraction);
+            number += change;
+            loads = path.loads(number);
           }
         if (!linear.success)
           {

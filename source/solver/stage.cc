@@ -46,13 +46,15 @@ namespace Biface
     add_choice(prm,
                "Control",
                control,
-               {"load", "displacement", "arc length"},
+               {"load", "displacement", "arc length", "foundation force"},
                "What is given in every step: 'load' (equal steps of all "
                "loads), 'displacement' (equal steps of one displacement; the "
-               "loads follow on their way to those given, or beyond), or 'arc "
+               "loads follow on their way to those given, or beyond), 'arc "
                "length' (steps of the displacements as a whole, which adapt "
                "and pass turning points of the load, until the loads given are "
-               "reached; 'Steps' sets the first: 1/Steps of the loads).");
+               "reached; 'Steps' sets the first: 1/Steps of the loads), or "
+               "'foundation force' (equal steps of the force on the plane and "
+               "of all loads; the travel of the plane follows).");
     prm.add_parameter("Control point",
                       control_point,
                       "Name of the point whose displacement (of the middle "
@@ -67,10 +69,22 @@ namespace Biface
                       control_value,
                       "Its value at the end of the stage. Unit: length.",
                       Patterns::Double());
+    prm.add_parameter("Force",
+                      force,
+                      "Compressive force on the plane at the end of a stage "
+                      "with 'Control = foundation force'. Unit: force.",
+                      Patterns::Double());
     prm.add_parameter("Steps",
                       n_steps,
                       "Number of steps; see 'Control'.",
                       Patterns::Integer(1));
+    prm.add_parameter("Adaptive steps",
+                      adaptive,
+                      "Whether steps of the loads or of the force grow after "
+                      "easy ones, beyond 1/Steps; see 'Greatest growth'. "
+                      "Without it, all states at multiples of 1/Steps are "
+                      "reached and written.",
+                      Patterns::Bool());
     add_choice(prm,
                "Strain theory",
                theory,
@@ -115,6 +129,23 @@ namespace Biface
       throw InputError(section + "/Control point",
                        control_point,
                        "control by a displacement needs a point");
+    if (control == Control::force)
+      {
+        if (!contact)
+          throw InputError(section + "/Control",
+                           "foundation force",
+                           "without 'Contact = true' there is no plane");
+        if (travel != 0)
+          throw InputError(section + "/Travel",
+                           number_to_string(travel),
+                           "with 'Control = foundation force' it is found, and "
+                           "must not be given");
+        check_positive(section + "/Force", force);
+      }
+    else if (force != 0)
+      throw InputError(section + "/Force",
+                       number_to_string(force),
+                       "it needs 'Control = foundation force'");
     if (!contact && travel != 0)
       throw InputError(section + "/Travel",
                        number_to_string(travel),

@@ -17,8 +17,8 @@ namespace
        const ThicknessLaw   law,
        const MultiplierMass mass,
        const StrainTheory   theory,
-       const PressureKind   pressure = PressureKind::dead,
-       const std::string   &plies    = Layup::Parameters().plies)
+       const PressureKind   pressure_kind = PressureKind::dead,
+       const std::string   &plies         = Layup::Parameters().plies)
   {
     Layup::Parameters parameters;
     parameters.plies = plies;
@@ -33,7 +33,12 @@ namespace
     contact_parameters.normal         = Tensor<1, 3>({1, 0.2, -0.1});
     const ContactConditions contact(contact_parameters);
 
-    ShellEquations equations(*discretization, contact, DeadLoads(), pressure);
+    PressureLoad pressure;
+    pressure.kind         = pressure_kind;
+    pressure.distribution = "1 + 0.3*sin(alpha_1/20) + 0.1*x/250";
+    DeadLoads dead_loads;
+    dead_loads.edge_moments = "alpha_2 max: 3 follower, alpha_2 min: -2 dead";
+    ShellEquations equations(*discretization, contact, dead_loads, pressure);
     State          state      = at(equations,
                      equations.initial_state(),
                      some_displacement(*discretization, 0.2, 1));
@@ -61,6 +66,7 @@ namespace
 
     Loads loads;
     loads.pressure              = 0.1;
+    loads.factor                = 0.7;
     loads.foundation            = equations.touching_plane(state).moved(6);
     const unsigned int n_active = equations.update_active_set(state, loads);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Runs the program on a parameter file and compares displacements with
-// published values, which stand in comments of the file:
-//   # expect: NAME FACE COLUMN at LOAD_FACTOR is VALUE within FRACTION
-// for a point and a column of probes.csv;
+// Runs the program on a parameter file and compares results with published
+// values, which stand in comments of the file:
+//   # expect: NAME FACE COLUMN at WHEN is VALUE within FRACTION
+//   # expect: history COLUMN at WHEN is VALUE within FRACTION
+// for a column of probes.csv or history.csv, where WHEN is a load factor or
+// 'end of STAGE';
 //   # expect: greatest load factor is VALUE within FRACTION
 //   # expect: least load factor is VALUE within FRACTION
 // for the first maximum of a path, and the minimum after it;
@@ -16,6 +18,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -50,6 +53,39 @@ namespace
           }
       }
     return rows;
+  }
+
+
+  /** The row of history.csv at the end of a stage ('end of STAGE'), or with a
+   * load factor; the last one if there are several, null if there is none. */
+  const Row *
+  find_step(const std::vector<Row> &history, const std::string &when)
+  {
+    const std::string end_of = "end of ";
+    const Row        *found  = nullptr;
+    for (const Row &row : history)
+      if (when.rfind(end_of, 0) == 0
+            ? row.at("stage") == when.substr(end_of.size())
+            : std::abs(std::stod(row.at("load_factor")) - std::stod(when)) <
+                1e-9)
+        found = &row;
+    return found;
+  }
+
+
+  /** The row of probes.csv of a point and a face in a step, null if there is
+   * none. */
+  const Row *
+  find_probe(const std::vector<Row> &probes,
+             const Row              &step,
+             const std::string      &name,
+             const std::string      &face)
+  {
+    for (const Row &row : probes)
+      if (row.at("step") == step.at("step") && row.at("name") == name &&
+          row.at("face") == face)
+        return &row;
+    return nullptr;
   }
 
 
@@ -110,7 +146,8 @@ main(int argc, char *argv[])
     {
       if (line.rfind("# expect: ", 0) != 0)
         continue;
-      std::istringstream       stream(line.substr(10));
+      const std::string        text = line.substr(10);
+      std::istringstream       stream(text);
       std::vector<std::string> w;
       for (std::string word; stream >> word;)
         w.push_back(word);
@@ -136,19 +173,25 @@ main(int argc, char *argv[])
         }
       else
         {
-          bool found = false;
-          for (const Row &row : probes)
-            if (row.at("name") == w[0] && row.at("face") == w[1] &&
-                std::abs(std::stod(row.at("load_factor")) - std::stod(w[4])) <
-                  1e-9)
-              {
-                compare(w[0] + " " + w[1] + " " + w[2] + " at " + w[4],
-                        std::stod(row.at(w[2])),
-                        std::stod(w[6]),
-                        std::stod(w[8]));
-                found = true;
-              }
-          check_true("found in probes.csv", found);
+          std::smatch match;
+          if (!std::regex_match(
+                text, match, std::regex("(.*) at (.*) is (.*) within (.*)")))
+            {
+              check_true("understood: " + text, false);
+              continue;
+            }
+          const bool of_history = (w[0] == "history");
+          const Row *row        = find_step(history, match[2]);
+          if (row != nullptr && !of_history)
+            row = find_probe(probes, *row, w[0], w[1]);
+          if (row != nullptr)
+            compare(match[1].str() + " at " + match[2].str(),
+                    std::stod(row->at(of_history ? w[1] : w[2])),
+                    std::stod(match[3]),
+                    std::stod(match[4]));
+          check_true(of_history ? "found in history.csv"
+                                : "found in probes.csv",
+                     row != nullptr);
         }
     }
 }

@@ -5,6 +5,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <mpi.h>
+
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +55,12 @@ namespace Biface
   split_named(const std::string &entry,
               const std::string &text,
               const std::string &allowed);
+
+  /** Call a function that may throw InputError on some ranks only, and throw
+   * the first of these errors on all ranks. Must be called on all of them. */
+  void
+  agree_on_errors(const MPI_Comm               communicator,
+                  const std::function<void()> &function);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator whose place in @p names the text has. */

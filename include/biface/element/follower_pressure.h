@@ -11,22 +11,30 @@
 namespace Biface
 {
   /**
-   * The nodal forces of a unit pressure on the deformed inner face of an
-   * element, and their derivative.
+   * The nodal forces of a pressure on a deformed face of an element, and their
+   * derivative.
    *
-   * The pressure acts on the area and along the normal that the face has now:
-   * with the deformed tangents @f$\mathbf t_a = \zeta_a^-\mathbf e_a +
-   * \mathbf g_a^-@f$, the force on an area element of the reference surface is
-   * @f$\mathbf t_1\times\mathbf t_2\,A_1A_2\,d\alpha_1 d\alpha_2@f$. It is
-   * integrated at the vertices, so that each node carries the force of its own
-   * surroundings. The derivative is not symmetric.
+   * The pressure pushes the face toward the shell, on the area and along the
+   * normal that the face has now: with the deformed tangents
+   * @f$\mathbf t_a^\pm@f$ of the face, that are
+   * @f$\zeta_a^\pm\mathbf e_a + \mathbf v_{,a}^\pm/A_a@f$ where the thickness
+   * is constant, the force on an area element of the reference surface is
+   * @f$\mp p\,\mathbf t_1\times\mathbf t_2\,A_1A_2\,d\alpha_1 d\alpha_2@f$. It
+   * is integrated at the vertices, so that each node carries the force of its
+   * own surroundings. The derivative is not symmetric.
    */
   class FollowerPressure
   {
   public:
-    /** @param V the nodal displacements, see MixedElement::dof(). */
+    /**
+     * @param V the nodal displacements, see MixedElement::dof().
+     * @param face on which the pressure acts.
+     * @param pressure at the vertices.
+     */
     FollowerPressure(const ElementGeometry           &geometry,
-                     const MixedElement::NodalVector &V);
+                     const MixedElement::NodalVector &V,
+                     const Resultants::Face           face = Resultants::inner,
+                     const std::array<double, 4> &pressure = {{1, 1, 1, 1}});
 
     const MixedElement::NodalVector &
     force() const
@@ -39,14 +47,17 @@ namespace Biface
     add_derivative(const double factor, MixedElement::NodalMatrix &K) const;
 
   private:
-    const ElementGeometry    &geometry;
-    MixedElement::NodalVector nodal_force;
-    /** Deformed tangents of the inner face at each vertex. */
+    const ElementGeometry      &geometry;
+    const Resultants::Face      face;
+    const std::array<double, 4> pressure;
+    MixedElement::NodalVector   nodal_force;
+    /** Deformed tangents of the face at each vertex. */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 4> tangents;
 
-    /** Area of the reference surface that belongs to a vertex. */
+    /** The pressure times the area of the reference surface that belongs to a
+     * vertex, positive where it acts along the normal. */
     double
-    area(const unsigned int vertex) const;
+    weight(const unsigned int vertex) const;
   };
 } // namespace Biface
 

@@ -9,37 +9,40 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/discretization.h>
+#include <biface/model/pressure_load.h>
 
 namespace Biface
 {
   /**
-   * Loads that keep their size and direction, as they are at the load factor 1:
-   * forces at named points, on edges, and on the whole shell.
+   * Loads that grow with the load factor, as they are at the load factor 1:
+   * forces at named points, on edges, on faces and on the whole shell, which
+   * keep their direction, and moments along edges, which may follow.
    */
   struct DeadLoads
   {
-    std::string          point_forces;
-    std::string          edge_forces;
-    dealii::Tensor<1, 3> area_force;
+    std::string point_forces;
+    std::string edge_forces;
+    std::string edge_moments;
+    /** By the face. */
+    std::array<std::string, 2> tractions;
+    dealii::Tensor<1, 3>       area_force;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * The nodal forces of all these loads.
+     * The nodal forces of all these loads, without moments that follow.
+     *
+     * @param area what tractions are counted on.
      *
      * Throws InputError where a text is malformed, or names a point or an edge
      * that does not exist.
      */
     LA::Vector
-    assemble(const Discretization &discretization) const;
+    assemble(const Discretization &discretization,
+             const AreaMeasure     area) const;
   };
 
-
-  /** The nodal forces of a unit pressure on the inner face, counted on the
-   * surface midway between the faces. */
-  LA::Vector
-  assemble_unit_pressure(const Discretization &discretization);
 } // namespace Biface
 
 #endif

@@ -77,6 +77,10 @@ namespace Biface
   struct BoundarySegment
   {
     Edge edge;
+    /** Position in Discretization::cells. */
+    unsigned int cell;
+    /** Of the cell. */
+    std::array<unsigned int, 2> vertices;
     /** Positions in Discretization::nodes. */
     std::array<unsigned int, 2> nodes;
     /** On the reference surface. */
@@ -229,6 +233,12 @@ namespace Biface
     deformed_position(const LA::Vector  &V,
                       const Node        &node,
                       const unsigned int face) const;
+
+    /** Add forces on the nodes of a cell to those of all nodes. */
+    void
+    add_nodal_forces(const Cell                      &cell,
+                     const MixedElement::NodalVector &force,
+                     LA::Vector                      &nodal_forces) const;
 
     /** The displacements of a cell. */
     MixedElement::NodalVector

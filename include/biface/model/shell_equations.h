@@ -3,6 +3,7 @@
 #ifndef biface_model_shell_equations_h
 #define biface_model_shell_equations_h
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include <biface/model/cell_matrix_adder.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/discretization.h>
+#include <biface/model/edge_moments.h>
+#include <biface/model/pressure_load.h>
 #include <biface/model/state.h>
 
 namespace Biface
@@ -25,11 +28,11 @@ namespace Biface
   {
   public:
     /** The discretization and the contact conditions are kept by reference.
-     * Throws InputError where the dead loads are not usable. */
+     * Throws InputError where the loads are not usable. */
     ShellEquations(const Discretization    &discretization,
                    const ContactConditions &contact,
-                   const DeadLoads         &dead_loads    = DeadLoads(),
-                   const PressureKind       pressure_kind = PressureKind::dead);
+                   const DeadLoads         &dead_loads = DeadLoads(),
+                   const PressureLoad      &pressure   = PressureLoad());
 
     /** The unloaded shell. */
     State
@@ -62,6 +65,29 @@ namespace Biface
      * state of the last assembly. */
     LA::Vector
     load_direction(const Loads &rate) const;
+
+    /** The derivative of residual() when the foundation moves toward the
+     * shell. */
+    LA::Vector
+    travel_direction(const State &state, const Loads &loads) const;
+
+    /** The compressive force on the foundation, see ContactSummary, with its
+     * derivatives while no node enters or leaves the contact. */
+    struct ContactForce
+    {
+      double value;
+      /** With respect to the displacements. */
+      LA::Vector gradient;
+      /** With respect to the travel of the foundation. */
+      double per_travel;
+    };
+
+    ContactForce
+    contact_force(const State &state, const Loads &loads) const;
+
+    /** The least clearance between the shell and the foundation. */
+    double
+    least_clearance(const State &state, const Loads &loads) const;
 
     /** How far the prescribed displacements, at the last assembly, were from
      * what the loads ask for. Unit: length. */
@@ -158,8 +184,9 @@ namespace Biface
     {
       MixedElement::NodalVector residual;
       MixedElement::NodalMatrix tangent;
-      /** Of a unit of follower pressure, not part of the residual. */
-      MixedElement::NodalVector unit_pressure;
+      /** Of a unit of follower pressure, and of moments that follow, at the
+       * load factor 1; not part of the residual. */
+      MixedElement::NodalVector unit_pressure, moments;
       /** Sum of the squares of the forces that cancel in the residual. */
       double force_square;
     };
@@ -169,6 +196,14 @@ namespace Biface
                    const Loads       &loads,
                    const unsigned int cell,
                    CellEquations     &equations) const;
+
+    /** Add follower loads at the displacements @p V: their forces, and minus
+     * their derivative. */
+    void
+    add_follower_loads(const Loads                     &loads,
+                       const unsigned int               cell,
+                       const MixedElement::NodalVector &V,
+                       CellEquations                   &equations) const;
 
     void
     add_contact(const State   &state,
@@ -186,19 +221,18 @@ namespace Biface
     std::vector<ModeStiffness> stiffness;
     bool                       symmetric_stiffness;
     const PressureKind         pressure_kind;
-    const ContactConditions   &contact;
+    const Resultants::Face     pressure_face;
+    /** At the nodes of this rank, see PressureLoad::values(). */
+    const std::vector<double> pressure_distribution;
+    /** Moments that follow, by the cells they act on. */
+    std::map<unsigned int, std::vector<VertexMoment>> moments;
+    const ContactConditions                          &contact;
 
     /** Initial resultants of each locally owned cell. */
     std::vector<Modes::Vector> initial_resultants;
 
     /** The state about which the strains are linearized, if they are. */
     std::optional<State> linearization_point;
-
-    /** Add forces on the nodes of a cell to those of all nodes. */
-    void
-    add_nodal_forces(const unsigned int               cell,
-                     const MixedElement::NodalVector &force,
-                     LA::Vector                      &nodal_forces) const;
 
     /** Set the inhomogeneities of the constraints to what the prescribed
      * displacements lack. */
@@ -209,8 +243,10 @@ namespace Biface
     dealii::AffineConstraints<double> constraints;
     double                            largest_violation = 0;
 
-    /** Nodal forces of the dead loads, and of a unit pressure. */
+    /** Nodal forces of the dead loads, of all loads that grow with the load
+     * factor, and of a unit pressure. */
     const LA::Vector dead_load;
+    LA::Vector       unit_load;
     LA::Vector       unit_pressure;
 
     LA::SparseMatrix matrix;

@@ -31,23 +31,10 @@ namespace Biface
   };
 
 
-  /** What the pressure on the inner face does as the face moves. */
-  enum class PressureKind
-  {
-    /** It keeps its initial direction and counts the area of the undeformed
-     * surface midway between the faces, as in
-     * @cite GrigolyukKulikovPlotnikova2004. */
-    dead,
-    /** True pressure: on the area and along the normal of the deformed inner
-     * face. The tangent is not symmetric. */
-    follower
-  };
-
-
   /** What acts on the shell. */
   struct Loads
   {
-    /** Pressure on the inner face, see PressureKind. Unit: force/area. */
+    /** See PressureLoad. Unit: force/area. */
     double pressure = 0;
 
     /** What the dead loads and the prescribed displacements are multiplied by.

@@ -14,6 +14,7 @@
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/named_points.h>
+#include <biface/model/pressure_load.h>
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
 #include <biface/solver/load_stepping.h>
@@ -36,7 +37,7 @@ namespace Biface
     std::vector<MaterialParameters> materials;
     Supports                        supports;
     DeadLoads                       loads;
-    PressureKind                    pressure_kind = PressureKind::dead;
+    PressureLoad                    pressure;
     ContactConditions::Parameters   contact;
     std::vector<Stage>              stages;
     Newton::Parameters              newton;

@@ -48,11 +48,12 @@ namespace Biface
 
   /**
    * Takes the shell through its stages, a step at a time. Steps are equal in
-   * the loads, in a displacement, or adapt their length along the path of
-   * equilibrium. A step that fails is
-   * tried again from the restored state: in the mixed iteration first with
-   * the substituted one, then with half the size; after a success the size
-   * doubles again, up to what is left of the stage's step.
+   * the loads, in a displacement or in the force on the foundation, or adapt
+   * their length along the path of equilibrium. A step that fails is tried
+   * again from the restored state: in the mixed iteration first with the
+   * substituted one, then with half the size; after a success the size doubles
+   * again, up to what is left of the stage's step, or beyond where the stage
+   * lets steps adapt.
    */
   class LoadStepping
   {
@@ -102,9 +103,23 @@ namespace Biface
     LoadSteppingResult
     run_stage(const Stage &stage, State &state, const Observer &observer);
 
+    /** Steps of given fractions of the stage.
+     * @param step_to a step to a given fraction; whether it converged. */
+    LoadSteppingResult
+    follow_fractions(const Stage                             &stage,
+                     Progress                                &progress,
+                     const std::function<bool(const double)> &step_to);
+
     /** Steps of given loads. */
     LoadSteppingResult
     follow_loads(const Stage    &stage,
+                 Progress       &progress,
+                 State          &state,
+                 const Observer &observer);
+
+    /** Steps of a given force on the foundation. */
+    LoadSteppingResult
+    follow_force(const Stage    &stage,
                  Progress       &progress,
                  State          &state,
                  const Observer &observer);
@@ -126,20 +141,36 @@ namespace Biface
     /**
      * One step from the last converged state.
      *
-     * @param guess the fraction to reach, or, with @p control, to begin with.
-     * @return whether it converged; the state and the progress then are the new
-     * ones, and the step has been reported.
+     * @param point the loads by one number, such as the fraction of the stage.
+     * @param number to reach, or, with @p control, to begin with; then the one
+     * reached.
+     * @return whether it converged; the state then is the new one, and the step
+     * has been reported.
      */
     bool
-    step(const Stage       &stage,
-         Progress          &progress,
-         const double       guess,
-         const PathControl *control,
-         State             &state,
-         const Observer    &observer);
+    step(const Stage                                  &stage,
+         const std::function<LoadPoint(const double)> &point,
+         double                                       &number,
+         const PathControl                            *control,
+         State                                        &state,
+         const Observer                               &observer);
+
+    /** A step to a fraction of the stage, given or chosen by @p control; moves
+     * the progress. */
+    bool
+    fraction_step(const Stage       &stage,
+                  Progress          &progress,
+                  const double       guess,
+                  const PathControl *control,
+                  State             &state,
+                  const Observer    &observer);
 
     NewtonResult
-    try_step(State &state, const Newton::Path &path, double &fraction);
+    try_step(State &state, const Newton::Path &path, double &number);
+
+    /** How the loads change over the whole stage. */
+    static Loads
+    rate(const Stage &stage, const Progress &progress);
 
     LoadPoint
     point_at(const Stage    &stage,

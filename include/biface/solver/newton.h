@@ -62,13 +62,12 @@ namespace Biface
            dealii::ConditionalOStream &out,
            dealii::TimerOutput        &timer);
 
-    /** The loads at a fraction of a stage, and which condition chooses it. */
+    /** The loads by one number, such as a fraction of a stage, and which
+     * condition chooses it. */
     struct Path
     {
       std::function<Loads(const double)> loads;
-      /** The derivative of the dead loads with respect to the fraction. */
-      Loads rate;
-      /** Null where the fraction is given. */
+      /** Null where the number is given. */
       const PathControl *control = nullptr;
     };
 
@@ -78,13 +77,14 @@ namespace Biface
      * @param state the start, then the result; where the iteration did not
      * converge, of no use.
      * @param path the loads.
-     * @param fraction the start, then where a condition chooses it, the result.
+     * @param number of the path: the start, then where a condition chooses it,
+     * the result.
      * @param iteration see NewtonIteration.
      */
     NewtonResult
     solve(State                &state,
           const Path           &path,
-          double               &fraction,
+          double               &number,
           const NewtonIteration iteration);
 
     const Parameters parameters;

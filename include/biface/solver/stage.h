@@ -34,7 +34,9 @@ namespace Biface
       /** A displacement; the loads follow. */
       displacement,
       /** The length of the way of all displacements; the loads follow. */
-      arc_length
+      arc_length,
+      /** The force on the foundation; its travel follows. */
+      force
     };
     Control control = Control::load;
     /** The displacement that is given: a named point, its component (0 to 2 for
@@ -42,6 +44,11 @@ namespace Biface
     std::string  control_point;
     unsigned int control_component = 0;
     double       control_value     = 0;
+    /** The force on the foundation at the end of the stage, where it is given.
+     */
+    double force = 0;
+    /** Whether steps of loads and of the force grow after easy ones. */
+    bool adaptive = false;
 
     /** Begin with the stresses reached so far, but undeformed and unloaded. */
     bool from_prestress = false;

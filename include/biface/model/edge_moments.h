@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_edge_moments_h
+#define biface_model_edge_moments_h
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/model/discretization.h>
+
+namespace Biface
+{
+  /** A moment along an edge, as one on a vertex of a cell. */
+  struct VertexMoment
+  {
+    unsigned int cell;
+    /** Of the cell. */
+    unsigned int vertex;
+    /** The moment, per unit of the load factor. Unit: force times length. */
+    double moment;
+    /** The axis of the moment, in the frame of the node: the moment turns the
+     * outer face outward over the edge, in the direction
+     * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
+    dealii::Tensor<1, 3> axis;
+  };
+
+
+  /**
+   * Read moments along edges: a list, separated by commas, of `edge: M dead` or
+   * `edge: M follower`.
+   *
+   * @param follower which of the two to return.
+   *
+   * Throws InputError where the text is malformed or there is no such edge.
+   */
+  std::vector<VertexMoment>
+  parse_edge_moments(const std::string    &text,
+                     const bool            follower,
+                     const Discretization &discretization);
+
+
+  /** The edge of the given name. Throws InputError, naming @p entry and
+   * @p text, where there is none. */
+  Edge
+  find_edge(const std::string    &entry,
+            const std::string    &text,
+            const std::string    &name,
+            const Discretization &discretization);
+
+
+  /**
+   * The couple of forces, on the outer face and its opposite on the inner one,
+   * of a moment about a fixed axis @f$\boldsymbol\omega@f$ that does work on
+   * the angle through which the director @f$\mathbf d@f$ (from the inner to the
+   * outer face) turns about it, whatever its length:
+   * @f$\mathbf F = M\,\boldsymbol\omega\times\mathbf d/|\mathbf d_\perp|^2@f$,
+   * where @f$\mathbf d_\perp@f$ is the part of the director across the axis.
+   * It has a potential, so that its derivative is symmetric.
+   */
+  struct FollowerCouple
+  {
+    dealii::Tensor<1, 3> force;
+    /** With respect to the director. */
+    dealii::Tensor<2, 3> derivative;
+
+    FollowerCouple(const double                moment,
+                   const dealii::Tensor<1, 3> &axis,
+                   const dealii::Tensor<1, 3> &director);
+  };
+} // namespace Biface
+
+#endif

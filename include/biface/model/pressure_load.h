@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_pressure_load_h
+#define biface_model_pressure_load_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/discretization.h>
+
+namespace Biface
+{
+  /** What a pressure does as the face moves. */
+  enum class PressureKind
+  {
+    /** It keeps its initial direction, and counts an undeformed area, see
+     * AreaMeasure. */
+    dead,
+    /** True pressure: on the area and along the normal of the deformed face.
+     * The tangent is not symmetric. */
+    follower
+  };
+
+
+  /** The undeformed area that a dead load on a face is counted on. */
+  enum class AreaMeasure
+  {
+    /** That of the surface midway between the faces, as in
+     * @cite GrigolyukKulikovPlotnikova2004. */
+    midway,
+    /** That of the face itself. */
+    face
+  };
+
+
+  /** Which face the pressure of the stages acts on, and how. A positive one
+   * pushes the face toward the shell. */
+  struct PressureLoad
+  {
+    PressureKind     kind = PressureKind::dead;
+    Resultants::Face face = Resultants::inner;
+    AreaMeasure      area = AreaMeasure::midway;
+    /** Formula of the position, which multiplies the pressure. */
+    std::string distribution = "1";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** The distribution at all nodes of this rank. Throws InputError on all
+     * ranks where it is not a formula, or not finite at any node. */
+    std::vector<double>
+    values(const Discretization &discretization) const;
+
+    /** The nodal forces of a unit of dead pressure. */
+    LA::Vector
+    assemble_dead(const Discretization &discretization) const;
+  };
+
+
+  /** Formulas of the position on the reference surface, of `x, y, z, alpha_1,
+   * alpha_2`, at all nodes of this rank: `[node][i]` is the i-th formula's
+   * value. Throws InputError as PressureLoad::values() does. */
+  std::vector<std::vector<double>>
+  evaluate_at_nodes(const std::string              &entry,
+                    const std::vector<std::string> &formulas,
+                    const Discretization           &discretization);
+
+
+  /** The area around a vertex of a cell, of which there are four. */
+  double
+  vertex_area(const Cell        &cell,
+              const unsigned int vertex,
+              const AreaMeasure  area,
+              const unsigned int face);
+} // namespace Biface
+
+#endif

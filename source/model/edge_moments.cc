@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/model/edge_moments.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  Edge
+  find_edge(const std::string    &entry,
+            const std::string    &text,
+            const std::string    &name,
+            const Discretization &discretization)
+  {
+    const auto found = std::find(edge_names.begin(), edge_names.end(), name);
+    if (found == edge_names.end())
+      throw InputError(entry,
+                       text,
+                       "the edges are 'alpha_1 min', 'alpha_1 max', 'alpha_2 "
+                       "min', 'alpha_2 max'");
+    const Edge   edge       = static_cast<Edge>(found - edge_names.begin());
+    unsigned int n_segments = 0;
+    for (const BoundarySegment &segment : discretization.boundary)
+      n_segments += (segment.edge == edge);
+    if (Utilities::MPI::sum(n_segments, discretization.communicator) == 0)
+      throw InputError(
+        entry, text, "the coordinate is closed and has no such edge");
+    return edge;
+  }
+
+
+  std::vector<VertexMoment>
+  parse_edge_moments(const std::string    &text,
+                     const bool            follower,
+                     const Discretization &discretization)
+  {
+    const std::string entry = "Loads/Edge moments";
+    const std::string form  = "each is written 'edge: M dead' or 'edge: M "
+                              "follower'";
+
+    std::vector<VertexMoment> result;
+    for (const std::string &item : Utilities::split_string_list(text, ','))
+      {
+        const auto named = split_named(entry, item, form);
+        const auto words = split_words(named.second);
+        if (words.size() != 2 || (words[1] != "dead" && words[1] != "follower"))
+          throw InputError(entry, item, form);
+        const double moment = parse_number(entry, words[0], form);
+        const Edge   edge = find_edge(entry, item, named.first, discretization);
+        if ((words[1] == "follower") != follower)
+          continue;
+
+        // e_3 x (outward normal of the edge)
+        Tensor<1, 3> axis;
+        switch (edge)
+          {
+            case Edge::alpha_1_min:
+              axis[1] = -1;
+              break;
+            case Edge::alpha_1_max:
+              axis[1] = 1;
+              break;
+            case Edge::alpha_2_min:
+              axis[0] = 1;
+              break;
+            case Edge::alpha_2_max:
+              axis[0] = -1;
+              break;
+          }
+        for (const BoundarySegment &segment : discretization.boundary)
+          if (segment.edge == edge)
+            for (const unsigned int vertex : segment.vertices)
+              result.push_back(
+                {segment.cell, vertex, moment * segment.length / 2, axis});
+      }
+    return result;
+  }
+
+
+  FollowerCouple::FollowerCouple(const double        moment,
+                                 const Tensor<1, 3> &axis,
+                                 const Tensor<1, 3> &director)
+  {
+    const Tensor<1, 3> turned = cross_product_3d(axis, director);
+    const Tensor<1, 3> across = director - (director * axis) * axis;
+    const double       square = across.norm_square();
+    force                     = moment / square * turned;
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        Tensor<1, 3> unit;
+        unit[j]                   = 1;
+        const Tensor<1, 3> change = cross_product_3d(axis, unit) / square -
+                                    2 * across[j] / (square * square) * turned;
+        for (unsigned int i = 0; i < 3; ++i)
+          derivative[i][j] = moment * change[i];
+      }
+  }
+} // namespace Biface

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/formula.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/element/follower_pressure.h>
+#include <biface/model/pressure_load.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  PressureLoad::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Pressure",
+               kind,
+               {"dead", "follower"},
+               "What the pressure of the stages does as the face moves: "
+               "'dead' (it keeps its initial direction and counts the "
+               "undeformed area, see 'Area of face loads') or 'follower' (true "
+               "pressure on the deformed face; the tangent is not symmetric).");
+    add_choice(prm,
+               "Pressure face",
+               face,
+               {"inner", "outer"},
+               "The face on which the pressure of the stages acts. A positive "
+               "pressure pushes the face toward the shell.");
+    prm.add_parameter("Pressure distribution",
+                      distribution,
+                      "What the pressure of the stages is multiplied by: a "
+                      "formula of the position x, y, z on the undeformed "
+                      "reference surface, and of alpha_1, alpha_2 as in "
+                      "'Mesh'. No unit.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Area of face loads",
+               area,
+               {"midway", "face"},
+               "The undeformed area that dead pressure and tractions are "
+               "counted on: 'midway' (the surface midway between the faces, "
+               "as in the paper) or 'face' (the true area of the face).");
+  }
+
+
+  std::vector<std::vector<double>>
+  evaluate_at_nodes(const std::string              &entry,
+                    const std::vector<std::string> &formulas,
+                    const Discretization           &discretization)
+  {
+    const ReferenceSurface          &surface = discretization.get_surface();
+    std::vector<std::vector<double>> values;
+    agree_on_errors(discretization.communicator, [&]() {
+      std::vector<Formula> parsed;
+      for (const std::string &text : formulas)
+        parsed.emplace_back(
+          entry,
+          text,
+          std::vector<std::string>{"x", "y", "z", "alpha_1", "alpha_2"});
+      for (const Node &node : discretization.nodes)
+        {
+          const Point<3> &p = node.surface.position;
+          values.emplace_back();
+          for (const Formula &formula : parsed)
+            values.back().push_back(
+              formula({p[0],
+                       p[1],
+                       p[2],
+                       node.alpha[0] / surface.coordinate_unit(0),
+                       node.alpha[1] / surface.coordinate_unit(1)}));
+        }
+    });
+    return values;
+  }
+
+
+  std::vector<double>
+  PressureLoad::values(const Discretization &discretization) const
+  {
+    std::vector<double> result;
+    for (const auto &value : evaluate_at_nodes(
+           "Loads/Pressure distribution", {distribution}, discretization))
+      result.push_back(value[0]);
+    return result;
+  }
+
+
+  double
+  vertex_area(const Cell        &cell,
+              const unsigned int vertex,
+              const AreaMeasure  area,
+              const unsigned int face)
+  {
+    const double midway = cell.geometry.weight / 4;
+    return area == AreaMeasure::midway
+             ? midway
+             : midway / cell.geometry.vertices[vertex].metric.area_ratio(face);
+  }
+
+
+  LA::Vector
+  PressureLoad::assemble_dead(const Discretization &discretization) const
+  {
+    const std::vector<double> p            = values(discretization);
+    LA::Vector                nodal_forces = discretization.owned_vector();
+    for (const Cell &cell : discretization.cells)
+      {
+        std::array<double, 4> p_v;
+        for (unsigned int v = 0; v < 4; ++v)
+          p_v[v] = p[cell.nodes[v]];
+
+        MixedElement::NodalVector force;
+        if (area == AreaMeasure::face)
+          force = FollowerPressure(
+                    cell.geometry, MixedElement::NodalVector(), face, p_v)
+                    .force();
+        else
+          for (unsigned int v = 0; v < 4; ++v)
+            force[MixedElement::dof(v, 2, face)] =
+              (face == Resultants::inner ? 1 : -1) * p_v[v] *
+              cell.geometry.weight / 4;
+        discretization.add_nodal_forces(cell, force, nodal_forces);
+      }
+    nodal_forces.compress(VectorOperation::add);
+    return nodal_forces;
+  }
+} // namespace Biface
