@@ -14,7 +14,10 @@ namespace Biface
                      const ThicknessLaw law,
                      const double       reference_height)
     : plies(std::move(plies)), law(law), reference_height(reference_height)
-  {}
+  {
+    for (const Ply &ply : this->plies)
+      rotated.push_back(rotate_about_normal(ply.stiffness, ply.angle));
+  }
 
 
   double
@@ -85,11 +88,11 @@ namespace Biface
     double                               A = 0;
 
     double z = 0;
-    for (const Ply &ply : plies)
+    for (unsigned int k = 0; k < plies.size(); ++k)
       {
-        const SymmetricTensor<4, 3> b =
-          rotate_about_normal(ply.stiffness, ply.angle);
-        const FaceMoments N(z, z + ply.thickness, h);
+        const Ply                   &ply = plies[k];
+        const SymmetricTensor<4, 3> &b   = rotated[k];
+        const FaceMoments            N(z, z + ply.thickness, h);
         z += ply.thickness;
 
         const double b_3333 = b[2][2][2][2];
@@ -191,11 +194,11 @@ namespace Biface
     double       sum = h * E[Resultants::thickness];
     double       A   = 0;
     double       z   = 0;
-    for (const Ply &ply : plies)
+    for (unsigned int k = 0; k < plies.size(); ++k)
       {
-        const SymmetricTensor<4, 3> b =
-          rotate_about_normal(ply.stiffness, ply.angle);
-        const FaceMoments N(z, z + ply.thickness, h);
+        const Ply                   &ply = plies[k];
+        const SymmetricTensor<4, 3> &b   = rotated[k];
+        const FaceMoments            N(z, z + ply.thickness, h);
         z += ply.thickness;
 
         A += ply.thickness / b[2][2][2][2];
@@ -231,8 +234,7 @@ namespace Biface
       }
     if (law == ThicknessLaw::symmetric)
       {
-        const SymmetricTensor<4, 3> b =
-          rotate_about_normal(plies[ply].stiffness, plies[ply].angle);
+        const SymmetricTensor<4, 3> &b = rotated[ply];
         strain[2][2] =
           (thickness_stress(E) - (b * strain)[2][2]) / b[2][2][2][2];
       }
@@ -247,10 +249,9 @@ namespace Biface
                    const unsigned int        ply,
                    const double              z) const
   {
-    const SymmetricTensor<4, 3> b =
-      rotate_about_normal(plies[ply].stiffness, plies[ply].angle);
-    SymmetricTensor<2, 3>       e      = strain(E, ply, z);
-    const SymmetricTensor<2, 3> stress = b * e;
+    const SymmetricTensor<4, 3> &b      = rotated[ply];
+    SymmetricTensor<2, 3>        e      = strain(E, ply, z);
+    const SymmetricTensor<2, 3>  stress = b * e;
     if (law != ThicknessLaw::asymmetric)
       return stress;
 

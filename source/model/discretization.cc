@@ -28,6 +28,7 @@ namespace Biface
     const Supports                         &supports,
     const std::vector<NamedPoint>          &points)
     : communicator(communicator)
+    , layup(layup)
     , points(points)
     , surface(std::move(surface))
     , triangulation(
@@ -38,7 +39,7 @@ namespace Biface
     , fe(FE_Q<2, 3>(1), 6)
     , dof_handler(triangulation)
   {
-    make_strips(grid, layup);
+    make_strips(grid);
     check_geometry(grid);
     if (grid.closed)
       for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
@@ -64,7 +65,7 @@ namespace Biface
 
 
   void
-  Discretization::make_strips(const ChartGrid &grid, const Layup &layup)
+  Discretization::make_strips(const ChartGrid &grid)
   {
     std::vector<double> lines = grid.lines[0];
     for (double &alpha_1 : lines)

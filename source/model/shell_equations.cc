@@ -31,6 +31,7 @@ namespace Biface
   {
     for (const Strip &strip : discretization.strips)
       stiffness.emplace_back(strip.laminate.stiffness());
+    initial_strains.resize(discretization.cells.size());
     for (const VertexMoment &moment :
          parse_edge_moments(dead_loads.edge_moments, true, discretization))
       moments[moment.cell].push_back(moment);
@@ -66,7 +67,10 @@ namespace Biface
   ShellEquations::take_as_prestress(State &state)
   {
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
-      initial_resultants[c] += state.resultants[c];
+      {
+        initial_resultants[c] += state.resultants[c];
+        initial_strains[c] = total_strains(state, c);
+      }
     state = initial_state();
   }
 
@@ -321,24 +325,35 @@ namespace Biface
   }
 
 
+  Modes::Vector
+  ShellEquations::strains(const State &state, const Cell &cell) const
+  {
+    const auto V = discretization.cell_values(state.displacement, cell);
+    if (!linearization_point)
+      return MixedElement(cell.geometry, V).strain();
+
+    const auto V_0 =
+      discretization.cell_values(linearization_point->displacement, cell);
+    const MixedElement element(cell.geometry, V_0);
+    return element.strain() + element.strain_variation(V - V_0);
+  }
+
+
+  Modes::Vector
+  ShellEquations::total_strains(const State &state, const unsigned int c) const
+  {
+    return strains(state, discretization.cells[c]) + initial_strains[c];
+  }
+
+
   void
   ShellEquations::settle_resultants(State &state) const
   {
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
       {
         const Cell &cell = discretization.cells[c];
-        const auto  V    = discretization.cell_values(state.displacement, cell);
-        if (linearization_point)
-          {
-            const auto V_0 = discretization.cell_values(
-              linearization_point->displacement, cell);
-            const MixedElement element(cell.geometry, V_0);
-            state.resultants[c] = stiffness_of(cell).resultants(
-              element.strain() + element.strain_variation(V - V_0));
-          }
-        else
-          state.resultants[c] = stiffness_of(cell).resultants(
-            MixedElement(cell.geometry, V).strain());
+        state.resultants[c] =
+          stiffness_of(cell).resultants(strains(state, cell));
       }
   }
 

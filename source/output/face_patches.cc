@@ -22,20 +22,6 @@ namespace Biface
                                                  "H_13",
                                                  "H_23",
                                                  "H_33"};
-
-
-    /** Resultants at the vertices of a cell, from their modes. */
-    std::array<Resultants::Vector, 4>
-    interpolate_to_vertices(const Modes::Vector &modes)
-    {
-      std::array<Resultants::Vector, 4> values;
-      for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < group.size; ++i)
-          for (unsigned int v = 0; v < 4; ++v)
-            values[v][group.strains[i]] +=
-              group.value_at_vertex(v) * modes[group.first_mode + i];
-      return values;
-    }
   } // namespace
 
 
@@ -50,8 +36,7 @@ namespace Biface
     for (unsigned int c = 0; c < discretization.cells.size(); ++c)
       {
         const Cell &cell = discretization.cells[c];
-        const auto  H =
-          interpolate_to_vertices(equations.total_resultants(state, c));
+        const auto H = Modes::at_vertices(equations.total_resultants(state, c));
 
         for (unsigned int face = 0; face < 2; ++face)
           {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include <biface/base/input_error.h>
@@ -35,8 +36,33 @@ namespace Biface
                       Patterns::Double());
     prm.add_parameter("Write VTU",
                       vtu,
-                      "Whether to write files for ParaView.",
+                      "Whether to write both faces for ParaView.",
                       Patterns::Bool());
+    prm.add_parameter("Write ply VTU",
+                      ply_vtu,
+                      "Whether to write every ply as a layer of hexahedra for "
+                      "ParaView, with its strains and stresses.",
+                      Patterns::Bool());
+    prm.add_parameter("Points per ply",
+                      points_per_ply,
+                      "At how many heights within each ply plies-NNNN.csv "
+                      "holds the strains and stresses at the named points: 1 "
+                      "is the middle, 2 both sides, and so on; 0 writes no "
+                      "such file.",
+                      Patterns::Integer(0, 101));
+    prm.declare_entry("Failure criteria",
+                      "",
+                      Patterns::MultipleSelection("maximum stress|Tsai-Wu"),
+                      "Criteria whose failure indices are written with the "
+                      "stresses of plies, a list of 'maximum stress' and "
+                      "'Tsai-Wu'; see the strengths of the materials.");
+    prm.add_action("Failure criteria", [this](const std::string &text) {
+      const auto asked = [&](const std::string &name) {
+        return text.find(name) != std::string::npos;
+      };
+      criteria.maximum_stress = asked("maximum stress");
+      criteria.tsai_wu        = asked("Tsai-Wu");
+    });
   }
 
 
@@ -87,6 +113,22 @@ namespace Biface
   }
 
 
+  std::vector<std::string>
+  ResultsWriter::warnings() const
+  {
+    std::vector<std::string> sentences;
+    if (!parameters.criteria.maximum_stress && !parameters.criteria.tsai_wu)
+      return sentences;
+    std::set<std::string> bare;
+    for (const PlyDescription &ply : equations.discretization.layup.get_plies())
+      if (!ply.strengths && bare.insert(ply.material).second)
+        sentences.push_back("The material '" + ply.material +
+                            "' has no strengths (X_t to S), so that its plies "
+                            "get no failure index.");
+    return sentences;
+  }
+
+
   void
   ResultsWriter::write_parameters(const ParameterHandler &prm) const
   {
@@ -106,9 +148,21 @@ namespace Biface
     write_contact(report, state);
     write_profile(report, state);
     if (parameters.vtu)
-      write_vtu(report, state);
+      {
+        FacePatches patches(equations, state, report.loads);
+        write_vtu(report, patches, faces);
+      }
+    if (parameters.ply_vtu)
+      {
+        PlyPatches patches(equations, state, parameters.criteria);
+        write_vtu(report, patches, plies);
+      }
     if (!equations.discretization.points.empty())
-      append_probes(report, state);
+      {
+        append_probes(report, state);
+        if (parameters.points_per_ply > 0)
+          write_plies(report, state);
+      }
     append_history(report);
   }
 
@@ -129,55 +183,6 @@ namespace Biface
                line.str(),
                true,
                equations.discretization.communicator);
-  }
-
-
-  void
-  ResultsWriter::append_probes(const StepReport &report,
-                               const State      &state) const
-  {
-    const Discretization &discretization = equations.discretization;
-
-    std::string text;
-    for (const NamedPoint &point : discretization.points)
-      {
-        // x, y, z, then 1, 2, 3 of both faces, from the rank that owns the node
-        std::array<std::vector<double>, 2> u{
-          {std::vector<double>(6), std::vector<double>(6)}};
-        const unsigned int n =
-          discretization.node_of_point("Points", point.name);
-        if (n != numbers::invalid_unsigned_int &&
-            discretization.nodes[n].locally_owned)
-          for (unsigned int face = 0; face < 2; ++face)
-            {
-              const Node        &node = discretization.nodes[n];
-              const Tensor<1, 3> local =
-                discretization.displacement(state.displacement, node, face);
-              const Tensor<1, 3> global = node.surface.from_frame(local);
-              for (unsigned int i = 0; i < 3; ++i)
-                {
-                  u[face][i]     = global[i];
-                  u[face][3 + i] = local[i];
-                }
-            }
-        for (auto &values : u)
-          Utilities::MPI::sum(values, discretization.communicator, values);
-
-        const auto append = [&](const std::string &face,
-                                const double       share_of_inner) {
-          text += std::to_string(report.step) + ',' + report.stage + ',' +
-                  csv_number(report.loads.factor) + ',' + point.name + ',' +
-                  face;
-          for (unsigned int i = 0; i < 6; ++i)
-            text += ',' + csv_number(share_of_inner * u[0][i] +
-                                     (1 - share_of_inner) * u[1][i]);
-          text += '\n';
-        };
-        append("inner", 1);
-        append("outer", 0);
-        append("middle", 0.5);
-      }
-    write_text(path("probes.csv"), text, true, discretization.communicator);
   }
 
 
@@ -275,19 +280,21 @@ namespace Biface
   }
 
 
+  template <typename Patches>
   void
-  ResultsWriter::write_vtu(const StepReport &report, const State &state)
+  ResultsWriter::write_vtu(const StepReport &report,
+                           Patches          &patches,
+                           Series           &series)
   {
     const MPI_Comm communicator = equations.discretization.communicator;
 
-    FacePatches           patches(equations, state, report.loads);
     DataOutBase::VtkFlags flags;
     flags.time              = report.step;
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     patches.set_flags(flags);
 
     const std::string name =
-      "shell-" + Utilities::int_to_string(report.step, 4) + ".vtu";
+      series.name + "-" + Utilities::int_to_string(report.step, 4) + ".vtu";
     // every rank writes its part: say what went wrong on any of them
     bool failed = false;
     try
@@ -303,10 +310,10 @@ namespace Biface
       throw InputError("the file '" + path(name) +
                        "' cannot be written, but results must go somewhere.");
 
-    times_and_names.emplace_back(report.step, name);
+    series.times_and_names.emplace_back(report.step, name);
     std::ostringstream record;
-    DataOutBase::write_pvd_record(record, times_and_names);
-    write_text(path("shell.pvd"), record.str(), false, communicator);
+    DataOutBase::write_pvd_record(record, series.times_and_names);
+    write_text(path(series.name + ".pvd"), record.str(), false, communicator);
   }
 
 

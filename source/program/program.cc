@@ -114,6 +114,8 @@ namespace Biface
 
       ResultsWriter writer(parameters.output, simulation.get_equations());
       writer.write_parameters(prm);
+      for (const std::string &sentence : writer.warnings())
+        out << sentence << std::endl;
 
       std::vector<StepReport>  reports;
       const LoadSteppingResult result =
@@ -133,7 +135,12 @@ namespace Biface
           << parameters.output.directory
           << ": history.csv, contact-*.csv, profile-*.csv, "
           << (parameters.points.list.empty() ? "" : "probes.csv, ")
+          << (parameters.points.list.empty() ||
+                  parameters.output.points_per_ply == 0
+                ? ""
+                : "plies-*.csv, ")
           << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
+          << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
           << "parameters.prm" << std::endl;
       if (!result.success)
         {

@@ -88,6 +88,19 @@ namespace Biface
       return modes;
     }
 
+    /** The values of the kept modes at the vertices. */
+    inline std::array<Resultants::Vector, 4>
+    at_vertices(const Vector &modes)
+    {
+      std::array<Resultants::Vector, 4> values;
+      for (const Group &group : groups)
+        for (unsigned int i = 0; i < group.size; ++i)
+          for (unsigned int v = 0; v < 4; ++v)
+            values[v][group.strains[i]] +=
+              group.value_at_vertex(v) * modes[group.first_mode + i];
+      return values;
+    }
+
     /**
      * The transpose of from_vertices(), with the weights of the groups: the
      * resultants @f$\mathbf h_v@f$ at the vertices for which

@@ -131,8 +131,10 @@ namespace Biface
     thickness_stress(const Resultants::Vector &E) const;
 
     std::vector<Ply> plies;
-    ThicknessLaw     law;
-    double           reference_height;
+    /** Of the plies, in the axes of the shell. */
+    std::vector<dealii::SymmetricTensor<4, 3>> rotated;
+    ThicknessLaw                               law;
+    double                                     reference_height;
   };
 } // namespace Biface
 

@@ -129,6 +129,8 @@ namespace Biface
     std::vector<Cell> cells;
     std::vector<Node> nodes;
 
+    const Layup layup;
+
     /** By the lines of the first coordinate, rising. */
     std::vector<Strip> strips;
 
@@ -246,7 +248,7 @@ namespace Biface
 
   private:
     void
-    make_strips(const ChartGrid &grid, const Layup &layup);
+    make_strips(const ChartGrid &grid);
 
     /** Check that the surface and both faces are regular at all grid points. */
     void

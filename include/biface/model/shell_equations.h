@@ -163,6 +163,10 @@ namespace Biface
     RigidPlane
     touching_plane(const State &state) const;
 
+    /** Strains of a cell, those that gave the prestress included. */
+    Modes::Vector
+    total_strains(const State &state, const unsigned int cell) const;
+
     /** Resultants of a cell, initial ones included. */
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
@@ -211,6 +215,10 @@ namespace Biface
                 const Cell    &cell,
                 CellEquations &equations) const;
 
+    /** The strains of the displacements, by the theory in use. */
+    Modes::Vector
+    strains(const State &state, const Cell &cell) const;
+
     const ModeStiffness &
     stiffness_of(const Cell &cell) const
     {
@@ -230,6 +238,10 @@ namespace Biface
 
     /** Initial resultants of each locally owned cell. */
     std::vector<Modes::Vector> initial_resultants;
+
+    /** What the strains were that gave initial resultants, see
+     * take_as_prestress(). */
+    std::vector<Modes::Vector> initial_strains;
 
     /** The state about which the strains are linearized, if they are. */
     std::optional<State> linearization_point;

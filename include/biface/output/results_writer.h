@@ -11,6 +11,7 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
+#include <biface/output/ply_results.h>
 #include <biface/solver/load_stepping.h>
 
 namespace Biface
@@ -24,9 +25,12 @@ namespace Biface
   public:
     struct Parameters
     {
-      std::string directory = "output";
-      double      profile   = 0;
-      bool        vtu       = true;
+      std::string     directory      = "output";
+      double          profile        = 0;
+      bool            vtu            = true;
+      bool            ply_vtu        = false;
+      unsigned int    points_per_ply = 3;
+      FailureCriteria criteria;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -38,6 +42,10 @@ namespace Biface
      */
     ResultsWriter(const Parameters     &parameters,
                   const ShellEquations &equations);
+
+    /** What is asked for and cannot be given: a sentence each. */
+    std::vector<std::string>
+    warnings() const;
 
     /** Write the parameters as used. */
     void
@@ -61,8 +69,21 @@ namespace Biface
     void
     write_profile(const StepReport &report, const State &state) const;
 
+    /** Strains and stresses in the plies at the named points. */
     void
-    write_vtu(const StepReport &report, const State &state);
+    write_plies(const StepReport &report, const State &state) const;
+
+    /** A series of VTU files, one a step, and the file that lists them. */
+    struct Series
+    {
+      std::string name;
+      /** Steps and files so far. */
+      std::vector<std::pair<double, std::string>> times_and_names = {};
+    };
+
+    template <typename Patches>
+    void
+    write_vtu(const StepReport &report, Patches &patches, Series &series);
 
     std::string
     path(const std::string &name) const;
@@ -70,8 +91,8 @@ namespace Biface
     const Parameters      parameters;
     const ShellEquations &equations;
 
-    /** Steps and files of shell.pvd. */
-    std::vector<std::pair<double, std::string>> times_and_names;
+    Series faces{"shell"};
+    Series plies{"plies"};
   };
 } // namespace Biface
 
