@@ -285,6 +285,26 @@ namespace Biface
   }
 
 
+  double
+  ShellEquations::relative_roundoff(const State &state) const
+  {
+    if (force_scale == 0)
+      return 0;
+    double square = 0;
+    for (const auto dof : discretization.locally_owned)
+      if (!discretization.constraints.is_constrained(dof))
+        {
+          const double force =
+            matrix.diag_element(dof) * state.displacement(dof);
+          square += force * force;
+        }
+    return std::numeric_limits<double>::epsilon() *
+           std::sqrt(
+             Utilities::MPI::sum(square, discretization.communicator)) /
+           force_scale;
+  }
+
+
   bool
   ShellEquations::is_symmetric() const
   {

@@ -115,6 +115,12 @@ namespace Biface
     double
     relative_residual() const;
 
+    /** What round-off alone may leave of relative_residual(): the tangent's
+     * stiff entries, such as those across a thin shell, times the
+     * displacements cancel in the forces to the last digit only. */
+    double
+    relative_roundoff(const State &state) const;
+
     /** Whether the tangent is symmetric. */
     bool
     is_symmetric() const;
