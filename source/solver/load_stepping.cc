@@ -31,6 +31,12 @@ namespace Biface
                       "length, or one of a stage with 'Adaptive steps', may "
                       "become. No unit.",
                       Patterns::Double(1));
+    prm.add_parameter("Predictor",
+                      predict,
+                      "Whether a step of given loads or a given force begins "
+                      "with displacements that go on as in the step before, "
+                      "which saves iterations.",
+                      Patterns::Bool());
   }
 
 
@@ -73,6 +79,7 @@ namespace Biface
       touching_plane = equations.touching_plane(state);
     equations.set_theory(stage.theory, state);
 
+    predictor.reset();
     Progress progress;
     progress.begin = reached;
     if (stage.control == Stage::Control::load)
@@ -213,7 +220,13 @@ namespace Biface
         travel +=
           equations.least_clearance(state, loads_at(reached, stage)) + nudge;
       const ForceControl control(begin + fraction * (stage.force - begin));
-      return step(stage, point, travel, &control, state, observer);
+      return step(stage,
+                  point,
+                  travel,
+                  fraction - progress.fraction,
+                  &control,
+                  state,
+                  observer);
     });
   }
 
@@ -328,8 +341,10 @@ namespace Biface
     const auto point    = [&](const double fraction) {
       return point_at(stage, progress, fraction);
     };
+    const double size =
+      (stage.control == Stage::Control::load ? guess - progress.fraction : 0.);
     const bool converged =
-      step(stage, point, fraction, control, state, observer);
+      step(stage, point, fraction, size, control, state, observer);
     if (converged)
       progress.fraction = fraction;
     return converged;
@@ -340,6 +355,7 @@ namespace Biface
   LoadStepping::step(const Stage                                  &stage,
                      const std::function<LoadPoint(const double)> &point,
                      double                                       &number,
+                     const double                                  size,
                      const PathControl                            *control,
                      State                                        &state,
                      const Observer                               &observer)
@@ -360,7 +376,7 @@ namespace Biface
     Timer        timer;
     State        trial  = state;
     double       found  = number;
-    NewtonResult result = try_step(trial, path, found);
+    NewtonResult result = try_step(trial, path, found, size);
     if (result.converged && control != nullptr && found > 1 &&
         stage.control == Stage::Control::arc_length)
       {
@@ -370,7 +386,7 @@ namespace Biface
         trial                    = state;
         found                    = 1;
         path.control             = nullptr;
-        result                   = try_step(trial, path, found);
+        result                   = try_step(trial, path, found, size);
         result.iterations += spent;
       }
     last_n_iterations = result.iterations;
@@ -381,6 +397,8 @@ namespace Biface
         return false;
       }
 
+    if (size > 0)
+      predictor.learn(state, trial, size);
     state   = trial;
     number  = found;
     reached = point(number);
@@ -402,10 +420,15 @@ namespace Biface
 
 
   NewtonResult
-  LoadStepping::try_step(State &state, const Newton::Path &path, double &number)
+  LoadStepping::try_step(State              &state,
+                         const Newton::Path &path,
+                         double             &number,
+                         const double        size)
   {
     const State  start       = state;
     const double first_guess = number;
+    if (parameters.predict && size > 0)
+      predictor.predict(state, size);
     NewtonResult result =
       newton.solve(state, path, number, newton.parameters.iteration);
     if (!result.converged &&

@@ -14,6 +14,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/newton.h>
+#include <biface/solver/secant_predictor.h>
 #include <biface/solver/stage.h>
 
 namespace Biface
@@ -63,6 +64,7 @@ namespace Biface
       unsigned int max_cuts        = 6;
       unsigned int max_arc_steps   = 1000;
       double       greatest_growth = 10;
+      bool         predict         = true;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -144,6 +146,8 @@ namespace Biface
      * @param point the loads by one number, such as the fraction of the stage.
      * @param number to reach, or, with @p control, to begin with; then the one
      * reached.
+     * @param size of the step, as a fraction of the stage, for the predictor;
+     * 0 where it does not know.
      * @return whether it converged; the state then is the new one, and the step
      * has been reported.
      */
@@ -151,6 +155,7 @@ namespace Biface
     step(const Stage                                  &stage,
          const std::function<LoadPoint(const double)> &point,
          double                                       &number,
+         const double                                  size,
          const PathControl                            *control,
          State                                        &state,
          const Observer                               &observer);
@@ -166,7 +171,10 @@ namespace Biface
                   const Observer    &observer);
 
     NewtonResult
-    try_step(State &state, const Newton::Path &path, double &number);
+    try_step(State              &state,
+             const Newton::Path &path,
+             double             &number,
+             const double        size);
 
     /** How the loads change over the whole stage. */
     static Loads
@@ -188,10 +196,11 @@ namespace Biface
     Newton                     &newton;
     dealii::ConditionalOStream &out;
 
-    LoadPoint    reached;
-    unsigned int n_steps           = 0;
-    unsigned int last_n_iterations = 0;
-    std::string  last_message;
+    SecantPredictor predictor;
+    LoadPoint       reached;
+    unsigned int    n_steps           = 0;
+    unsigned int    last_n_iterations = 0;
+    std::string     last_message;
     /** The plane as it touches the shell at the begin of the first stage with
      * contact, or the first one after a prestress. */
     std::optional<RigidPlane> touching_plane;
