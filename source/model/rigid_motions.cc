@@ -50,13 +50,28 @@ namespace Biface
     }
 
 
+    /** The displacement of a node by a motion, by the node's degree of freedom.
+     */
+    double
+    nodal_value(const Discretization &discretization,
+                const Node           &node,
+                const Point<3>       &center,
+                const unsigned int    motion,
+                const unsigned int    dof)
+    {
+      const Tensor<1, 3> x = (node.surface.position - center +
+                              node.faces[dof % 2] * node.surface.frame[2]) /
+                             discretization.size();
+      return displacement(motion, x) * node.surface.frame[dof / 2];
+    }
+
+
     /** The matrix of the sum of squares by which a combination of motions
      * violates the supports. */
     LAPACKFullMatrix<double>
     violation_matrix(const Discretization &discretization)
     {
       const Point<3> center = mean_of_nodes(discretization);
-      const double   size   = discretization.size();
 
       std::vector<double> squares(n_motions * n_motions);
       for (const Node &node : discretization.nodes)
@@ -67,11 +82,7 @@ namespace Biface
                 continue;
               const auto value = [&](const unsigned int motion,
                                      const unsigned int dof) {
-                const Tensor<1, 3> x =
-                  (node.surface.position - center +
-                   node.faces[dof % 2] * node.surface.frame[2]) /
-                  size;
-                return displacement(motion, x) * node.surface.frame[dof / 2];
+                return nodal_value(discretization, node, center, motion, dof);
               };
 
               // supports couple the two faces of a node only
@@ -161,6 +172,26 @@ namespace Biface
         motions.push_back(name);
       }
     std::sort(motions.begin(), motions.end());
+    return motions;
+  }
+
+
+  std::vector<std::vector<double>>
+  rigid_motions(const Discretization &discretization)
+  {
+    const Point<3>                   center = mean_of_nodes(discretization);
+    std::vector<std::vector<double>> motions(
+      n_motions,
+      std::vector<double>(discretization.locally_owned.n_elements()));
+    for (const Node &node : discretization.nodes)
+      if (node.locally_owned)
+        for (unsigned int d = 0; d < 6; ++d)
+          {
+            const auto i =
+              discretization.locally_owned.index_within_set(node.dofs[d]);
+            for (unsigned int m = 0; m < n_motions; ++m)
+              motions[m][i] = nodal_value(discretization, node, center, m, d);
+          }
     return motions;
   }
 } // namespace Biface

@@ -69,6 +69,10 @@ namespace Biface
         prm.leave_subsection();
       }
 
+    prm.enter_subsection("Linear solver");
+    linear_solver.add_parameters(prm);
+    prm.leave_subsection();
+
     prm.enter_subsection("Newton");
     newton.add_parameters(prm);
     prm.leave_subsection();

@@ -41,7 +41,8 @@ namespace Biface
     , discretization(make_discretization(parameters, communicator))
     , contact(parameters.contact)
     , equations(*discretization, contact, parameters.loads, parameters.pressure)
-    , linear_solver(communicator, timer)
+    , linear_solver(
+        make_linear_solver(parameters.linear_solver, *discretization, timer))
     , state(equations.initial_state())
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
@@ -55,7 +56,7 @@ namespace Biface
   LoadSteppingResult
   Simulation::run(const LoadStepping::Observer &observer)
   {
-    Newton newton(parameters.newton, equations, linear_solver, out, timer);
+    Newton newton(parameters.newton, equations, *linear_solver, out, timer);
     LoadStepping load_stepping(
       parameters.load_stepping, equations, newton, out);
     return load_stepping.run(parameters.stages, state, observer);

@@ -266,7 +266,9 @@ namespace Biface
 
 
   LinearSolverResult
-  MumpsSolver::solve(LA::Vector &x, const LA::Vector &b)
+  MumpsSolver::solve(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double /*tolerance*/)
   {
     Assert(matrix != nullptr, ExcNotInitialized());
     TimerOutput::Scope scope(timer, "Linear solver: solution");

@@ -62,6 +62,31 @@ namespace Biface
   {}
 
 
+  namespace
+  {
+    /**
+     * How exactly to solve the next linear system, as a fraction of its right
+     * hand side @cite EisenstatWalker1996: as the residual has fallen, squared,
+     * but no further than the last iteration needs. The upper bound is small,
+     * since the stiff contact makes most of the right hand side while nodes
+     * penetrate, and the shell's own forces would be lost in it.
+     */
+    double
+    forcing_term(const std::vector<double> &residuals, const double tolerance)
+    {
+      constexpr double greatest = 1e-6, gamma = 0.9;
+
+      const double now = residuals.back();
+      if (residuals.size() < 2 || now == 0)
+        return greatest;
+      const double ratio = now / residuals[residuals.size() - 2];
+      return std::min(
+        greatest,
+        std::max({gamma * ratio * ratio, 0.1 * tolerance / now, 1e-10}));
+    }
+  } // namespace
+
+
   NewtonResult
   Newton::solve(State                &state,
                 const Path           &path,
@@ -129,16 +154,19 @@ namespace Biface
 
         LinearSolverResult linear = linear_solver.factorize(
           equations.tangent(), equations.is_symmetric());
+        const double exactness =
+          forcing_term(result.residuals, parameters.residual_tolerance);
         if (linear.success)
-          linear = linear_solver.solve(increment, equations.residual());
+          linear =
+            linear_solver.solve(increment, equations.residual(), exactness);
         if (linear.success)
           equations.distribute(increment);
         if (linear.success && path.control != nullptr)
           {
             const PathControl::Iteration here{equations, state, loads, total};
             LA::Vector per_load = discretization.owned_vector();
-            linear =
-              linear_solver.solve(per_load, path.control->load_direction(here));
+            linear              = linear_solver.solve(
+              per_load, path.control->load_direction(here), exactness);
             // supports hold still while the load grows
             discretization.constraints.distribute(per_load);
             const double change =

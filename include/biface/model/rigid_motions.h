@@ -21,6 +21,14 @@ namespace Biface
    */
   std::vector<std::string>
   free_rigid_motions(const Discretization &discretization);
+
+  /**
+   * The six rigid motions of the shell, three translations and three rotations,
+   * as nodal displacements: of each, the entries of the locally owned degrees
+   * of freedom, in their order. Supports are not respected.
+   */
+  std::vector<std::vector<double>>
+  rigid_motions(const Discretization &discretization);
 } // namespace Biface
 
 #endif

@@ -17,6 +17,7 @@
 #include <biface/model/pressure_load.h>
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
+#include <biface/solver/linear_solver_parameters.h>
 #include <biface/solver/load_stepping.h>
 #include <biface/solver/newton.h>
 #include <biface/surface/chart_grid.h>
@@ -40,6 +41,7 @@ namespace Biface
     PressureLoad                    pressure;
     ContactConditions::Parameters   contact;
     std::vector<Stage>              stages;
+    LinearSolverParameters          linear_solver;
     Newton::Parameters              newton;
     LoadStepping::Parameters        load_stepping;
     ResultsWriter::Parameters       output;

@@ -14,7 +14,6 @@
 #include <biface/model/shell_equations.h>
 #include <biface/program/parameters.h>
 #include <biface/solver/load_stepping.h>
-#include <biface/solver/mumps_solver.h>
 #include <biface/solver/newton.h>
 
 namespace Biface
@@ -70,7 +69,7 @@ namespace Biface
     const std::unique_ptr<const Discretization> discretization;
     const ContactConditions                     contact;
     ShellEquations                              equations;
-    MumpsSolver                                 linear_solver;
+    const std::unique_ptr<LinearSolver>         linear_solver;
     State                                       state;
   };
 } // namespace Biface

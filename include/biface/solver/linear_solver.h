@@ -39,9 +39,14 @@ namespace Biface
     virtual LinearSolverResult
     factorize(const LA::SparseMatrix &A, const bool symmetric) = 0;
 
-    /** Solve @f$A x = b@f$ with the matrix last given to factorize(). */
+    /**
+     * Solve @f$A x = b@f$ with the matrix last given to factorize().
+     *
+     * @param tolerance the residual that will do, as a fraction of the right
+     * hand side; a direct solver goes as far as it can.
+     */
     virtual LinearSolverResult
-    solve(LA::Vector &x, const LA::Vector &b) = 0;
+    solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;
   };
 
 

@@ -31,7 +31,7 @@ namespace Biface
     factorize(const LA::SparseMatrix &A, const bool symmetric) override;
 
     LinearSolverResult
-    solve(LA::Vector &x, const LA::Vector &b) override;
+    solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
   private:
     class Instance;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/parameter_tools.h>
+#include <biface/solver/linear_solver_parameters.h>
+#include <biface/solver/mumps_solver.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  LinearSolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(
+      prm,
+      "Type",
+      type,
+      {"direct", "iterative"},
+      "'direct' (MUMPS: LDL^T where the tangent is symmetric, LU where "
+      "not) or 'iterative' (conjugate gradients or GMRES with "
+      "algebraic multigrid: less memory, more time).");
+    multigrid.add_parameters(prm);
+  }
+
+
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const LinearSolverParameters &parameters,
+                     const Discretization         &discretization,
+                     TimerOutput                  &timer)
+  {
+    switch (parameters.type)
+      {
+        case LinearSolverParameters::Type::direct:
+          return std::make_unique<MumpsSolver>(discretization.communicator,
+                                               timer);
+        case LinearSolverParameters::Type::iterative:
+          return std::make_unique<MultigridSolver>(
+            parameters.multigrid, discretization, timer);
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
+} // namespace Biface
