@@ -70,6 +70,23 @@ namespace Biface
     }
 
 
+    /** The most memory that all ranks had together, as far as Linux tells. */
+    void
+    print_memory(const MPI_Comm communicator, ConditionalOStream &out)
+    {
+      Utilities::System::MemoryStats stats{};
+      Utilities::System::get_memory_stats(stats);
+      const double kilobytes = Utilities::MPI::sum(
+        static_cast<double>(stats.VmHWM), communicator);
+      char line[64];
+      std::snprintf(line,
+                    sizeof(line),
+                    "Peak memory: %.3f GiB",
+                    kilobytes / (1024 * 1024));
+      out << line << "\n\n";
+    }
+
+
     /** Approach and force of all steps with contact. */
     void
     print_load_deflection(const std::vector<StepReport> &reports,
@@ -131,6 +148,7 @@ namespace Biface
           }))
         print_load_deflection(reports, out);
       simulation.get_timer().print_summary();
+      print_memory(communicator, out);
       out << (result.success ? "Results" : "What was reached") << " in "
           << parameters.output.directory
           << ": history.csv, contact-*.csv, profile-*.csv, "

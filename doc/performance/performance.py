@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long the bias tire takes, by the size of the mesh.
+
+Runs the shipped parameter file as it is and on meshes with two, four and eight
+times the cells in each direction, on one rank and on two, and writes
+
+    performance.md   times by phase, memory, ratios, growth
+
+Times are those of the program's own table; what is compared are ratios within
+one run, since machines differ and are busy. A run is kept and not repeated
+unless the program has changed.
+"""
+
+import argparse
+import csv
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+from collections import namedtuple
+from pathlib import Path
+
+# Refinement, number of steps of the contact stage, ranks, further settings
+Case = namedtuple("Case", "refinement steps ranks name settings")
+
+ITERATIVE = ["Linear solver/Type=iterative", "Contact/Multiplier mass=lumped"]
+
+CASES = [
+    Case(1, 20, 1, "as shipped", []),
+    Case(1, 20, 2, "as shipped", []),
+    Case(1, 1, 1, "one step", []),
+    Case(2, 1, 1, "one step", []),
+    Case(4, 1, 1, "one step", []),
+    Case(4, 1, 2, "one step", []),
+    Case(8, 1, 2, "one step", []),
+    Case(1, 1, 1, "iterative", ITERATIVE),
+    Case(2, 1, 1, "iterative", ITERATIVE),
+    Case(4, 1, 1, "iterative", ITERATIVE),
+]
+
+# The sections of the program's table that are the linear solver's own work
+LINEAR = ("Linear solver: factorization", "Linear solver: solution",
+          "Linear solver: multigrid set-up",
+          "Linear solver: multigrid iterations")
+ANALYSIS = "Linear solver: analysis"
+
+
+def mesh(refinement):
+    """Settings for the refined mesh."""
+    n = refinement
+    return [
+        f"Mesh/Intervals alpha_1=-120:-45:{12 * n}, -45:45:{18 * n}, "
+        f"45:120:{12 * n}",
+        f"Mesh/Intervals alpha_2=-180:-15:{11 * n}:smooth, -15:15:{18 * n}, "
+        f"15:180:{11 * n}:smooth"]
+
+
+def run(arguments, case):
+    """What a run has shown: sections in seconds, and some numbers."""
+    directory = arguments.scratch / (f"{case.name.replace(' ', '_')}-"
+                                     f"{case.refinement}-{case.ranks}")
+    result_file = directory / "result.json"
+    if (result_file.exists() and result_file.stat().st_mtime >
+            arguments.program.stat().st_mtime):
+        return json.loads(result_file.read_text(encoding="utf-8"))
+    shutil.rmtree(directory, ignore_errors=True)
+    directory.mkdir(parents=True)
+
+    settings = [f"Stage 2/Steps={case.steps}", *case.settings]
+    if case.refinement > 1:
+        settings += mesh(case.refinement) + ["Output/Write VTU=false"]
+    command = [str(arguments.program), "--output", str(directory / "output")]
+    for setting in settings:
+        command += ["--set", setting]
+    command.append(str(arguments.parameters))
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    if case.ranks > 1:
+        command = ["mpirun", "-n", str(case.ranks)] + command
+        if os.getuid() == 0:
+            environment.update(OMPI_ALLOW_RUN_AS_ROOT="1",
+                               OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    print(f"{case.name}, refinement {case.refinement}, ranks {case.ranks} ...",
+          flush=True)
+    done = subprocess.run(command, env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    (directory / "screen.txt").write_text(done.stdout, encoding="utf-8")
+
+    sections = {
+        name.strip(): (int(calls), float(seconds))
+        for name, calls, seconds in re.findall(
+            r"^\| (.*?) *\| *(\d+) \| *([0-9.e+-]+)s \|", done.stdout,
+            re.MULTILINE)}
+    total = re.search(r"Total wallclock time elapsed since start *\| *"
+                      r"([0-9.e+-]+)s", done.stdout)
+    with open(directory / "output" / "history.csv", encoding="utf-8") as file:
+        history = list(csv.DictReader(file))
+    result = {
+        "complete": done.returncode == 0,
+        "unknowns": int(re.search(r"(\d+) unknowns", done.stdout)[1]),
+        "cells": int(re.search(r"(\d+) cells", done.stdout)[1]),
+        "iterations": sum(int(row["iterations"]) for row in history),
+        "force": float(history[-1]["force"]),
+        "memory": float(re.search(r"Peak memory: ([0-9.]+) GiB",
+                                  done.stdout)[1]),
+        "total": float(total[1]) if total else math.nan,
+        "sections": sections}
+    result_file.write_text(json.dumps(result, indent=1), encoding="utf-8")
+    return result
+
+
+def linear_time(result):
+    """Seconds in factorizations and solutions."""
+    return sum(result["sections"].get(name, (0, 0))[1] for name in LINEAR)
+
+
+def table(header, rows):
+    """A Markdown table."""
+    lines = ["| " + " | ".join(header) + " |",
+             "|" + " --- |" * len(header)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines)
+
+
+def number(value):
+    """Three digits, as a person writes them."""
+    if value == 0:
+        return "0"
+    digits = max(0, 2 - math.floor(math.log10(abs(value))))
+    return f"{value:.{digits}f}"
+
+
+def times_row(case, result):
+    """A row of the table of times per iteration."""
+    n = max(1, sum(result["sections"].get(name, (0, 0))[0] for name in (
+        LINEAR[0], LINEAR[2])))
+
+    def per_iteration(*names):
+        return sum(result["sections"].get(name, (0, 0))[1]
+                   for name in names) / n
+
+    rest = (result["total"] / n - per_iteration("Assembly", *LINEAR)
+            - per_iteration(ANALYSIS))
+    return [case.name, f"{result['unknowns']:,}", str(case.ranks),
+            f"{result['iterations']}" + ("" if result["complete"] else
+                                         " (not converged)"),
+            number(per_iteration("Assembly")),
+            number(result["sections"].get(ANALYSIS, (0, 0))[1]),
+            number(per_iteration(LINEAR[0], LINEAR[2])),
+            number(per_iteration(LINEAR[1], LINEAR[3])),
+            number(rest), number(result["total"]),
+            f"{result['total'] / linear_time(result):.2f}",
+            f"{result['memory']:.2f}"]
+
+
+def exponent(small, large, key):
+    """The power of the unknowns with which a quantity grows."""
+    return (math.log(key(large) / key(small))
+            / math.log(large["unknowns"] / small["unknowns"]))
+
+
+def per_newton_iteration(result):
+    """Seconds of the whole run, an iteration."""
+    calls = sum(result["sections"].get(name, (0, 0))[0]
+                for name in (LINEAR[0], LINEAR[2]))
+    return result["total"] / max(1, calls)
+
+
+def kernel_section(arguments):
+    """Times and instructions of the element kernel."""
+    if not arguments.kernel:
+        return ("Google's benchmark library was not there when this page was "
+                "written.\n")
+    done = subprocess.run(
+        [arguments.kernel, "--benchmark_format=json",
+         "--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],
+        stdout=subprocess.PIPE, text=True, check=True)
+    rows = [[entry["run_name"].replace("_", " "),
+             number(entry["cpu_time"] / 1000)]
+            for entry in json.loads(done.stdout)["benchmarks"]
+            if entry["aggregate_name"] == "median"]
+    text = table(["per cell", "microseconds"], rows) + "\n"
+
+    if shutil.which("valgrind"):
+        counts = []
+        for n in (100, 1100):
+            done = subprocess.run(
+                ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+                 arguments.kernel, "count", str(n)],
+                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                check=True)
+            counts.append(int(re.search(r"Collected : (\d+)", done.stderr)[1]))
+        text += (f"\nAll three together take "
+                 f"**{(counts[1] - counts[0]) // 1000:,} instructions** a cell "
+                 "(callgrind; the compiler's flags are those of the build). "
+                 "This number does not depend on how busy the machine is.\n")
+    return text
+
+
+def write_page(arguments, results):
+    """The page, from all runs."""
+    by_key = {(c.name, c.refinement, c.ranks): r for c, r in results}
+    one = {n: by_key.get(("one step", n, 1)) for n in (1, 2, 4)}
+    page = arguments.template.read_text(encoding="utf-8")
+
+    rows = [times_row(case, result) for case, result in results]
+    header = ["case", "unknowns", "ranks", "iterations", "assembly", "analysis",
+              "factorization", "solution", "rest", "total", "ratio", "memory"]
+    values = {"TIMES": table(header, rows),
+              "KERNEL": kernel_section(arguments).rstrip()}
+
+    growth = []
+    if one[1] and one[4]:
+        growth.append(["10k to 160k", "1",
+                       f"{exponent(one[1], one[4], per_newton_iteration):.2f}",
+                       f"{exponent(one[1], one[4], lambda r: r['memory']):.2f}"])
+    large = by_key.get(("one step", 8, 2))
+    small = by_key.get(("one step", 4, 2))
+    if large and small:
+        growth.append(["160k to 640k", "2",
+                       f"{exponent(small, large, per_newton_iteration):.2f}",
+                       f"{exponent(small, large, lambda r: r['memory']):.2f}"])
+    values["GROWTH"] = table(
+        ["unknowns", "ranks", "time an iteration", "memory"], growth)
+    speed_up = []
+    for name, n in (("as shipped", 1), ("one step", 4)):
+        single, double = by_key.get((name, n, 1)), by_key.get((name, n, 2))
+        if single and double:
+            speed_up.append([name, f"{single['unknowns']:,}",
+                             number(single["total"]), number(double["total"]),
+                             f"{single['total'] / double['total']:.2f}"])
+    values["RANKS"] = table(
+        ["case", "unknowns", "1 rank", "2 ranks", "1 rank / 2 ranks"], speed_up)
+
+    for key, value in values.items():
+        page = page.replace("@" + key + "@", value)
+    (arguments.output / "performance.md").write_text(page, encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--program", type=Path, required=True)
+    parser.add_argument("--parameters", type=Path, required=True)
+    parser.add_argument("--kernel")
+    parser.add_argument("--scratch", type=Path, required=True)
+    parser.add_argument("--output", type=Path, required=True)
+    parser.add_argument("--greatest", type=int, default=8,
+                        help="leave out finer meshes")
+    arguments = parser.parse_args()
+    arguments.template = Path(__file__).with_name("performance.md.in")
+    results = [(case, run(arguments, case)) for case in CASES
+               if case.refinement <= arguments.greatest]
+    write_page(arguments, results)
+
+
+if __name__ == "__main__":
+    main()
