@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +24,47 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::unique_ptr<parallel::TriangulationBase<2, 3>>
+    make_triangulation(const MPI_Comm          communicator,
+                       const ReferenceSurface &surface,
+                       const ChartGrid        &grid)
+    {
+      if (grid.distribution == MeshDistribution::shared)
+        {
+          auto shared = std::make_unique<parallel::shared::Triangulation<2, 3>>(
+            communicator,
+            Triangulation<2, 3>::none,
+            true,
+            parallel::shared::Triangulation<2, 3>::partition_metis);
+          create_triangulation(surface, grid, *shared);
+          return shared;
+        }
+
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const auto description = TriangulationDescription::Utilities::
+        create_description_from_triangulation_in_groups<2, 3>(
+          [&](Triangulation<2, 3> &whole) {
+            create_triangulation(surface, grid, whole);
+          },
+          [&](Triangulation<2, 3> &whole, const MPI_Comm &, unsigned int) {
+            GridTools::partition_triangulation(
+              n_ranks, whole, SparsityTools::Partitioner::metis);
+          },
+          communicator,
+          n_ranks);
+      auto distributed =
+        std::make_unique<parallel::fullydistributed::Triangulation<2, 3>>(
+          communicator);
+      distributed->set_manifold(0, surface);
+      distributed->create_triangulation(description);
+      return distributed;
+    }
+  } // namespace
+
+
   Discretization::Discretization(
     const MPI_Comm                          communicator,
     std::unique_ptr<const ReferenceSurface> surface,
@@ -31,13 +76,7 @@ namespace Biface
     , layup(layup)
     , points(points)
     , surface(std::move(surface))
-    , triangulation(
-        communicator,
-        Triangulation<2, 3>::none,
-        true,
-        parallel::shared::Triangulation<2, 3>::Settings::partition_metis)
     , fe(FE_Q<2, 3>(1), 6)
-    , dof_handler(triangulation)
   {
     make_strips(grid);
     check_geometry(grid);
@@ -48,15 +87,19 @@ namespace Biface
             "the section 'Supports' holds an edge of alpha_2, but the "
             "coordinate is closed ('Mesh/Closed in alpha_2') and has no edge.");
 
-    create_triangulation(*this->surface, grid, triangulation);
+    triangulation = make_triangulation(communicator, *this->surface, grid);
+    dof_handler.reinit(*triangulation);
     dof_handler.distribute_dofs(fe);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
 
-    const BoundingBox<3> box = GridTools::compute_bounding_box(triangulation);
-    diameter =
-      (box.get_boundary_points().second - box.get_boundary_points().first)
-        .norm();
+    const auto box =
+      GridTools::compute_bounding_box(*triangulation).get_boundary_points();
+    Tensor<1, 3> diagonal;
+    for (unsigned int d = 0; d < 3; ++d)
+      diagonal[d] = Utilities::MPI::max(box.second[d], communicator) -
+                    Utilities::MPI::min(box.first[d], communicator);
+    diameter = diagonal.norm();
 
     collect_cells_and_nodes(grid);
     find_points();
@@ -150,7 +193,7 @@ namespace Biface
                              update_quadrature_points | update_JxW_values);
 
     // from the vertices of the triangulation to nodes of this rank
-    std::vector<unsigned int> node_of_vertex(triangulation.n_vertices(),
+    std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),
                                              numbers::invalid_unsigned_int);
 
     // where the second coordinate is periodic, that of a node is taken near

@@ -43,12 +43,19 @@ namespace Biface
                       "Whether the second coordinate runs through a full turn "
                       "and closes, so that it has no edges.",
                       Patterns::Bool());
+    add_choice(prm,
+               "Distribution",
+               distribution,
+               {"shared", "distributed"},
+               "Which rank holds which cells: 'shared' (each rank all of them) "
+               "or 'distributed' (each rank its own and their neighbors, for "
+               "meshes too large for one). Results are the same.");
   }
 
 
   ChartGrid::ChartGrid(const Parameters       &parameters,
                        const ReferenceSurface &surface)
-    : closed(parameters.closed)
+    : closed(parameters.closed), distribution(parameters.distribution)
   {
     for (unsigned int a = 0; a < 2; ++a)
       lines[a] = parse_intervals(

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/types.h>
-#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria_base.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_manifold.h>
@@ -188,7 +188,7 @@ namespace Biface
     dealii::types::global_dof_index
     n_cells() const
     {
-      return triangulation.n_global_active_cells();
+      return triangulation->n_global_active_cells();
     }
 
     /** The diagonal of the box around the reference surface. Unit: length. */
@@ -263,14 +263,14 @@ namespace Biface
     void
     make_constraints(const Supports &supports);
 
-    std::unique_ptr<const ReferenceSurface>       surface;
-    dealii::parallel::shared::Triangulation<2, 3> triangulation;
-    const dealii::MappingManifold<2, 3>           mapping;
-    const dealii::FESystem<2, 3>                  fe;
-    dealii::DoFHandler<2, 3>                      dof_handler;
-    dealii::types::global_dof_index               n_free             = 0;
-    double                                        diameter           = 0;
-    double                                        greatest_thickness = 0;
+    std::unique_ptr<const ReferenceSurface>                    surface;
+    std::unique_ptr<dealii::parallel::TriangulationBase<2, 3>> triangulation;
+    const dealii::MappingManifold<2, 3>                        mapping;
+    const dealii::FESystem<2, 3>                               fe;
+    dealii::DoFHandler<2, 3>                                   dof_handler;
+    dealii::types::global_dof_index                            n_free   = 0;
+    double                                                     diameter = 0;
+    double greatest_thickness                                           = 0;
     /** Laminate::faces() on each line of the first coordinate: where a ply
      * ends there, the mean of both sides. */
     std::vector<std::array<double, 2>> line_faces;

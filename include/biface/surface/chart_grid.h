@@ -14,6 +14,17 @@
 
 namespace Biface
 {
+  /** Which rank holds which cells. */
+  enum class MeshDistribution
+  {
+    /** Every rank holds all of them. */
+    shared,
+    /** Every rank holds its own and their neighbors; the first one holds all
+     * of them while they are handed out. */
+    distributed
+  };
+
+
   /**
    * A structured, graded grid in the coordinates of a surface: the rectangle
    * spanned by two lists of coordinate lines, or a ring of it where the second
@@ -26,7 +37,8 @@ namespace Biface
       std::array<std::string, 2> intervals{
         {"-120:-45:12, -45:45:18, 45:120:12",
          "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
-      bool closed = true;
+      bool             closed       = true;
+      MeshDistribution distribution = MeshDistribution::shared;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -38,6 +50,8 @@ namespace Biface
 
     /** The last line of the second coordinate is its first one. */
     bool closed = false;
+
+    MeshDistribution distribution = MeshDistribution::shared;
 
     /**
      * Read the interval lists in the units of @p surface.
