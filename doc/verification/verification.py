@@ -226,8 +226,8 @@ REFERENCES = {"sze": "Sze, Liu, Lo (2004)", "exact": "exact"}
 Expected = namedtuple("Expected", "quantity reference")
 
 # A run: cells over those of the file (None for a further run), name in tables,
-# rows of history.csv and probes.csv, whether it came to the end
-Run = namedtuple("Run", "factor name history probes complete")
+# rows of history.csv and probes.csv, whether it came to the end, its directory
+Run = namedtuple("Run", "factor name history probes complete directory")
 
 # A parameter file with its runs
 Benchmark = namedtuple("Benchmark", "name problem expected runs")
@@ -334,7 +334,8 @@ def make_run(arguments, prm, factor, name, settings):
     code = run_program(arguments.program, prm, settings, directory)
     probes = directory / "probes.csv"
     return Run(factor, name, read_csv(directory / "history.csv"),
-               read_csv(probes) if probes.exists() else [], code == 0)
+               read_csv(probes) if probes.exists() else [], code == 0,
+               directory)
 
 
 def make_benchmark(arguments, prm):
@@ -383,13 +384,20 @@ def find_step(run, when):
 
 
 def find_value(run, words, when):
-    """A column of history.csv ('history COLUMN') or of probes.csv ('NAME FACE
-    COLUMN') at the end of a stage or a load factor, None if not reached."""
+    """A column of history.csv ('history COLUMN'), of plies-NNNN.csv ('plies
+    NAME PLY PLACE COLUMN') or of probes.csv ('NAME FACE COLUMN') at the end of a
+    stage or a load factor, None if not reached."""
     step = find_step(run, when)
     if step is None:
         return None
     if words[0] == "history":
         return float(step[words[1]])
+    if words[0] == "plies":
+        path = run.directory / f"plies-{int(step['step']):04d}.csv"
+        for row in read_csv(path):
+            if [row["name"], row["ply"], row["fraction"]] == words[1:4]:
+                return float(row[words[4]])
+        return None
     for row in run.probes:
         if [row["step"], row["name"], row["face"]] == [step["step"], *words[:2]]:
             return float(row[words[2]])

@@ -4,8 +4,9 @@
 // values, which stand in comments of the file:
 //   # expect: NAME FACE COLUMN at WHEN is VALUE within FRACTION
 //   # expect: history COLUMN at WHEN is VALUE within FRACTION
-// for a column of probes.csv or history.csv, where WHEN is a load factor or
-// 'end of STAGE';
+//   # expect: plies NAME PLY PLACE COLUMN at WHEN is VALUE within FRACTION
+// for a column of probes.csv, history.csv or plies-NNNN.csv (PLACE is its
+// column 'fraction'), where WHEN is a load factor or 'end of STAGE';
 //   # expect: greatest load factor is VALUE within FRACTION
 //   # expect: least load factor is VALUE within FRACTION
 // for the first maximum of a path, and the minimum after it;
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -73,19 +75,26 @@ namespace
   }
 
 
-  /** The row of probes.csv of a point and a face in a step, null if there is
-   * none. */
-  const Row *
-  find_probe(const std::vector<Row> &probes,
-             const Row              &step,
-             const std::string      &name,
-             const std::string      &face)
+  /** The value of a column of a step, as the words name it; nothing if it is
+   * not there. */
+  std::optional<double>
+  find_value(const Row &step, const std::vector<std::string> &words)
   {
-    for (const Row &row : probes)
-      if (row.at("step") == step.at("step") && row.at("name") == name &&
-          row.at("face") == face)
-        return &row;
-    return nullptr;
+    if (words[0] == "history")
+      return std::stod(step.at(words[1]));
+
+    const bool of_plies = (words[0] == "plies");
+    const auto number   = std::stoul(step.at("step"));
+    const auto rows     = read_csv(
+      of_plies ? "results/plies-" + Utilities::int_to_string(number, 4) + ".csv"
+               : "results/probes.csv");
+    for (const Row &row : rows)
+      if (of_plies ? row.at("name") == words[1] && row.at("ply") == words[2] &&
+                       row.at("fraction") == words[3]
+                   : row.at("step") == step.at("step") &&
+                       row.at("name") == words[0] && row.at("face") == words[1])
+        return std::stod(row.at(words[of_plies ? 4 : 2]));
+    return {};
   }
 
 
@@ -130,7 +139,6 @@ main(int argc, char *argv[])
     return 0;
   std::cout << "exit code: " << code << std::endl;
 
-  const auto          probes  = read_csv("results/probes.csv");
   const auto          history = read_csv("results/history.csv");
   std::vector<double> factors(1, 0.);
   unsigned int        n_iterations = 0;
@@ -180,18 +188,18 @@ main(int argc, char *argv[])
               check_true("understood: " + text, false);
               continue;
             }
-          const bool of_history = (w[0] == "history");
-          const Row *row        = find_step(history, match[2]);
-          if (row != nullptr && !of_history)
-            row = find_probe(probes, *row, w[0], w[1]);
-          if (row != nullptr)
+          const Row            *step = find_step(history, match[2]);
+          std::optional<double> value;
+          if (step != nullptr)
+            value = find_value(*step, w);
+          if (value)
             compare(match[1].str() + " at " + match[2].str(),
-                    std::stod(row->at(of_history ? w[1] : w[2])),
+                    *value,
                     std::stod(match[3]),
                     std::stod(match[4]));
-          check_true(of_history ? "found in history.csv"
-                                : "found in probes.csv",
-                     row != nullptr);
+          const std::string file_name =
+            (w[0] == "history" || w[0] == "plies" ? w[0] : "probes");
+          check_true("found in " + file_name + ".csv", value.has_value());
         }
     }
 }
