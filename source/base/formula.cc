@@ -20,6 +20,27 @@ namespace Biface
   };
 
 
+  namespace
+  {
+    /** Whether the text holds an '=' alone, which would give a variable another
+     * value. */
+    bool
+    assigns(const std::string &text)
+    {
+      for (std::string::size_type i = 0; i < text.size(); ++i)
+        if (text[i] == '=')
+          {
+            if (i + 1 < text.size() && text[i + 1] == '=')
+              ++i;
+            else if (i == 0 ||
+                     std::string("<>!").find(text[i - 1]) == std::string::npos)
+              return true;
+          }
+      return false;
+    }
+  } // namespace
+
+
   Formula::Formula(const std::string              &entry,
                    const std::string              &text,
                    const std::vector<std::string> &variables)
@@ -34,6 +55,9 @@ namespace Biface
     const std::string allowed =
       "it must be a number or a formula" +
       (names.empty() ? std::string() : " of " + names);
+    if (assigns(text))
+      throw InputError(
+        entry, text, allowed + " without '=' (to compare, write '==')");
     try
       {
         mu::Parser &p = new_parser->parser;

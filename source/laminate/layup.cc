@@ -74,6 +74,31 @@ namespace Biface
     using Table  = Functions::InterpolatedTensorProductGridData<1>;
     using Tables = std::map<std::string, std::shared_ptr<const Table>>;
 
+    /** Throw an InputError where a table's name cannot be used in formulas, or
+     * is there already. */
+    void
+    check_name(const std::string &entry,
+               const std::string &name,
+               const Tables      &tables)
+    {
+      bool usable = true;
+      try
+        {
+          // a name that is taken, such as pi, or not one word
+          Formula(entry, name, {"alpha_1", name});
+        }
+      catch (const InputError &)
+        {
+          usable = false;
+        }
+      if (!usable || name == "alpha_1" || tables.count(name) > 0)
+        throw InputError(
+          entry,
+          name,
+          "the name of a table must be a word of letters, digits and '_', a "
+          "letter first, that no other table, variable or constant has");
+    }
+
     Tables
     read_tables(const std::string &list, const MPI_Comm communicator)
     {
@@ -84,6 +109,7 @@ namespace Biface
         {
           const auto item =
             split_named(entry, text, "each table is written 'name: file'");
+          check_name(entry, item.first, tables);
           const auto pairs = parse_pairs(read_file(item.second, communicator),
                                          item.second,
                                          "alpha_1, value");

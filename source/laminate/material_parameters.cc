@@ -120,8 +120,15 @@ namespace Biface
         }))
       return {};
     for (const auto &strength : all)
-      check_positive("Material " + name + "/" + strength.first,
-                     strength.second);
+      {
+        const std::string entry = "Material " + name + "/" + strength.first;
+        if (strength.second == 0)
+          throw InputError(entry,
+                           "0",
+                           "a material with strengths must have all five: X_t, "
+                           "X_c, Y_t, Y_c, S");
+        check_positive(entry, strength.second);
+      }
     return strengths;
   }
 } // namespace Biface

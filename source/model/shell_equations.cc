@@ -299,8 +299,7 @@ namespace Biface
           square += force * force;
         }
     return std::numeric_limits<double>::epsilon() *
-           std::sqrt(
-             Utilities::MPI::sum(square, discretization.communicator)) /
+           std::sqrt(Utilities::MPI::sum(square, discretization.communicator)) /
            force_scale;
   }
 

@@ -76,13 +76,11 @@ namespace Biface
     {
       Utilities::System::MemoryStats stats{};
       Utilities::System::get_memory_stats(stats);
-      const double kilobytes = Utilities::MPI::sum(
-        static_cast<double>(stats.VmHWM), communicator);
+      const double kilobytes =
+        Utilities::MPI::sum(static_cast<double>(stats.VmHWM), communicator);
       char line[64];
-      std::snprintf(line,
-                    sizeof(line),
-                    "Peak memory: %.3f GiB",
-                    kilobytes / (1024 * 1024));
+      std::snprintf(
+        line, sizeof(line), "Peak memory: %.3f GiB", kilobytes / (1024 * 1024));
       out << line << "\n\n";
     }
 

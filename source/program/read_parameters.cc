@@ -185,11 +185,14 @@ namespace Biface
     allowed_by(const std::string &pattern)
     {
       std::smatch match;
-      if (std::regex_match(pattern, match, std::regex("\\[Selection (.*) \\]")))
+      if (std::regex_match(
+            pattern, match, std::regex("\\[(Multiple)?Selection (.*) \\]")))
         {
-          std::string choices =
-            std::regex_replace(match[1].str(), std::regex("\\|"), "', '");
-          return "it must be one of '" + choices + "'";
+          const std::string choices =
+            std::regex_replace(match[2].str(), std::regex("\\|"), "', '");
+          return (match[1].matched ? "it must be a list of some of '"
+                                   : "it must be one of '") +
+                 choices + "'";
         }
       if (std::regex_match(
             pattern,
@@ -374,14 +377,15 @@ namespace Biface
     std::string &tables = parameters.laminate.tables;
     if (!tables.empty())
       {
+        // what is not 'name: file' is kept for Layup to refuse
         std::string list;
-        for (const std::string &text :
-             Utilities::split_string_list(tables, ','))
+        for (std::string text : Utilities::split_string_list(tables, ','))
           {
-            const auto item = split_named(
-              "Laminate/Tables", text, "each table is written 'name: file'");
-            list += (list.empty() ? "" : ", ") + item.first + ": " +
-                    absolute(item.second);
+            const auto colon = text.find(':');
+            if (colon != std::string::npos)
+              text = text.substr(0, colon) + ": " +
+                     absolute(Utilities::trim(text.substr(colon + 1)));
+            list += (list.empty() ? "" : ", ") + text;
           }
         tables = list;
         prm.enter_subsection("Laminate");

@@ -3,19 +3,9 @@
 #ifndef biface_tests_bias_tire_h
 #define biface_tests_bias_tire_h
 
-#include <deal.II/base/mpi.h>
-
-#include <functional>
-#include <iostream>
-#include <sstream>
 #include <vector>
 
-#include <biface/program/parameters.h>
-#include <biface/program/simulation.h>
-
-using Observer = std::function<void(const Biface::ShellEquations &,
-                                    const Biface::StepReport &,
-                                    const Biface::State &)>;
+#include "../run_analysis.h"
 
 /** Run the shipped bias tire with some entries changed.
  * @return the reports of all steps. */
@@ -23,23 +13,7 @@ inline std::vector<Biface::StepReport>
 run_bias_tire(const std::vector<Biface::Override> &overrides,
               const Observer                      &observer = {})
 {
-  Biface::Parameters       parameters;
-  dealii::ParameterHandler prm;
-  Biface::read_parameters(
-    PRM_DIR "/bias_tire.prm", overrides, MPI_COMM_WORLD, parameters, prm);
-
-  std::ostringstream screen;
-  Biface::Simulation simulation(parameters, MPI_COMM_WORLD, screen);
-  std::vector<Biface::StepReport> reports;
-  const auto                      result = simulation.run(
-    [&](const Biface::StepReport &report, const Biface::State &state) {
-      reports.push_back(report);
-      if (observer)
-        observer(simulation.get_equations(), report, state);
-    });
-  if (!result.success)
-    std::cout << "FAILED: " << result.message << std::endl;
-  return reports;
+  return run_analysis(PRM_DIR "/bias_tire.prm", overrides, observer);
 }
 
 #endif

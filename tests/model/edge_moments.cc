@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The nodal forces of a dead moment along an edge are a pure couple, the moment
+// times the length of the edge, which turns the outer face outward over it; and
+// so are those of one that follows, as long as nothing is displaced.
+
+#include <biface/model/shell_equations.h>
+
+#include "free_shells.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  check(const std::string    &what,
+        const Discretization &discretization,
+        const std::string    &edge,
+        const Tensor<1, 3>   &moment)
+  {
+    for (const std::string kind : {"dead", "follower"})
+      {
+        DeadLoads loads;
+        loads.edge_moments = edge + ": 3 " + kind;
+        const ContactConditions contact{ContactConditions::Parameters()};
+        ShellEquations          equations(
+          discretization, contact, loads, PressureLoad());
+        Loads at;
+        at.factor         = 2;
+        const State state = equations.initial_state();
+        equations.assemble(state, at);
+        const Total total(discretization, equations.residual());
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          {
+            std::cout << what << ", " << edge << ", " << kind << std::endl;
+            check_small("  force", total.force.norm(), 1e-12, 10);
+            check_small("  moment", (total.moment - moment).norm(), 1e-12, 10);
+          }
+      }
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  // 2 times 3 times the length of 2 or 4; the outer face is above
+  const auto flat = plate();
+  check("plate", *flat, "alpha_1 min", Tensor<1, 3>({0, -12, 0}));
+  check("plate", *flat, "alpha_1 max", Tensor<1, 3>({0, 12, 0}));
+  check("plate", *flat, "alpha_2 min", Tensor<1, 3>({24, 0, 0}));
+  check("plate", *flat, "alpha_2 max", Tensor<1, 3>({-24, 0, 0}));
+
+  // around a closed edge all balances; a generator has the length 6, the axis
+  // of the moment is e_1 = y at the begin and -y at the end
+  const auto closed = cylinder("0:360:7", true);
+  check("closed cylinder", *closed, "alpha_1 max", Tensor<1, 3>());
+  const auto open = cylinder("0:90:3", false);
+  check("open cylinder", *open, "alpha_2 min", Tensor<1, 3>({0, 36, 0}));
+  check("open cylinder", *open, "alpha_2 max", Tensor<1, 3>({0, -36, 0}));
+}

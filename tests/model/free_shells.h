@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_tests_model_free_shells_h
+#define biface_tests_model_free_shells_h
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include <biface/model/discretization.h>
+#include <biface/surface/circular_arc.h>
+#include <biface/surface/plane.h>
+#include <biface/surface/straight_line.h>
+#include <biface/surface/surface_of_revolution.h>
+
+#include <cord_ply.h>
+
+/** A shell without supports, so that no force is lost to them. With the plies
+ * of the default, the inner face lies at -0.5 and the outer one at 1. */
+inline std::unique_ptr<Biface::Discretization>
+free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
+           const std::array<std::string, 2>         &intervals,
+           const bool                                closed = false,
+           const std::string                        &plies  = "cord: 1.5 @ 30")
+{
+  using namespace Biface;
+
+  ChartGrid::Parameters parameters;
+  parameters.intervals = intervals;
+  parameters.closed    = closed;
+  const ChartGrid   grid(parameters, *surface);
+  Layup::Parameters layup;
+  layup.plies     = plies;
+  layup.reference = "0.5";
+  return std::make_unique<Discretization>(MPI_COMM_WORLD,
+                                          std::move(surface),
+                                          grid,
+                                          Layup(layup, cord_ply()),
+                                          Supports());
+}
+
+
+/** A plate of the size 4 by 2. */
+inline std::unique_ptr<Biface::Discretization>
+plate()
+{
+  return free_shell(std::make_unique<Biface::Plane>(), {{"0:4:5", "0:2:3"}});
+}
+
+
+/** A cylinder about the y axis, of radius 10, from y = 0 to 6. */
+inline std::unique_ptr<Biface::Discretization>
+cylinder(const std::string &intervals_around, const bool closed)
+{
+  using namespace Biface;
+
+  StraightLine::Parameters line;
+  line.begin = dealii::Point<2>(10, 0);
+  line.end   = dealii::Point<2>(10, 6);
+  return free_shell(
+    std::make_unique<SurfaceOfRevolution>(std::make_shared<StraightLine>(line)),
+    {{"0:6:4", intervals_around}},
+    closed);
+}
+
+
+/** A closed section of a torus about the y axis: an arc of radius 50 about 200,
+ * from -30 to 90 degrees. */
+inline std::unique_ptr<Biface::Discretization>
+torus(const unsigned int n_cells,
+      const unsigned int n_around = 8,
+      const std::string &plies    = "cord: 1.5 @ 30")
+{
+  using namespace Biface;
+
+  return free_shell(std::make_unique<SurfaceOfRevolution>(
+                      std::make_shared<CircularArc>(CircularArc::Parameters())),
+                    {{"-30:90:" + std::to_string(n_cells),
+                      "0:360:" + std::to_string(n_around)}},
+                    true,
+                    plies);
+}
+
+
+/** The sum of nodal forces, and that of their moments about the origin. */
+struct Total
+{
+  dealii::Tensor<1, 3> force, moment;
+
+  Total(const Biface::Discretization &discretization,
+        const Biface::LA::Vector     &nodal_forces)
+  {
+    for (const Biface::Node &node : discretization.nodes)
+      if (node.locally_owned)
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const dealii::Tensor<1, 3> x =
+              node.surface.position + node.faces[face] * node.surface.frame[2];
+            const dealii::Tensor<1, 3> f = node.surface.from_frame(
+              discretization.displacement(nodal_forces, node, face));
+            force += f;
+            moment += dealii::cross_product_3d(x, f);
+          }
+    force  = dealii::Utilities::MPI::sum(force, MPI_COMM_WORLD);
+    moment = dealii::Utilities::MPI::sum(moment, MPI_COMM_WORLD);
+  }
+};
+
+#endif

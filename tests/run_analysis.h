@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_tests_run_analysis_h
+#define biface_tests_run_analysis_h
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <biface/program/parameters.h>
+#include <biface/program/simulation.h>
+
+using Observer = std::function<void(const Biface::ShellEquations &,
+                                    const Biface::StepReport &,
+                                    const Biface::State &)>;
+
+/** Run a parameter file with some entries changed.
+ * @return the reports of all steps. */
+inline std::vector<Biface::StepReport>
+run_analysis(const std::string                   &file,
+             const std::vector<Biface::Override> &overrides,
+             const Observer                      &observer = {})
+{
+  Biface::Parameters       parameters;
+  dealii::ParameterHandler prm;
+  Biface::read_parameters(file, overrides, MPI_COMM_WORLD, parameters, prm);
+
+  std::ostringstream screen;
+  Biface::Simulation simulation(parameters, MPI_COMM_WORLD, screen);
+  std::vector<Biface::StepReport> reports;
+  const auto                      result = simulation.run(
+    [&](const Biface::StepReport &report, const Biface::State &state) {
+      reports.push_back(report);
+      if (observer)
+        observer(simulation.get_equations(), report, state);
+    });
+  if (!result.success)
+    std::cout << "FAILED: " << result.message << std::endl;
+  return reports;
+}
+
+#endif
