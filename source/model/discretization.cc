@@ -114,6 +114,19 @@ namespace Biface
     for (double &alpha_1 : lines)
       alpha_1 /= surface->coordinate_unit(0);
 
+    const double tolerance = 1e-7 * (lines.back() - lines.front());
+    for (const PlyDescription &ply : layup.get_plies())
+      for (const double end : {ply.begin, ply.end})
+        if (std::isfinite(end) &&
+            std::none_of(lines.begin(), lines.end(), [&](const double line) {
+              return std::abs(line - end) <= tolerance;
+            }))
+          throw InputError("Laminate/Plies",
+                           ply.text,
+                           "a ply must begin and end at lines of the mesh, and "
+                           "there is none at alpha_1 = " +
+                             number_to_string(end));
+
     line_faces.resize(lines.size());
     for (unsigned int i = 0; i + 1 < lines.size(); ++i)
       {
