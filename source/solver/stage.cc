@@ -21,8 +21,8 @@ namespace Biface
     prm.add_parameter(
       "Pressure",
       pressure,
-      "Pressure on the inner face at the end of the stage; what it does as the "
-      "face moves is the entry 'Loads/Pressure'. Unit: force/area.",
+      "Pressure at the end of the stage; on which face, and what it does as the "
+      "face moves, is said in the section 'Loads'. Unit: force/area.",
       Patterns::Double());
     prm.add_parameter("Contact",
                       contact,
@@ -91,7 +91,8 @@ namespace Biface
                {"nonlinear", "linear"},
                "'nonlinear' (finite displacements) or 'linear' (linearized "
                "about the state in which the stage begins, with its stresses; "
-               "contact stays one-sided).");
+               "contact stays one-sided). Two linear stages in a row are "
+               "linearized about different states.");
     prm.add_parameter("Begin from prestress",
                       from_prestress,
                       "Whether the stage begins in the undeformed shape with "
