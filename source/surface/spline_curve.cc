@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
@@ -42,6 +41,14 @@ namespace Biface
       }
     radius = std::make_unique<Functions::CSpline<1>>(knots, r);
     axial  = std::make_unique<Functions::CSpline<1>>(knots, y);
+
+    constexpr unsigned int n_samples = 4;
+    for (unsigned int i = 0; i + 1 < knots.size(); ++i)
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        {
+          const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
+          samples.emplace_back(s, evaluate(s).position);
+        }
   }
 
 
@@ -60,22 +67,15 @@ namespace Biface
   double
   SplineCurve::parameter_of(const Point<2> &point) const
   {
-    // the nearest of a few points an interval, then Newton's method for the
-    // foot of the perpendicular
-    constexpr unsigned int n_samples = 4;
-
-    double best = 0, best_distance = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i + 1 < knots.size(); ++i)
-      for (unsigned int k = 0; k <= n_samples; ++k)
-        {
-          const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
-          const double distance = evaluate(s).position.distance(point);
-          if (distance < best_distance)
-            {
-              best          = s;
-              best_distance = distance;
-            }
-        }
+    // the nearest of the samples, then Newton's method for the foot of the
+    // perpendicular
+    double best = std::min_element(samples.begin(),
+                                   samples.end(),
+                                   [&](const auto &a, const auto &b) {
+                                     return a.second.distance_square(point) <
+                                            b.second.distance_square(point);
+                                   })
+                    ->first;
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {
         const PointOfCurve curve  = evaluate(best);

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/surface/meridian.h>
@@ -53,9 +54,11 @@ namespace Biface
     }
 
   private:
-    std::vector<double>                            knots;
-    std::unique_ptr<dealii::Functions::CSpline<1>> radius;
-    std::unique_ptr<dealii::Functions::CSpline<1>> axial;
+    std::vector<double> knots;
+    /** Parameters and positions of a few points an interval. */
+    std::vector<std::pair<double, dealii::Point<2>>> samples;
+    std::unique_ptr<dealii::Functions::CSpline<1>>   radius;
+    std::unique_ptr<dealii::Functions::CSpline<1>>   axial;
   };
 
 } // namespace Biface
