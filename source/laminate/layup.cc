@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/function_lib.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 
-#include <biface/base/formula.h>
 #include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
-#include <biface/base/read_file.h>
 #include <biface/laminate/layup.h>
+#include <biface/laminate/meridional_tables.h>
 
 namespace Biface
 {
@@ -71,95 +67,6 @@ namespace Biface
 
   namespace
   {
-    using Table  = Functions::InterpolatedTensorProductGridData<1>;
-    using Tables = std::map<std::string, std::shared_ptr<const Table>>;
-
-    /** Throw an InputError where a table's name cannot be used in formulas, or
-     * is there already. */
-    void
-    check_name(const std::string &entry,
-               const std::string &name,
-               const Tables      &tables)
-    {
-      bool usable = true;
-      try
-        {
-          // a name that is taken, such as pi, or not one word
-          Formula(entry, name, {"alpha_1", name});
-        }
-      catch (const InputError &)
-        {
-          usable = false;
-        }
-      if (!usable || name == "alpha_1" || tables.count(name) > 0)
-        throw InputError(
-          entry,
-          name,
-          "the name of a table must be a word of letters, digits and '_', a "
-          "letter first, that no other table, variable or constant has");
-    }
-
-    Tables
-    read_tables(const std::string &list, const MPI_Comm communicator)
-    {
-      const std::string entry = "Laminate/Tables";
-
-      Tables tables;
-      for (const std::string &text : Utilities::split_string_list(list, ','))
-        {
-          const auto item =
-            split_named(entry, text, "each table is written 'name: file'");
-          check_name(entry, item.first, tables);
-          const auto pairs = parse_pairs(read_file(item.second, communicator),
-                                         item.second,
-                                         "alpha_1, value");
-          if (pairs.size() < 2)
-            throw InputError(item.second +
-                             ": the table has less than two lines, but it "
-                             "must say what lies between.");
-
-          std::vector<double>      alpha;
-          dealii::Table<1, double> values(pairs.size());
-          for (unsigned int i = 0; i < pairs.size(); ++i)
-            {
-              if (i > 0 && !(pairs[i][0] > alpha.back()))
-                throw InputError(item.second + ": alpha_1 goes from " +
-                                 number_to_string(alpha.back()) + " to " +
-                                 number_to_string(pairs[i][0]) +
-                                 ", but it must rise.");
-              alpha.push_back(pairs[i][0]);
-              values(i) = pairs[i][1];
-            }
-          tables[item.first] = std::make_shared<const Table>(
-            std::array<std::vector<double>, 1>{{alpha}}, values);
-        }
-      return tables;
-    }
-
-
-    /** A formula of alpha_1 and of tables. */
-    std::function<double(const double)>
-    parse_function(const std::string &entry,
-                   const std::string &text,
-                   const Tables      &tables)
-    {
-      std::vector<std::string>                  names{"alpha_1"};
-      std::vector<std::shared_ptr<const Table>> functions;
-      for (const auto &table : tables)
-        {
-          names.push_back(table.first);
-          functions.push_back(table.second);
-        }
-      const Formula formula(entry, text, names);
-      return [formula, functions](const double alpha_1) {
-        std::vector<double> values{alpha_1};
-        for (const auto &function : functions)
-          values.push_back(function->value(Point<1>(alpha_1)));
-        return formula(values);
-      };
-    }
-
-
     /** Split a text at commas, but not within parentheses. */
     std::vector<std::string>
     split_plies(const std::string &text)
@@ -206,7 +113,7 @@ namespace Biface
     std::vector<PlyDescription>
     parse_plies(const Layup::Parameters               &parameters,
                 const std::vector<MaterialParameters> &materials,
-                const Tables                          &tables)
+                const MeridionalTables                &tables)
     {
       const std::string entry = "Laminate/Plies";
       const std::string form  = "each ply is written 'material: thickness @ "
@@ -239,13 +146,10 @@ namespace Biface
 
           std::string angle = text.substr(at + 1);
           take_range(entry, angle, ply);
-          ply.thickness = parse_function(
-            entry,
-            Utilities::trim(text.substr(colon + 1, at - colon - 1)),
-            tables);
-          const auto degrees =
-            parse_function(entry, Utilities::trim(angle), tables);
-          ply.angle = [degrees](const double alpha_1) {
+          ply.thickness = tables.parse(
+            entry, Utilities::trim(text.substr(colon + 1, at - colon - 1)));
+          const auto degrees = tables.parse(entry, Utilities::trim(angle));
+          ply.angle          = [degrees](const double alpha_1) {
             return degrees(alpha_1) * numbers::PI / 180;
           };
           plies.push_back(ply);
@@ -327,8 +231,9 @@ namespace Biface
   Layup::Layup(const Parameters                      &parameters,
                const std::vector<MaterialParameters> &materials,
                const MPI_Comm                         communicator)
-    : plies(parse_plies(
-        parameters, materials, read_tables(parameters.tables, communicator)))
+    : plies(parse_plies(parameters,
+                        materials,
+                        MeridionalTables(parameters.tables, communicator)))
     , law(parameters.law)
     , reference_height(parse_reference(parameters.reference, plies.size()))
   {

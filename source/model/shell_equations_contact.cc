@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <biface/model/shell_equations.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  ShellEquations::add_contact(const State   &state,
+                              const Loads   &loads,
+                              const Cell    &cell,
+                              CellEquations &equations) const
+  {
+    bool any_active = false;
+    for (const unsigned int node : cell.nodes)
+      any_active = any_active || state.active[node];
+    if (!any_active)
+      return;
+
+    const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
+
+    // the foundation's normal in the frames of the nodes
+    std::array<Tensor<1, 3>, 4> m;
+    for (unsigned int r = 0; r < 4; ++r)
+      m[r] = discretization.nodes[cell.nodes[r]].surface.to_frame(
+        loads.foundation->normal());
+
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = cell.nodes[s];
+        if (!state.active[node])
+          continue;
+        const double lambda = contact.multiplier(
+          clearance(state, loads, discretization.nodes[node]));
+        for (unsigned int r = 0; r < 4; ++r)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const unsigned int row =
+                MixedElement::dof(r, i, Resultants::outer);
+              const double force = M[r][s] * lambda * m[r][i];
+              equations.residual[row] += force;
+              equations.force_square += force * force;
+              for (unsigned int j = 0; j < 3; ++j)
+                equations
+                  .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
+                  M[r][s] * contact.multiplier_stiffness() * m[r][i] * m[s][j];
+            }
+      }
+  }
+
+
+  unsigned int
+  ShellEquations::update_active_set(State &state, const Loads &loads) const
+  {
+    unsigned int n_changes = 0;
+    for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+      {
+        const Node &node = discretization.nodes[n];
+        const bool  active =
+          loads.foundation && node.outer_face_free &&
+          ContactConditions::should_be_active(clearance(state, loads, node));
+        if (active != static_cast<bool>(state.active[n]))
+          {
+            state.active[n] = active;
+            if (node.locally_owned)
+              ++n_changes;
+          }
+      }
+    return Utilities::MPI::sum(n_changes, discretization.communicator);
+  }
+
+
+  unsigned int
+  ShellEquations::count_active(const State &state) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < state.active.size(); ++i)
+      if (state.active[i] && discretization.nodes[i].locally_owned)
+        ++n;
+    return Utilities::MPI::sum(n, discretization.communicator);
+  }
+
+
+  double
+  ShellEquations::clearance(const State &state,
+                            const Loads &loads,
+                            const Node  &node) const
+  {
+    return loads.foundation->clearance(discretization.deformed_position(
+      state.displacement, node, Resultants::outer));
+  }
+
+
+  LA::Vector
+  ShellEquations::travel_direction(const State &state, const Loads &loads) const
+  {
+    LA::Vector direction = discretization.owned_vector();
+    for (const Cell &cell : discretization.cells)
+      {
+        const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
+        MixedElement::NodalVector force;
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const Tensor<1, 3> m =
+              discretization.nodes[cell.nodes[r]].surface.to_frame(
+                loads.foundation->normal());
+            for (unsigned int s = 0; s < 4; ++s)
+              if (state.active[cell.nodes[s]])
+                for (unsigned int i = 0; i < 3; ++i)
+                  force[MixedElement::dof(r, i, Resultants::outer)] -=
+                    M[r][s] * contact.multiplier_stiffness() * m[i];
+          }
+        discretization.add_nodal_forces(cell, force, direction);
+      }
+    direction.compress(VectorOperation::add);
+    return direction;
+  }
+
+
+  ShellEquations::ContactForce
+  ShellEquations::contact_force(const State &state, const Loads &loads) const
+  {
+    double     value = 0, per_travel = 0;
+    LA::Vector gradient = discretization.owned_vector();
+    for (const Cell &cell : discretization.cells)
+      {
+        MixedElement::NodalVector per_displacement;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const unsigned int node = cell.nodes[v];
+            if (!state.active[node])
+              continue;
+            // the columns of both masses add up to a quarter each
+            const double area = cell.geometry.weight / 4;
+            value += area * pressure(state, loads, node);
+            per_travel += area * contact.multiplier_stiffness();
+            const Tensor<1, 3> m = discretization.nodes[node].surface.to_frame(
+              loads.foundation->normal());
+            for (unsigned int i = 0; i < 3; ++i)
+              per_displacement[MixedElement::dof(v, i, Resultants::outer)] +=
+                area * contact.multiplier_stiffness() * m[i];
+          }
+        discretization.add_nodal_forces(cell, per_displacement, gradient);
+      }
+    gradient.compress(VectorOperation::add);
+    const MPI_Comm communicator = discretization.communicator;
+    return {Utilities::MPI::sum(value, communicator),
+            gradient,
+            Utilities::MPI::sum(per_travel, communicator)};
+  }
+
+
+  double
+  ShellEquations::least_clearance(const State &state, const Loads &loads) const
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const Node &node : discretization.nodes)
+      if (node.outer_face_free)
+        least = std::min(least, clearance(state, loads, node));
+    return Utilities::MPI::min(least, discretization.communicator);
+  }
+
+
+  double
+  ShellEquations::pressure(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node) const
+  {
+    if (!state.active[node])
+      return 0;
+    return -contact.multiplier(
+      clearance(state, loads, discretization.nodes[node]));
+  }
+
+
+  ContactSummary
+  ShellEquations::summarize_contact(const State &state,
+                                    const Loads &loads) const
+  {
+    double force = 0, area = 0, max_pressure = 0;
+    if (loads.foundation)
+      {
+        force = contact_force(state, loads).value;
+        for (const Cell &cell : discretization.cells)
+          for (const unsigned int node : cell.nodes)
+            if (state.active[node])
+              area += cell.geometry.weight / 4;
+        for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+          if (discretization.nodes[n].locally_owned && state.active[n])
+            max_pressure = std::max(max_pressure, pressure(state, loads, n));
+      }
+
+    const MPI_Comm communicator = discretization.communicator;
+    ContactSummary summary;
+    summary.force        = force;
+    summary.area         = Utilities::MPI::sum(area, communicator);
+    summary.n_nodes      = count_active(state);
+    summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);
+    return summary;
+  }
+
+
+  RigidPlane
+  ShellEquations::touching_plane(const State &state) const
+  {
+    const RigidPlane through_origin(contact.normal(), 0);
+    double           height = -std::numeric_limits<double>::max();
+    for (const Node &node : discretization.nodes)
+      height = std::max(height,
+                        through_origin.height(discretization.deformed_position(
+                          state.displacement, node, Resultants::outer)));
+    return through_origin.moved(
+      -Utilities::MPI::max(height, discretization.communicator));
+  }
+} // namespace Biface
