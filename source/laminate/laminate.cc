@@ -17,6 +17,7 @@ namespace Biface
   {
     for (const Ply &ply : this->plies)
       rotated.push_back(rotate_about_normal(ply.stiffness, ply.angle));
+    thickness_row = stiffness()[Resultants::thickness];
   }
 
 
@@ -186,34 +187,6 @@ namespace Biface
   }
 
 
-  double
-  Laminate::thickness_stress(const Resultants::Vector &E) const
-  {
-    // S_33 = (h E_33 + sum of f_ab^p E_ab^p) / A, see stiffness()
-    const double h   = thickness();
-    double       sum = h * E[Resultants::thickness];
-    double       A   = 0;
-    double       z   = 0;
-    for (unsigned int k = 0; k < plies.size(); ++k)
-      {
-        const Ply                   &ply = plies[k];
-        const SymmetricTensor<4, 3> &b   = rotated[k];
-        const FaceMoments            N(z, z + ply.thickness, h);
-        z += ply.thickness;
-
-        A += ply.thickness / b[2][2][2][2];
-        for (unsigned int ab = 0; ab < 3; ++ab)
-          {
-            const auto &i = tangential_pairs[ab];
-            for (unsigned int p = 0; p < 2; ++p)
-              sum += b[i[0]][i[1]][2][2] / b[2][2][2][2] * N.first[p] *
-                     E[Resultants::tangential(ab, p)];
-          }
-      }
-    return sum / A;
-  }
-
-
   SymmetricTensor<2, 3>
   Laminate::strain(const Resultants::Vector &E,
                    const unsigned int        ply,
@@ -236,7 +209,7 @@ namespace Biface
       {
         const SymmetricTensor<4, 3> &b = rotated[ply];
         strain[2][2] =
-          (thickness_stress(E) - (b * strain)[2][2]) / b[2][2][2][2];
+          (thickness_row * E / h - (b * strain)[2][2]) / b[2][2][2][2];
       }
     else
       strain[2][2] = E[Resultants::thickness];

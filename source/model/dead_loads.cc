@@ -251,5 +251,4 @@ namespace Biface
     nodal_forces.compress(VectorOperation::add);
     return nodal_forces;
   }
-
 } // namespace Biface

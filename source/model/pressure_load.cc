@@ -118,7 +118,7 @@ namespace Biface
           for (unsigned int v = 0; v < 4; ++v)
             force[MixedElement::dof(v, 2, face)] =
               (face == Resultants::inner ? 1 : -1) * p_v[v] *
-              cell.geometry.weight / 4;
+              vertex_area(cell, v, area, face);
         discretization.add_nodal_forces(cell, force, nodal_forces);
       }
     nodal_forces.compress(VectorOperation::add);

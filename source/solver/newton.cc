@@ -137,10 +137,9 @@ namespace Biface
         if (at_rest &&
             equations.support_violation() <=
               std::max(small, 1e-12 * discretization.size()) &&
-            (result.residuals.back() <=
-               std::max(parameters.residual_tolerance,
-                        equations.relative_roundoff(state)) ||
-             last_update <= small))
+            (result.residuals.back() <= parameters.residual_tolerance ||
+             last_update <= small ||
+             result.residuals.back() <= equations.relative_roundoff(state)))
           {
             result.converged = true;
             break;

@@ -126,15 +126,13 @@ namespace Biface
     is_symmetric() const;
 
   private:
-    /** Where the thickness stress is constant: its value. */
-    double
-    thickness_stress(const Resultants::Vector &E) const;
-
     std::vector<Ply> plies;
     /** Of the plies, in the axes of the shell. */
     std::vector<dealii::SymmetricTensor<4, 3>> rotated;
     ThicknessLaw                               law;
-    double                                     reference_height;
+    /** The row of stiffness() that gives the thickness resultant. */
+    Resultants::Vector thickness_row;
+    double             reference_height;
   };
 } // namespace Biface
 
