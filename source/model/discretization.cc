@@ -73,6 +73,7 @@ namespace Biface
     const Supports                         &supports,
     const std::vector<NamedPoint>          &points)
     : communicator(communicator)
+    , grid(grid)
     , layup(layup)
     , points(points)
     , surface(std::move(surface))

@@ -40,11 +40,16 @@ namespace Biface
   }
 
 
-  LoadStepping::LoadStepping(const Parameters   &parameters,
-                             ShellEquations     &equations,
-                             Newton             &newton,
-                             ConditionalOStream &out)
-    : parameters(parameters), equations(equations), newton(newton), out(out)
+  LoadStepping::LoadStepping(const Parameters      &parameters,
+                             ShellEquations        &equations,
+                             Newton                &newton,
+                             ConditionalOStream    &out,
+                             const NestedPredictor *nested)
+    : parameters(parameters)
+    , equations(equations)
+    , newton(newton)
+    , out(out)
+    , nested(nested)
   {}
 
 
@@ -54,9 +59,9 @@ namespace Biface
                     const Observer           &observer)
   {
     LoadSteppingResult result;
-    for (const Stage &stage : stages)
+    for (stage_number = 0; stage_number < stages.size(); ++stage_number)
       {
-        result = run_stage(stage, state, observer);
+        result = run_stage(stages[stage_number], state, observer);
         if (!result.success)
           break;
       }
@@ -127,10 +132,11 @@ namespace Biface
     const auto point    = [&](const double fraction) {
       return point_at(stage, progress, fraction);
     };
-    const double size =
-      (stage.control == Stage::Control::load ? guess - progress.fraction : 0.);
+    std::optional<Span> span;
+    if (stage.control == Stage::Control::load)
+      span = {progress.fraction, guess};
     const bool converged =
-      step(stage, point, fraction, size, control, state, observer);
+      step(stage, point, fraction, span, control, state, observer);
     if (converged)
       progress.fraction = fraction;
     return converged;
@@ -141,7 +147,7 @@ namespace Biface
   LoadStepping::step(const Stage                                  &stage,
                      const std::function<LoadPoint(const double)> &point,
                      double                                       &number,
-                     const double                                  size,
+                     const std::optional<Span>                    &span,
                      const PathControl                            *control,
                      State                                        &state,
                      const Observer                               &observer)
@@ -162,7 +168,7 @@ namespace Biface
     Timer        timer;
     State        trial  = state;
     double       found  = number;
-    NewtonResult result = try_step(trial, path, found, size);
+    NewtonResult result = try_step(trial, path, found, span);
     if (result.converged && control != nullptr && found > 1 &&
         stage.control == Stage::Control::arc_length)
       {
@@ -172,7 +178,7 @@ namespace Biface
         trial                    = state;
         found                    = 1;
         path.control             = nullptr;
-        result                   = try_step(trial, path, found, size);
+        result                   = try_step(trial, path, found, span);
         result.iterations += spent;
       }
     last_n_iterations = result.iterations;
@@ -183,15 +189,17 @@ namespace Biface
         return false;
       }
 
-    if (size > 0)
-      predictor.learn(state, trial, size);
+    if (span)
+      predictor.learn(state, trial, span->to - span->from);
     state   = trial;
     number  = found;
     reached = point(number);
     ++n_steps;
 
     StepReport report;
-    report.step       = n_steps;
+    report.step = n_steps;
+    if (span)
+      report.moment = {stage_number, span->to};
     report.stage      = stage.name;
     report.in_contact = stage.contact;
     report.loads      = loads_at(reached, stage);
@@ -206,17 +214,16 @@ namespace Biface
 
 
   NewtonResult
-  LoadStepping::try_step(State              &state,
-                         const Newton::Path &path,
-                         double             &number,
-                         const double        size)
+  LoadStepping::try_step(State                     &state,
+                         const Newton::Path        &path,
+                         double                    &number,
+                         const std::optional<Span> &span)
   {
     const State  start       = state;
     const double first_guess = number;
-    if (parameters.predict && size > 0)
-      predictor.predict(state, size);
-    NewtonResult result =
-      newton.solve(state, path, number, newton.parameters.iteration);
+    const bool   zone_given  = span && predict(*span, state);
+    NewtonResult result      = newton.solve(
+      state, path, number, newton.parameters.iteration, zone_given);
     if (!result.converged &&
         newton.parameters.iteration == NewtonIteration::mixed)
       {
@@ -225,11 +232,28 @@ namespace Biface
         const unsigned int spent = result.iterations;
         state                    = start;
         number                   = first_guess;
-        result =
-          newton.solve(state, path, number, NewtonIteration::substituted);
+        // the secant may have led astray; the coarser mesh has been there
+        if (zone_given)
+          predict(*span, state);
+        result = newton.solve(
+          state, path, number, NewtonIteration::substituted, zone_given);
         result.iterations += spent;
       }
     return result;
+  }
+
+
+  bool
+  LoadStepping::predict(const Span &span, State &state) const
+  {
+    if (nested != nullptr && nested->predict(equations.discretization,
+                                             {stage_number, span.from},
+                                             {stage_number, span.to},
+                                             state))
+      return true;
+    if (parameters.predict)
+      predictor.predict(state, span.to - span.from);
+    return false;
   }
 
 

@@ -127,7 +127,7 @@ namespace Biface
       return step(stage,
                   point,
                   travel,
-                  fraction - progress.fraction,
+                  Span{progress.fraction, fraction},
                   &control,
                   state,
                   observer);

@@ -91,16 +91,18 @@ namespace Biface
   Newton::solve(State                &state,
                 const Path           &path,
                 double               &number,
-                const NewtonIteration iteration)
+                const NewtonIteration iteration,
+                const bool            zone_given)
   {
     const Discretization &discretization = equations.discretization;
 
     NewtonResult result;
-    Loads        loads       = path.loads(number);
-    unsigned int n_changes   = equations.update_active_set(state, loads);
-    double       last_update = std::numeric_limits<double>::infinity();
-    LA::Vector   increment   = discretization.owned_vector();
-    LA::Vector   total       = discretization.owned_vector();
+    Loads        loads = path.loads(number);
+    unsigned int n_changes =
+      (zone_given ? 0 : equations.update_active_set(state, loads));
+    double     last_update = std::numeric_limits<double>::infinity();
+    LA::Vector increment   = discretization.owned_vector();
+    LA::Vector total       = discretization.owned_vector();
 
     const auto print = [&](const std::string &update) {
       char line[128];
@@ -131,7 +133,8 @@ namespace Biface
 
         // a condition on the path needs an iteration to be satisfied
         const bool at_rest =
-          (result.iterations == 0 ? path.control == nullptr : n_changes == 0);
+          (result.iterations == 0 ? path.control == nullptr && !zone_given
+                                  : n_changes == 0);
         const double small =
           parameters.update_tolerance * discretization.thickness();
         if (at_rest &&

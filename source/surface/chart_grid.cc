@@ -2,6 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <biface/base/input_error.h>
@@ -50,6 +51,15 @@ namespace Biface
                "Which rank holds which cells: 'shared' (each rank all of them) "
                "or 'distributed' (each rank its own and their neighbors, for "
                "meshes too large for one). Results are the same.");
+    prm.add_parameter("Coarse meshes",
+                      n_coarse,
+                      "On how many coarser meshes, each with half as many "
+                      "cells in both directions as the next, the analysis is "
+                      "made first. Their results are not written: steps on "
+                      "the finer mesh begin where those on the coarser one "
+                      "ended, which takes far fewer iterations on fine meshes "
+                      "in contact.",
+                      Patterns::Integer(0, 10));
   }
 
 
@@ -103,6 +113,36 @@ namespace Biface
                            parameters.intervals[1],
                            "a closed coordinate needs at least 3 cells");
       }
+  }
+
+
+  ChartGrid
+  ChartGrid::coarsened(const std::array<std::vector<double>, 2> &kept) const
+  {
+    ChartGrid coarse(*this);
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        if (lines[a].size() < 5)
+          continue;
+        const double tolerance = 1e-9 * (lines[a].back() - lines[a].front());
+        const auto   is_kept   = [&](const double line) {
+          return line == lines[a].back() ||
+                 std::any_of(
+                   kept[a].begin(), kept[a].end(), [&](const double other) {
+                     return std::abs(line - other) <= tolerance;
+                   });
+        };
+        coarse.lines[a].clear();
+        bool skipped = true;
+        for (const double line : lines[a])
+          {
+            const bool keep = skipped || is_kept(line);
+            if (keep)
+              coarse.lines[a].push_back(line);
+            skipped = !keep;
+          }
+      }
+    return coarse;
   }
 
 

@@ -129,7 +129,8 @@ namespace Biface
     std::vector<Cell> cells;
     std::vector<Node> nodes;
 
-    const Layup layup;
+    const ChartGrid grid;
+    const Layup     layup;
 
     /** By the lines of the first coordinate, rising. */
     std::vector<Strip> strips;

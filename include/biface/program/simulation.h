@@ -14,6 +14,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/program/parameters.h>
 #include <biface/solver/load_stepping.h>
+#include <biface/solver/nested_predictor.h>
 #include <biface/solver/newton.h>
 
 namespace Biface
@@ -53,7 +54,7 @@ namespace Biface
     dealii::TimerOutput &
     get_timer()
     {
-      return timer;
+      return *timer;
     }
 
     dealii::ConditionalOStream &
@@ -63,9 +64,26 @@ namespace Biface
     }
 
   private:
+    /** @param timer counts the parts of the run. */
+    Simulation(const Parameters                           &parameters,
+               const MPI_Comm                              communicator,
+               std::ostream                               &stream,
+               std::unique_ptr<const Discretization>       discretization,
+               const std::shared_ptr<dealii::TimerOutput> &timer);
+
+    /** Every second line of the mesh, and those of points and ends of plies. */
+    ChartGrid
+    coarser_grid() const;
+
+    /** Go through all stages on the coarser mesh, and learn where steps lead.
+     */
+    std::unique_ptr<const NestedPredictor>
+    run_coarser() const;
+
     const Parameters                            parameters;
+    std::ostream                               &stream;
     dealii::ConditionalOStream                  out;
-    dealii::TimerOutput                         timer;
+    const std::shared_ptr<dealii::TimerOutput>  timer;
     const std::unique_ptr<const Discretization> discretization;
     const ContactConditions                     contact;
     ShellEquations                              equations;

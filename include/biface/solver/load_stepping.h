@@ -13,6 +13,7 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
+#include <biface/solver/nested_predictor.h>
 #include <biface/solver/newton.h>
 #include <biface/solver/secant_predictor.h>
 #include <biface/solver/stage.h>
@@ -24,6 +25,8 @@ namespace Biface
   {
     /** Counted from 1 through all stages. */
     unsigned int step = 0;
+    /** Where the step ended, for steps of the loads or of the force. */
+    std::optional<Moment> moment;
     /** Name of the stage, and whether it has a foundation. */
     std::string stage;
     bool        in_contact = false;
@@ -73,10 +76,14 @@ namespace Biface
     /** Called after every converged step. */
     using Observer = std::function<void(const StepReport &, const State &)>;
 
+    /** All objects are kept by reference.
+     * @param nested the path of a coarser mesh, to begin steps with; null
+     * without one. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  Newton                     &newton,
-                 dealii::ConditionalOStream &out);
+                 dealii::ConditionalOStream &out,
+                 const NestedPredictor      *nested = nullptr);
 
     /** Run the stages from a state, which is the last converged one at the
      * end. */
@@ -100,6 +107,12 @@ namespace Biface
       LoadPoint begin;
       /** Fraction of the way from the begin to the stage's loads. */
       double fraction = 0;
+    };
+
+    /** Fractions of the stage at hand. */
+    struct Span
+    {
+      double from, to;
     };
 
     LoadSteppingResult
@@ -146,8 +159,8 @@ namespace Biface
      * @param point the loads by one number, such as the fraction of the stage.
      * @param number to reach, or, with @p control, to begin with; then the one
      * reached.
-     * @param size of the step, as a fraction of the stage, for the predictor;
-     * 0 where it does not know.
+     * @param span the fractions of the stage between which the step leads, for
+     * the predictors; none where they are not given.
      * @return whether it converged; the state then is the new one, and the step
      * has been reported.
      */
@@ -155,7 +168,7 @@ namespace Biface
     step(const Stage                                  &stage,
          const std::function<LoadPoint(const double)> &point,
          double                                       &number,
-         const double                                  size,
+         const std::optional<Span>                    &span,
          const PathControl                            *control,
          State                                        &state,
          const Observer                               &observer);
@@ -171,10 +184,15 @@ namespace Biface
                   const Observer    &observer);
 
     NewtonResult
-    try_step(State              &state,
-             const Newton::Path &path,
-             double             &number,
-             const double        size);
+    try_step(State                     &state,
+             const Newton::Path        &path,
+             double                    &number,
+             const std::optional<Span> &span);
+
+    /** Move a state to where a step probably ends.
+     * @return whether the contact zone was moved, too. */
+    bool
+    predict(const Span &span, State &state) const;
 
     /** How the loads change over the whole stage. */
     static Loads
@@ -195,7 +213,10 @@ namespace Biface
     ShellEquations             &equations;
     Newton                     &newton;
     dealii::ConditionalOStream &out;
+    const NestedPredictor      *nested;
 
+    /** Position of the stage at hand. */
+    unsigned int    stage_number = 0;
     SecantPredictor predictor;
     LoadPoint       reached;
     unsigned int    n_steps           = 0;

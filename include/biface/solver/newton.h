@@ -80,12 +80,15 @@ namespace Biface
      * @param number of the path: the start, then where a condition chooses it,
      * the result.
      * @param iteration see NewtonIteration.
+     * @param zone_given whether the first iteration takes the contact zone of
+     * the state as it is, though its displacements may tell of another.
      */
     NewtonResult
     solve(State                &state,
           const Path           &path,
           double               &number,
-          const NewtonIteration iteration);
+          const NewtonIteration iteration,
+          const bool            zone_given = false);
 
     const Parameters parameters;
 

@@ -39,6 +39,8 @@ namespace Biface
          "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
       bool             closed       = true;
       MeshDistribution distribution = MeshDistribution::shared;
+      /** How many coarser meshes the run begins with, see coarsened(). */
+      unsigned int n_coarse = 0;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -60,6 +62,16 @@ namespace Biface
      * coordinate does not span a full turn.
      */
     ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
+
+    /**
+     * Every second line of this grid, and those at which something is that the
+     * coarser grid must have, too. A coordinate of fewer than four cells keeps
+     * its lines.
+     *
+     * @param kept coordinates of such lines.
+     */
+    ChartGrid
+    coarsened(const std::array<std::vector<double>, 2> &kept) const;
   };
 
 
