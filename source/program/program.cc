@@ -146,6 +146,16 @@ namespace Biface
           }))
         print_load_deflection(reports, out);
       simulation.get_timer().print_summary();
+      if (parameters.mesh.n_coarse > 0)
+        {
+          char line[96];
+          std::snprintf(line,
+                        sizeof(line),
+                        "Factorizations and solutions on coarser meshes: "
+                        "%.3g s\n",
+                        simulation.get_coarse_solver_seconds());
+          out << line;
+        }
       print_memory(communicator, out);
       out << (result.success ? "Results" : "What was reached") << " in "
           << parameters.output.directory

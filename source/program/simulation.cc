@@ -37,13 +37,17 @@ namespace Biface
     }
 
 
-    std::shared_ptr<TimerOutput>
-    make_timer(const MPI_Comm communicator, std::ostream &stream)
+    /** Seconds in factorizations and solutions. */
+    double
+    linear_seconds(const TimerOutput &timer)
     {
-      ConditionalOStream out(
-        stream, Utilities::MPI::this_mpi_process(communicator) == 0);
-      return std::make_shared<TimerOutput>(
-        out, TimerOutput::never, TimerOutput::wall_times);
+      double seconds = 0;
+      for (const auto &section :
+           timer.get_summary_data(TimerOutput::total_wall_time))
+        if (section.first.find("Linear solver: ") == 0 &&
+            section.first != "Linear solver: analysis")
+          seconds += section.second;
+      return seconds;
     }
   } // namespace
 
@@ -54,25 +58,23 @@ namespace Biface
     : Simulation(parameters,
                  communicator,
                  stream,
-                 make_discretization(parameters, communicator),
-                 make_timer(communicator, stream))
+                 make_discretization(parameters, communicator))
   {}
 
 
   Simulation::Simulation(const Parameters                     &parameters,
                          const MPI_Comm                        communicator,
                          std::ostream                         &stream,
-                         std::unique_ptr<const Discretization> mesh,
-                         const std::shared_ptr<TimerOutput>   &timer)
+                         std::unique_ptr<const Discretization> mesh)
     : parameters(parameters)
     , stream(stream)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
-    , timer(timer)
+    , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , discretization(std::move(mesh))
     , contact(parameters.contact)
     , equations(*discretization, contact, parameters.loads, parameters.pressure)
     , linear_solver(
-        make_linear_solver(parameters.linear_solver, *discretization, *timer))
+        make_linear_solver(parameters.linear_solver, *discretization, timer))
     , state(equations.initial_state())
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
@@ -80,17 +82,23 @@ namespace Biface
         discretization->node_of_point("Stage " + std::to_string(i + 1) +
                                         "/Control point",
                                       parameters.stages[i].control_point);
-    if (parameters.mesh.n_coarse > 0 &&
-        coarser_grid().lines == discretization->grid.lines)
-      throw InputError("Mesh/Coarse meshes",
-                       std::to_string(parameters.mesh.n_coarse),
-                       "the mesh has too few cells for that many coarser ones: "
-                       "one of them would be its own coarser mesh");
+
+    ChartGrid grid = discretization->grid;
+    for (unsigned int i = 0; i < parameters.mesh.n_coarse; ++i)
+      {
+        const ChartGrid coarser = coarser_grid(grid);
+        if (coarser.lines == grid.lines)
+          throw InputError("Mesh/Coarse meshes",
+                           std::to_string(parameters.mesh.n_coarse),
+                           "the mesh has too few cells for that many coarser "
+                           "ones");
+        grid = coarser;
+      }
   }
 
 
   ChartGrid
-  Simulation::coarser_grid() const
+  Simulation::coarser_grid(const ChartGrid &grid) const
   {
     std::array<std::vector<double>, 2> kept;
     for (const NamedPoint &point : discretization->points)
@@ -100,25 +108,25 @@ namespace Biface
       for (const double end : {ply.begin, ply.end})
         kept[0].push_back(end *
                           discretization->get_surface().coordinate_unit(0));
-    return discretization->grid.coarsened(kept);
+    return grid.coarsened(kept);
   }
 
 
   std::unique_ptr<const NestedPredictor>
-  Simulation::run_coarser() const
+  Simulation::run_coarser()
   {
     if (parameters.mesh.n_coarse == 0)
       return nullptr;
+    TimerOutput::Scope scope(timer, "Coarser meshes");
 
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
-    const ChartGrid grid         = coarser_grid();
+    const ChartGrid grid         = coarser_grid(discretization->grid);
     const MPI_Comm  communicator = discretization->communicator;
     Simulation      coarse(coarse_parameters,
                       communicator,
                       stream,
-                      make_discretization(parameters, communicator, &grid),
-                      timer);
+                      make_discretization(parameters, communicator, &grid));
 
     auto nested = std::make_unique<NestedPredictor>(grid, parameters.stages);
     const LoadSteppingResult result = coarse.run([&](const StepReport &report,
@@ -128,6 +136,8 @@ namespace Biface
     });
     if (!result.success)
       out << "On the coarser mesh, " << result.message << '.' << std::endl;
+    coarse_solver_seconds =
+      coarse.coarse_solver_seconds + linear_seconds(coarse.timer);
     return nested;
   }
 
@@ -136,11 +146,11 @@ namespace Biface
   Simulation::run(const LoadStepping::Observer &observer)
   {
     const std::unique_ptr<const NestedPredictor> nested = run_coarser();
-    if (nested || parameters.mesh.n_coarse > 0)
-      out << "Mesh of " << discretization->n_cells() << " cells, "
+    if (nested)
+      out << "\nFiner mesh of " << discretization->n_cells() << " cells, "
           << discretization->n_unknowns() << " unknowns" << std::endl;
 
-    Newton newton(parameters.newton, equations, *linear_solver, out, *timer);
+    Newton newton(parameters.newton, equations, *linear_solver, out, timer);
     LoadStepping load_stepping(
       parameters.load_stepping, equations, newton, out, nested.get());
     return load_stepping.run(parameters.stages, state, observer);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/base/parameter_tools.h>
+#include <biface/solver/amesos_solver.h>
 #include <biface/solver/linear_solver_parameters.h>
-#include <biface/solver/mumps_solver.h>
+#ifdef BIFACE_WITH_MUMPS
+#  include <biface/solver/mumps_solver.h>
+#endif
 
 namespace Biface
 {
@@ -15,10 +18,12 @@ namespace Biface
       prm,
       "Type",
       type,
-      {"direct", "iterative"},
-      "'direct' (MUMPS: LDL^T where the tangent is symmetric, LU where "
-      "not) or 'iterative' (conjugate gradients or GMRES with "
-      "algebraic multigrid: less memory, more time).");
+      {"direct", "Amesos", "iterative"},
+      "'direct' (MUMPS: LDL^T where the tangent is symmetric, LU where not), "
+      "'Amesos' (the direct solver UMFPACK or KLU on the first rank: slower; "
+      "also what 'direct' means where the program was built without MUMPS) or "
+      "'iterative' (conjugate gradients or GMRES with algebraic multigrid: "
+      "less memory, more time).");
     multigrid.add_parameters(prm);
   }
 
@@ -31,8 +36,12 @@ namespace Biface
     switch (parameters.type)
       {
         case LinearSolverParameters::Type::direct:
+#ifdef BIFACE_WITH_MUMPS
           return std::make_unique<MumpsSolver>(discretization.communicator,
                                                timer);
+#endif
+        case LinearSolverParameters::Type::amesos:
+          return std::make_unique<AmesosSolver>(timer);
         case LinearSolverParameters::Type::iterative:
           return std::make_unique<MultigridSolver>(
             parameters.multigrid, discretization, timer);

@@ -54,7 +54,14 @@ namespace Biface
     dealii::TimerOutput &
     get_timer()
     {
-      return *timer;
+      return timer;
+    }
+
+    /** Seconds that factorizations and solutions on coarser meshes took. */
+    double
+    get_coarse_solver_seconds() const
+    {
+      return coarse_solver_seconds;
     }
 
     dealii::ConditionalOStream &
@@ -64,31 +71,31 @@ namespace Biface
     }
 
   private:
-    /** @param timer counts the parts of the run. */
-    Simulation(const Parameters                           &parameters,
-               const MPI_Comm                              communicator,
-               std::ostream                               &stream,
-               std::unique_ptr<const Discretization>       discretization,
-               const std::shared_ptr<dealii::TimerOutput> &timer);
+    /** @param discretization in place of that of the parameters. */
+    Simulation(const Parameters                     &parameters,
+               const MPI_Comm                        communicator,
+               std::ostream                         &stream,
+               std::unique_ptr<const Discretization> discretization);
 
-    /** Every second line of the mesh, and those of points and ends of plies. */
+    /** Every second line of a grid, and those of points and ends of plies. */
     ChartGrid
-    coarser_grid() const;
+    coarser_grid(const ChartGrid &grid) const;
 
     /** Go through all stages on the coarser mesh, and learn where steps lead.
      */
     std::unique_ptr<const NestedPredictor>
-    run_coarser() const;
+    run_coarser();
 
     const Parameters                            parameters;
     std::ostream                               &stream;
     dealii::ConditionalOStream                  out;
-    const std::shared_ptr<dealii::TimerOutput>  timer;
+    dealii::TimerOutput                         timer;
     const std::unique_ptr<const Discretization> discretization;
     const ContactConditions                     contact;
     ShellEquations                              equations;
     const std::unique_ptr<LinearSolver>         linear_solver;
     State                                       state;
+    double                                      coarse_solver_seconds = 0;
   };
 } // namespace Biface
 

@@ -20,6 +20,7 @@ namespace Biface
     enum class Type
     {
       direct,
+      amesos,
       iterative
     };
 
