@@ -246,11 +246,12 @@ namespace Biface
       return alpha;
     };
 
-    const auto line_of = [&](const double alpha_1) {
-      const auto &lines = grid.lines[0];
-      return std::lower_bound(lines.begin(), lines.end(), alpha_1) -
+    const auto line_of = [&](const double alpha, const unsigned int a = 0) {
+      const auto &lines = grid.lines[a];
+      return std::lower_bound(lines.begin(), lines.end(), alpha) -
              lines.begin();
     };
+    const types::global_cell_index n_lines = grid.lines[0].size();
 
     const auto add_node =
       [&](const DoFHandler<2, 3>::active_cell_iterator &cell,
@@ -264,6 +265,8 @@ namespace Biface
         node.alpha   = chart_point(cell->vertex(v), center);
         node.faces   = line_faces[line_of(node.alpha[0])];
         node.surface = surface->evaluate(node.alpha);
+        node.number =
+          line_of(node.alpha[0]) + n_lines * line_of(node.alpha[1], 1);
         for (unsigned int i = 0; i < 6; ++i)
           node.dofs[i] = cell->vertex_dof_index(v, i);
         node.locally_owned   = locally_owned.is_element(node.dofs[0]);
@@ -324,6 +327,9 @@ namespace Biface
         Cell local;
         local.nodes = cell_nodes;
         local.strip = line_of(nodes[cell_nodes[0]].alpha[0]);
+        local.number =
+          local.strip +
+          (n_lines - 1) * line_of(nodes[cell_nodes[0]].alpha[1], 1);
         std::array<std::array<double, 2>, 4> faces;
         for (unsigned int v = 0; v < 4; ++v)
           {

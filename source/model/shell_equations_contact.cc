@@ -207,15 +207,21 @@ namespace Biface
 
 
   RigidPlane
-  ShellEquations::touching_plane(const State &state) const
+  ShellEquations::foundation(const double travel) const
   {
-    const RigidPlane through_origin(contact.normal(), 0);
-    double           height = -std::numeric_limits<double>::max();
+    return RigidPlane(contact.normal(), 0).moved(travel);
+  }
+
+
+  double
+  ShellEquations::touching_travel(const State &state) const
+  {
+    const RigidPlane through_origin = foundation(0);
+    double           height         = -std::numeric_limits<double>::max();
     for (const Node &node : discretization.nodes)
       height = std::max(height,
                         through_origin.height(discretization.deformed_position(
                           state.displacement, node, Resultants::outer)));
-    return through_origin.moved(
-      -Utilities::MPI::max(height, discretization.communicator));
+    return -Utilities::MPI::max(height, discretization.communicator);
   }
 } // namespace Biface

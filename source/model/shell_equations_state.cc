@@ -42,6 +42,15 @@ namespace Biface
 
 
   void
+  ShellEquations::restore(const History &history)
+  {
+    initial_resultants  = history.initial_resultants;
+    initial_strains     = history.initial_strains;
+    linearization_point = history.linearization_point;
+  }
+
+
+  void
   ShellEquations::update(State                &state,
                          const LA::Vector     &increment,
                          const NewtonIteration iteration) const

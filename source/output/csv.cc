@@ -6,9 +6,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <biface/base/input_error.h>
+#include <biface/base/output_error.h>
+#include <biface/base/read_file.h>
+#include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 
 namespace Biface
@@ -24,6 +29,29 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** @return why it did not succeed; then the file is as long as it was. */
+    std::string
+    append_text(const std::string &path, const std::string &text)
+    {
+      std::error_code error;
+      const auto      size = std::filesystem::file_size(path, error);
+      errno                = 0;
+      std::ofstream file(path, std::ios::app);
+      file << text << std::flush;
+      file.close();
+      if (file)
+        return "";
+      const std::string reason =
+        (errno != 0 ? std::strerror(errno) : "unknown reason");
+      if (!error)
+        std::filesystem::resize_file(path, size, error);
+      return reason;
+    }
+  } // namespace
+
+
   void
   write_text(const std::string &path,
              const std::string &text,
@@ -33,16 +61,54 @@ namespace Biface
     std::string reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        errno = 0;
-        std::ofstream file(path, append ? std::ios::app : std::ios::trunc);
-        file << text << std::flush;
-        if (!file)
-          reason = (errno != 0 ? std::strerror(errno) : "unknown reason");
+        if (append)
+          reason = append_text(path, text);
+        else
+          {
+            AtomicFile file(path);
+            file.write(text);
+            file.commit();
+            reason = file.error();
+          }
       }
     reason = Utilities::MPI::broadcast(communicator, reason);
     if (!reason.empty())
-      throw InputError("the file '" + path + "' cannot be written (" + reason +
-                       "), but results must go somewhere.");
+      throw OutputError(path, reason);
+  }
+
+
+  void
+  cut_table(const std::string &path,
+            const std::string &header,
+            const unsigned int n_steps,
+            const unsigned int rows_per_step,
+            const MPI_Comm     communicator)
+  {
+    const std::string  text = read_file(path, communicator);
+    std::istringstream lines(text);
+    std::string        line, kept;
+    if (!std::getline(lines, line) || line + '\n' != header)
+      throw InputError("the file '" + path +
+                       "' has other columns than this program writes, but a "
+                       "restart must continue it.");
+    kept = header;
+    // a last line without an end was not written to its end
+    unsigned int n_rows = 0;
+    while (std::getline(lines, line) && !lines.eof() &&
+           std::strtoul(line.c_str(), nullptr, 10) ==
+             n_rows / rows_per_step + 1 &&
+           n_rows < n_steps * rows_per_step)
+      {
+        kept += line + '\n';
+        ++n_rows;
+      }
+    if (n_rows < n_steps * rows_per_step)
+      throw InputError("the file '" + path + "' holds " +
+                       std::to_string(n_rows / rows_per_step) + " of the " +
+                       std::to_string(n_steps) +
+                       " steps of the checkpoint, but a restart must continue "
+                       "it.");
+    write_text(path, kept, false, communicator);
   }
 
 

@@ -12,6 +12,8 @@
 #include <sstream>
 
 #include <biface/base/input_error.h>
+#include <biface/base/output_error.h>
+#include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/face_patches.h>
 #include <biface/output/results_writer.h>
@@ -80,8 +82,9 @@ namespace Biface
   } // namespace
 
 
-  ResultsWriter::ResultsWriter(const Parameters     &parameters,
-                               const ShellEquations &equations)
+  ResultsWriter::ResultsWriter(const Parameters             &parameters,
+                               const ShellEquations         &equations,
+                               const std::optional<Written> &continued)
     : parameters(parameters), equations(equations)
   {
     const MPI_Comm communicator = equations.discretization.communicator;
@@ -100,16 +103,63 @@ namespace Biface
                        parameters.directory,
                        "that directory cannot be made (" + reason + ")");
 
-    write_text(path("history.csv"),
-               "step,stage,approach,force,contact_nodes,contact_area,"
-               "max_pressure,iterations,seconds,pressure,load_factor\n",
-               false,
-               communicator);
-    if (!equations.discretization.points.empty())
-      write_text(path("probes.csv"),
-                 "step,stage,load_factor,name,face,u_x,u_y,u_z,u_1,u_2,u_3\n",
-                 false,
-                 communicator);
+    const std::string history_header =
+      "step,stage,approach,force,contact_nodes,contact_area,"
+      "max_pressure,iterations,seconds,pressure,load_factor\n";
+    const std::string probes_header =
+      "step,stage,load_factor,name,face,u_x,u_y,u_z,u_1,u_2,u_3\n";
+    const unsigned int n_points = equations.discretization.points.size();
+    if (continued)
+      {
+        written = *continued;
+        cut_table(path("history.csv"),
+                  history_header,
+                  written.n_steps,
+                  1,
+                  communicator);
+        if (n_points > 0)
+          cut_table(path("probes.csv"),
+                    probes_header,
+                    written.n_steps,
+                    3 * n_points,
+                    communicator);
+        if (!written.faces.empty())
+          write_pvd("shell", written.faces);
+        if (!written.plies.empty())
+          write_pvd("plies", written.plies);
+        return;
+      }
+    try
+      {
+        write_text(path("history.csv"), history_header, false, communicator);
+        if (n_points > 0)
+          write_text(path("probes.csv"), probes_header, false, communicator);
+      }
+    catch (const OutputError &error)
+      {
+        throw InputError(error.what());
+      }
+  }
+
+
+  void
+  ResultsWriter::sync()
+  {
+    std::string file, reason;
+    if (Utilities::MPI::this_mpi_process(
+          equations.discretization.communicator) == 0)
+      for (const std::string &name : unsynced)
+        if (reason.empty())
+          {
+            file   = name;
+            reason = sync_to_disk(name);
+          }
+    unsynced.clear();
+    const std::pair<std::string, std::string> problem =
+      Utilities::MPI::broadcast(equations.discretization.communicator,
+                                std::make_pair(file, reason));
+    if (!problem.second.empty())
+      throw OutputError(problem.first, problem.second);
   }
 
 
@@ -130,13 +180,10 @@ namespace Biface
 
 
   void
-  ResultsWriter::write_parameters(const ParameterHandler &prm) const
+  ResultsWriter::write_parameters(const std::string &text) const
   {
-    std::ostringstream text;
-    prm.print_parameters(
-      text, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
     write_text(path("parameters.prm"),
-               text.str(),
+               text,
                false,
                equations.discretization.communicator);
   }
@@ -150,12 +197,12 @@ namespace Biface
     if (parameters.vtu)
       {
         FacePatches patches(equations, state, report.loads);
-        write_vtu(report, patches, faces);
+        write_vtu(report, patches, "shell", written.faces);
       }
     if (parameters.ply_vtu)
       {
         PlyPatches patches(equations, state, parameters.criteria);
-        write_vtu(report, patches, plies);
+        write_vtu(report, patches, "plies", written.plies);
       }
     if (!equations.discretization.points.empty())
       {
@@ -164,6 +211,7 @@ namespace Biface
           write_plies(report, state);
       }
     append_history(report);
+    written.n_steps = report.step;
   }
 
 
@@ -282,9 +330,10 @@ namespace Biface
 
   template <typename Patches>
   void
-  ResultsWriter::write_vtu(const StepReport &report,
-                           Patches          &patches,
-                           Series           &series)
+  ResultsWriter::write_vtu(const StepReport          &report,
+                           Patches                   &patches,
+                           const std::string         &series,
+                           std::vector<unsigned int> &steps)
   {
     const MPI_Comm communicator = equations.discretization.communicator;
 
@@ -294,7 +343,7 @@ namespace Biface
     patches.set_flags(flags);
 
     const std::string name =
-      series.name + "-" + Utilities::int_to_string(report.step, 4) + ".vtu";
+      series + "-" + Utilities::int_to_string(report.step, 4) + ".vtu";
     // every rank writes its part: say what went wrong on any of them
     bool failed = false;
     try
@@ -307,19 +356,35 @@ namespace Biface
       }
     if (Utilities::MPI::max(static_cast<unsigned int>(failed), communicator) >
         0)
-      throw InputError("the file '" + path(name) +
-                       "' cannot be written, but results must go somewhere.");
+      throw OutputError(path(name), "a rank could not write its part");
 
-    series.times_and_names.emplace_back(report.step, name);
+    steps.push_back(report.step);
+    write_pvd(series, steps);
+  }
+
+
+  void
+  ResultsWriter::write_pvd(const std::string               &series,
+                           const std::vector<unsigned int> &steps) const
+  {
+    std::vector<std::pair<double, std::string>> times_and_names;
+    for (const unsigned int step : steps)
+      times_and_names.emplace_back(
+        step, series + "-" + Utilities::int_to_string(step, 4) + ".vtu");
     std::ostringstream record;
-    DataOutBase::write_pvd_record(record, series.times_and_names);
-    write_text(path(series.name + ".pvd"), record.str(), false, communicator);
+    DataOutBase::write_pvd_record(record, times_and_names);
+    write_text(path(series + ".pvd"),
+               record.str(),
+               false,
+               equations.discretization.communicator);
   }
 
 
   std::string
   ResultsWriter::path(const std::string &name) const
   {
-    return parameters.directory + "/" + name;
+    const std::string path = parameters.directory + "/" + name;
+    unsynced.insert(path);
+    return path;
   }
 } // namespace Biface

@@ -11,6 +11,7 @@ namespace Biface
   {
     const option options[] = {{"set", required_argument, nullptr, 's'},
                               {"output", required_argument, nullptr, 'o'},
+                              {"restart", no_argument, nullptr, 'r'},
                               {"print-parameters", no_argument, nullptr, 'p'},
                               {"check", no_argument, nullptr, 'c'},
                               {"version", no_argument, nullptr, 'v'},
@@ -28,6 +29,9 @@ namespace Biface
             break;
           case 'o':
             overrides.emplace_back(std::string("Output/Directory=") + optarg);
+            break;
+          case 'r':
+            restart = true;
             break;
           case 'p':
             action = Action::print_parameters;
@@ -69,6 +73,8 @@ namespace Biface
            "\n"
            "  --set \"Section/Entry=value\"  override the file (repeatable)\n"
            "  --output DIR                 where the results go\n"
+           "  --restart                    continue the run whose results are "
+           "there\n"
            "  --print-parameters           print all entries with their "
            "documentation\n"
            "  --check                      read and check the file, do not "
@@ -77,6 +83,7 @@ namespace Biface
            "  --help                       print this text\n"
            "\n"
            "Exit codes: 0 done, 1 wrong input, 2 no convergence (what was "
-           "reached is kept),\n3 internal error.\n";
+           "reached is kept),\n3 results cannot be written, or internal "
+           "error, 130 and 143 stopped by SIGINT and SIGTERM.\n";
   }
 } // namespace Biface

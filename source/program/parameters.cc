@@ -84,6 +84,10 @@ namespace Biface
     prm.enter_subsection("Output");
     output.add_parameters(prm);
     prm.leave_subsection();
+
+    prm.enter_subsection("Checkpoint");
+    checkpoint.add_parameters(prm);
+    prm.leave_subsection();
   }
 
 
@@ -92,6 +96,7 @@ namespace Biface
   {
     contact.check();
     newton.check();
+    checkpoint.check();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check("Stage " + std::to_string(i + 1));
   }

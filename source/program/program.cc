@@ -2,16 +2,22 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <memory>
+#include <optional>
 
 #include <biface/base/input_error.h>
+#include <biface/base/output_error.h>
 #include <biface/base/version.h>
 #include <biface/model/rigid_motions.h>
 #include <biface/output/results_writer.h>
+#include <biface/program/checkpoint.h>
 #include <biface/program/command_line.h>
+#include <biface/program/continuation.h>
 #include <biface/program/program.h>
+#include <biface/program/signal_watch.h>
 #include <biface/program/simulation.h>
 
 namespace Biface
@@ -87,64 +93,145 @@ namespace Biface
 
     /** Approach and force of all steps with contact. */
     void
-    print_load_deflection(const std::vector<StepReport> &reports,
-                          ConditionalOStream            &out)
+    print_load_deflection(const std::vector<LoadDeflection> &curve,
+                          ConditionalOStream                &out)
     {
       out << "\n  approach        force   nodes         area  greatest "
              "pressure\n";
-      for (const StepReport &report : reports)
-        if (report.in_contact)
-          {
-            char line[128];
-            std::snprintf(line,
-                          sizeof(line),
-                          "%10.4g %12.6g %7u %12.6g %18.4g\n",
-                          report.approach,
-                          report.contact.force,
-                          report.contact.n_nodes,
-                          report.contact.area,
-                          report.contact.max_pressure);
-            out << line;
-          }
+      for (const LoadDeflection &step : curve)
+        {
+          char line[128];
+          std::snprintf(line,
+                        sizeof(line),
+                        "%10.4g %12.6g %7u %12.6g %18.4g\n",
+                        step.approach,
+                        step.contact.force,
+                        step.contact.n_nodes,
+                        step.contact.area,
+                        step.contact.max_pressure);
+          out << line;
+        }
       out << std::flush;
+    }
+
+
+    /** Where the results are. */
+    void
+    print_files(const Parameters &parameters, ConditionalOStream &out)
+    {
+      const bool points = !parameters.points.list.empty();
+      out << " in " << parameters.output.directory
+          << ": history.csv, contact-*.csv, profile-*.csv, "
+          << (points ? "probes.csv, " : "")
+          << (points && parameters.output.points_per_ply > 0 ? "plies-*.csv, "
+                                                             : "")
+          << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
+          << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
+          << "parameters.prm" << std::endl;
+    }
+
+
+    /** The checkpoint to continue from, if that is asked for, and fits. */
+    std::unique_ptr<const Checkpoint>
+    find_checkpoint(const Parameters &parameters,
+                    const RunRecord  &record,
+                    const bool        restart,
+                    const MPI_Comm    communicator)
+    {
+      if (!restart)
+        return nullptr;
+      auto checkpoint = std::make_unique<const Checkpoint>(
+        parameters.output.directory, communicator);
+      const RunRecord &before = checkpoint->get_record();
+      check_continuation(before.parameters,
+                         record.parameters,
+                         before.files,
+                         record.files,
+                         before.progress);
+      return checkpoint;
     }
 
 
     ExitCode
     run_simulation(const Parameters       &parameters,
                    const ParameterHandler &prm,
-                   const bool              check_only,
+                   const CommandLine      &command_line,
                    const MPI_Comm          communicator,
                    std::ostream           &stream,
                    ConditionalOStream     &err)
     {
+      RunRecord record;
+      record.version    = version();
+      record.parameters = print_parameters(prm);
+      record.files      = read_named_files(parameters, communicator);
+      const auto checkpoint =
+        find_checkpoint(parameters, record, command_line.restart, communicator);
+
       Simulation          simulation(parameters, communicator, stream);
       ConditionalOStream &out = simulation.get_stream();
       print_header(simulation, out);
-      if (check_only)
+      if (command_line.action == CommandLine::Action::check)
         {
           out << "The parameters are in order." << std::endl;
           return done;
         }
 
-      ResultsWriter writer(parameters.output, simulation.get_equations());
-      writer.write_parameters(prm);
+      const std::string &directory = parameters.output.directory;
+      const SignalWatch  signals;
+      std::optional<ResultsWriter::Written> written;
+      if (checkpoint)
+        {
+          Parameters       before;
+          ParameterHandler prm_before;
+          parse_parameters(directory + "/checkpoint.bin",
+                           checkpoint->get_record().parameters,
+                           before,
+                           prm_before);
+          checkpoint->restore(simulation, before.stages, parameters.stages);
+          if (!checkpoint->get_warning().empty())
+            out << checkpoint->get_warning() << std::endl;
+          const Progress &progress = simulation.get_progress();
+          if (progress.at_end_of(parameters.stages))
+            {
+              out << "The run has come to its end, after " << progress.n_steps
+                  << " steps: nothing is left to do." << std::endl;
+              return done;
+            }
+          out << "The run continues after step " << progress.n_steps << '.'
+              << std::endl;
+          checkpoint->remove_unusable();
+          written      = checkpoint->get_record().written;
+          record.curve = checkpoint->get_record().curve;
+        }
+      else
+        CheckpointWriter::remove(directory, communicator);
+
+      ResultsWriter writer(
+        parameters.output, simulation.get_equations(), written);
+      writer.write_parameters(record.parameters);
       for (const std::string &sentence : writer.warnings())
         out << sentence << std::endl;
+      CheckpointWriter checkpoints(parameters.checkpoint,
+                                   directory,
+                                   simulation,
+                                   writer,
+                                   checkpoint != nullptr);
+      checkpoints.write(record);
 
-      std::vector<StepReport>  reports;
-      const LoadSteppingResult result =
-        simulation.run([&](const StepReport &report, const State &state) {
+      const LoadSteppingResult result = simulation.run(
+        [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
           print_step(report, out);
           writer.write_step(report, state);
-          reports.push_back(report);
-        });
+          if (report.in_contact)
+            record.curve.push_back({report.approach, report.contact});
+          checkpoints.write_if_due(record);
+        },
+        [&]() { return signals.caught(communicator) != 0; });
+      checkpoints.write(record);
 
-      if (std::any_of(reports.begin(), reports.end(), [](const auto &report) {
-            return report.in_contact;
-          }))
-        print_load_deflection(reports, out);
+      if (!record.curve.empty())
+        print_load_deflection(record.curve, out);
       simulation.get_timer().print_summary();
       if (parameters.mesh.n_coarse > 0)
         {
@@ -157,24 +244,23 @@ namespace Biface
           out << line;
         }
       print_memory(communicator, out);
-      out << (result.success ? "Results" : "What was reached") << " in "
-          << parameters.output.directory
-          << ": history.csv, contact-*.csv, profile-*.csv, "
-          << (parameters.points.list.empty() ? "" : "probes.csv, ")
-          << (parameters.points.list.empty() ||
-                  parameters.output.points_per_ply == 0
-                ? ""
-                : "plies-*.csv, ")
-          << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
-          << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
-          << "parameters.prm" << std::endl;
-      if (!result.success)
+      out << (result.success ? "Results" : "What was reached");
+      print_files(parameters, out);
+      if (result.success)
+        return done;
+
+      const std::string kept =
+        std::to_string(simulation.get_progress().n_steps) +
+        " converged steps are kept.";
+      if (result.stopped)
         {
-          err << "biface: " << result.message << "; " << reports.size()
-              << " converged steps are kept." << std::endl;
-          return no_convergence;
+          const int signal = signals.caught(communicator);
+          err << "biface: stopped by " << signal_name(signal) << "; " << kept
+              << std::endl;
+          return signal == SIGINT ? interrupted : terminated;
         }
-      return done;
+      err << "biface: " << result.message << "; " << kept << std::endl;
+      return no_convergence;
     }
   } // namespace
 
@@ -220,12 +306,8 @@ namespace Biface
                 return done;
               }
             source = command_line.file_name + ": ";
-            return run_simulation(parameters,
-                                  prm,
-                                  command_line.action == Action::check,
-                                  communicator,
-                                  out_stream,
-                                  err);
+            return run_simulation(
+              parameters, prm, command_line, communicator, out_stream, err);
           }
         return done;
       }
@@ -233,6 +315,11 @@ namespace Biface
       {
         err << "biface: " << source << error.what() << std::endl;
         return wrong_input;
+      }
+    catch (const OutputError &error)
+      {
+        err << "biface: " << error.what() << std::endl;
+        return internal_error;
       }
   }
 } // namespace Biface

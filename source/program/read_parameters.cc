@@ -317,6 +317,88 @@ namespace Biface
         text += "end\n";
       return text;
     }
+
+    /** Read settings, later ones in place of earlier ones.
+     * @param sources what error messages call them, and their texts.
+     * @param file_name whose folder holds the files that the settings name.
+     */
+    void
+    parse_sources(
+      const std::vector<std::pair<std::string, std::string>> &sources,
+      const std::string                                      &file_name,
+      Parameters                                             &parameters,
+      ParameterHandler                                       &prm)
+    {
+      // these decide which sections there are
+      ParameterHandler         names_only;
+      unsigned int             n_stages = 1;
+      std::vector<std::string> materials{"cord"};
+      names_only.add_parameter(
+        "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
+      names_only.add_parameter(
+        "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
+      for (const auto &source : sources)
+        {
+          check_lines(source.first, source.second);
+          parse(names_only, source.first, source.second, true);
+        }
+
+      for (unsigned int i = 0; i < materials.size(); ++i)
+        if (materials[i].find_first_of(":/@") != std::string::npos ||
+            std::count(materials.begin(), materials.end(), materials[i]) > 1)
+          throw InputError(
+            "Materials",
+            materials[i],
+            "each name must be there once, without ':', '/', '@'");
+
+      parameters.add_parameters(prm, materials, n_stages);
+      for (const auto &source : sources)
+        parse(prm, source.first, source.second, false);
+
+      // absolute, so that the parameters as written find the files, too
+      const auto absolute = [&](const std::string &name) {
+        return std::filesystem::absolute(
+                 std::filesystem::path(file_name).parent_path() / name)
+          .string();
+      };
+      std::string &points_file = parameters.surface.points_file;
+      if (!points_file.empty())
+        {
+          points_file = absolute(points_file);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Points");
+          prm.set("File", points_file);
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
+      std::string &tables = parameters.laminate.tables;
+      if (!tables.empty())
+        {
+          // what is not 'name: file' is kept for Layup to refuse
+          std::string list;
+          for (std::string text : Utilities::split_string_list(tables, ','))
+            {
+              const auto colon = text.find(':');
+              if (colon != std::string::npos)
+                text = text.substr(0, colon) + ": " +
+                       absolute(Utilities::trim(text.substr(colon + 1)));
+              list += (list.empty() ? "" : ", ") + text;
+            }
+          tables = list;
+          prm.enter_subsection("Laminate");
+          prm.set("Tables", list);
+          prm.leave_subsection();
+        }
+
+      try
+        {
+          parameters.check();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file_name + ": " + error.what());
+        }
+    }
   } // namespace
 
 
@@ -332,74 +414,26 @@ namespace Biface
       sources.emplace_back(file_name, read_file(file_name, communicator));
     for (const Override &setting : overrides)
       sources.emplace_back("--set " + setting, override_text(setting));
+    parse_sources(sources, file_name, parameters, prm);
+  }
 
-    // these decide which sections there are
-    ParameterHandler         names_only;
-    unsigned int             n_stages = 1;
-    std::vector<std::string> materials{"cord"};
-    names_only.add_parameter(
-      "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
-    names_only.add_parameter(
-      "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
-    for (const auto &source : sources)
-      {
-        check_lines(source.first, source.second);
-        parse(names_only, source.first, source.second, true);
-      }
 
-    for (unsigned int i = 0; i < materials.size(); ++i)
-      if (materials[i].find_first_of(":/@") != std::string::npos ||
-          std::count(materials.begin(), materials.end(), materials[i]) > 1)
-        throw InputError("Materials",
-                         materials[i],
-                         "each name must be there once, without ':', '/', '@'");
+  void
+  parse_parameters(const std::string &source,
+                   const std::string &text,
+                   Parameters        &parameters,
+                   ParameterHandler  &prm)
+  {
+    parse_sources({{source, text}}, source, parameters, prm);
+  }
 
-    parameters.add_parameters(prm, materials, n_stages);
-    for (const auto &source : sources)
-      parse(prm, source.first, source.second, false);
 
-    // absolute, so that the parameters as written find the files, too
-    const auto absolute = [&](const std::string &name) {
-      return std::filesystem::absolute(
-               std::filesystem::path(file_name).parent_path() / name)
-        .string();
-    };
-    std::string &points_file = parameters.surface.points_file;
-    if (!points_file.empty())
-      {
-        points_file = absolute(points_file);
-        prm.enter_subsection("Surface");
-        prm.enter_subsection("Points");
-        prm.set("File", points_file);
-        prm.leave_subsection();
-        prm.leave_subsection();
-      }
-    std::string &tables = parameters.laminate.tables;
-    if (!tables.empty())
-      {
-        // what is not 'name: file' is kept for Layup to refuse
-        std::string list;
-        for (std::string text : Utilities::split_string_list(tables, ','))
-          {
-            const auto colon = text.find(':');
-            if (colon != std::string::npos)
-              text = text.substr(0, colon) + ": " +
-                     absolute(Utilities::trim(text.substr(colon + 1)));
-            list += (list.empty() ? "" : ", ") + text;
-          }
-        tables = list;
-        prm.enter_subsection("Laminate");
-        prm.set("Tables", list);
-        prm.leave_subsection();
-      }
-
-    try
-      {
-        parameters.check();
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file_name + ": " + error.what());
-      }
+  std::string
+  print_parameters(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(
+      text, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+    return text.str();
   }
 } // namespace Biface

@@ -113,7 +113,7 @@ namespace Biface
 
 
   std::unique_ptr<const NestedPredictor>
-  Simulation::run_coarser()
+  Simulation::run_coarser(const Newton::Stop &stop)
   {
     if (parameters.mesh.n_coarse == 0)
       return nullptr;
@@ -129,11 +129,13 @@ namespace Biface
                       make_discretization(parameters, communicator, &grid));
 
     auto nested = std::make_unique<NestedPredictor>(grid, parameters.stages);
-    const LoadSteppingResult result = coarse.run([&](const StepReport &report,
-                                                     const State      &state) {
-      if (report.moment)
-        nested->learn(*report.moment, GridState(*coarse.discretization, state));
-    });
+    const LoadSteppingResult result = coarse.run(
+      [&](const StepReport &report, const State &state) {
+        if (report.moment)
+          nested->learn(*report.moment,
+                        GridState(*coarse.discretization, state));
+      },
+      stop);
     if (!result.success)
       out << "On the coarser mesh, " << result.message << '.' << std::endl;
     coarse_solver_seconds =
@@ -142,17 +144,30 @@ namespace Biface
   }
 
 
-  LoadSteppingResult
-  Simulation::run(const LoadStepping::Observer &observer)
+  void
+  Simulation::restore(const ShellEquations::History &history,
+                      const State                   &state,
+                      const Progress                &progress)
   {
-    const std::unique_ptr<const NestedPredictor> nested = run_coarser();
+    equations.restore(history);
+    this->state    = state;
+    this->progress = progress;
+  }
+
+
+  LoadSteppingResult
+  Simulation::run(const LoadStepping::Observer &observer,
+                  const Newton::Stop           &stop)
+  {
+    const std::unique_ptr<const NestedPredictor> nested = run_coarser(stop);
     if (nested)
       out << "\nFiner mesh of " << discretization->n_cells() << " cells, "
           << discretization->n_unknowns() << " unknowns" << std::endl;
 
-    Newton newton(parameters.newton, equations, *linear_solver, out, timer);
+    Newton newton(
+      parameters.newton, equations, *linear_solver, out, timer, stop);
     LoadStepping load_stepping(
       parameters.load_stepping, equations, newton, out, nested.get());
-    return load_stepping.run(parameters.stages, state, observer);
+    return load_stepping.run(parameters.stages, progress, state, observer);
   }
 } // namespace Biface

@@ -55,45 +55,68 @@ namespace Biface
 
   LoadSteppingResult
   LoadStepping::run(const std::vector<Stage> &stages,
+                    Progress                 &progress,
                     State                    &state,
                     const Observer           &observer)
   {
-    LoadSteppingResult result;
-    for (stage_number = 0; stage_number < stages.size(); ++stage_number)
+    while (true)
       {
-        result = run_stage(stages[stage_number], state, observer);
-        if (!result.success)
-          break;
+        const Stage &stage = stages[progress.stage];
+        if (!progress.stage_begun)
+          begin_stage(stage, progress, state);
+        while (!progress.at_end_of(stage))
+          {
+            const LoadSteppingResult result = next_step(stage, progress, state);
+            if (!result.success)
+              return result;
+            observer(report, state);
+          }
+        if (progress.stage + 1 >= stages.size())
+          return {};
+        ++progress.stage;
+        progress.stage_begun = false;
       }
-    return result;
   }
 
 
-  LoadSteppingResult
-  LoadStepping::run_stage(const Stage    &stage,
-                          State          &state,
-                          const Observer &observer)
+  void
+  LoadStepping::begin_stage(const Stage &stage,
+                            Progress    &progress,
+                            State       &state)
   {
     if (stage.from_prestress)
       {
         equations.take_as_prestress(state);
-        reached = LoadPoint();
-        touching_plane.reset();
+        progress.reached = LoadPoint();
+        progress.touching_travel.reset();
       }
-    if (stage.contact && !touching_plane)
-      touching_plane = equations.touching_plane(state);
+    if (stage.contact && !progress.touching_travel)
+      progress.touching_travel = equations.touching_travel(state);
     equations.set_theory(stage.theory, state);
 
-    predictor.reset();
-    Progress progress;
-    progress.begin = reached;
+    progress.begin            = progress.reached;
+    progress.begin_value      = 0;
+    progress.fraction         = 0;
+    progress.value_fraction   = 0;
+    progress.size             = StepSize(1. / stage.n_steps);
+    progress.n_arc_steps      = 0;
+    progress.first_arc_length = 0;
+    progress.predictor.reset();
+    progress.stage_begun = true;
     if (stage.control == Stage::Control::load)
-      return follow_loads(stage, progress, state, observer);
+      return;
     if (stage.control == Stage::Control::force)
-      return follow_force(stage, progress, state, observer);
+      {
+        progress.begin_value =
+          equations
+            .contact_force(state, loads_at(progress.reached, stage, progress))
+            .value;
+        return;
+      }
 
     // the loads follow: there must be some, and nothing else may move with them
-    const std::string what = "the stage '" + stage.name +
+    const LoadPoint  &reached = progress.reached;
+    const std::string what    = "the stage '" + stage.name +
                              "' is controlled by a displacement or an arc "
                              "length, but ";
     if (stage.pressure == reached.pressure && stage.factor == reached.factor)
@@ -104,9 +127,51 @@ namespace Biface
     if (!equations.discretization.prescribed.empty())
       throw InputError(what + "supports prescribe displacements, too.");
 
-    return stage.control == Stage::Control::displacement
-             ? follow_displacement(stage, progress, state, observer)
-             : follow_arc(stage, progress, state, observer);
+    if (stage.control == Stage::Control::displacement)
+      {
+        LA::Vector displacement = equations.discretization.owned_vector();
+        displacement            = state.displacement;
+        progress.begin_value = equations.discretization.displacement_functional(
+                                 stage.control_point, stage.control_component) *
+                               displacement;
+      }
+  }
+
+
+  LoadSteppingResult
+  LoadStepping::next_step(const Stage &stage, Progress &progress, State &state)
+  {
+    const bool by_arc = (stage.control == Stage::Control::arc_length);
+    if (by_arc && progress.n_arc_steps > 0 &&
+        progress.n_arc_steps >= parameters.max_arc_steps)
+      return {false,
+              "the loads of the stage '" + stage.name +
+                "' were not reached in " +
+                std::to_string(progress.n_arc_steps) + " steps"};
+
+    // attempts that come to nothing leave no trace
+    const StepSize first_size = progress.size;
+    while (true)
+      {
+        const Attempt attempt = by_arc ? step_of_arc(stage, progress, state)
+                                : stage.control == Stage::Control::displacement
+                                  ? step_of_displacement(stage, progress, state)
+                                  : step_of_loads(stage, progress, state);
+        if (attempt == Attempt::converged)
+          return {};
+        if (attempt == Attempt::failed &&
+            progress.size.failed(parameters.max_cuts, out))
+          continue;
+
+        progress.size = first_size;
+        if (attempt == Attempt::stopped)
+          return {false, last_message, true};
+        return {false,
+                "step " + std::to_string(progress.n_steps + 1) + " (" +
+                  stage.name + ") did not converge, though cut in half " +
+                  std::to_string(parameters.max_cuts) +
+                  " times: " + last_message};
+      }
   }
 
 
@@ -120,55 +185,53 @@ namespace Biface
   }
 
 
-  bool
+  LoadStepping::Attempt
   LoadStepping::fraction_step(const Stage       &stage,
-                              Progress          &progress,
                               const double       guess,
                               const PathControl *control,
-                              State             &state,
-                              const Observer    &observer)
+                              Progress          &progress,
+                              State             &state)
   {
     double     fraction = guess;
     const auto point    = [&](const double fraction) {
       return point_at(stage, progress, fraction);
     };
-    std::optional<Span> span;
-    if (stage.control == Stage::Control::load)
-      span = {progress.fraction, guess};
-    const bool converged =
-      step(stage, point, fraction, span, control, state, observer);
-    if (converged)
+    const double size =
+      (stage.control == Stage::Control::load ? guess - progress.fraction : 0.);
+    const Attempt attempt =
+      step(stage, point, fraction, size, control, progress, state);
+    if (attempt == Attempt::converged)
       progress.fraction = fraction;
-    return converged;
+    return attempt;
   }
 
 
-  bool
+  LoadStepping::Attempt
   LoadStepping::step(const Stage                                  &stage,
                      const std::function<LoadPoint(const double)> &point,
                      double                                       &number,
-                     const std::optional<Span>                    &span,
+                     const double                                  size,
                      const PathControl                            *control,
-                     State                                        &state,
-                     const Observer                               &observer)
+                     Progress                                     &progress,
+                     State                                        &state)
   {
     const LoadPoint first = point(number);
-    out << "Step " << n_steps + 1 << ", " << stage.name << ": pressure "
-        << first.pressure << ", load factor " << first.factor;
+    out << "Step " << progress.n_steps + 1 << ", " << stage.name
+        << ": pressure " << first.pressure << ", load factor " << first.factor;
     if (stage.contact)
       out << ", approach " << first.travel;
     out << (control ? " at its begin" : "") << std::endl;
 
     Newton::Path path;
     path.loads = [&](const double number) {
-      return loads_at(point(number), stage);
+      return loads_at(point(number), stage, progress);
     };
     path.control = control;
 
     Timer        timer;
     State        trial  = state;
     double       found  = number;
-    NewtonResult result = try_step(trial, path, found, span);
+    NewtonResult result = try_step(trial, path, found, size, progress);
     if (result.converged && control != nullptr && found > 1 &&
         stage.control == Stage::Control::arc_length)
       {
@@ -178,53 +241,55 @@ namespace Biface
         trial                    = state;
         found                    = 1;
         path.control             = nullptr;
-        result                   = try_step(trial, path, found, span);
+        result                   = try_step(trial, path, found, size, progress);
         result.iterations += spent;
       }
-    last_n_iterations = result.iterations;
     if (!result.converged)
       {
         last_message = result.message;
+        if (result.stopped)
+          return Attempt::stopped;
         out << "  not converged: " << result.message << std::endl;
-        return false;
+        return Attempt::failed;
       }
 
-    if (span)
-      predictor.learn(state, trial, span->to - span->from);
-    state   = trial;
-    number  = found;
-    reached = point(number);
-    ++n_steps;
+    report = StepReport();
+    if (size > 0)
+      {
+        progress.predictor.learn(state, trial, size);
+        report.moment = {progress.stage, progress.fraction + size};
+      }
+    state            = trial;
+    number           = found;
+    progress.reached = point(number);
+    ++progress.n_steps;
 
-    StepReport report;
-    report.step = n_steps;
-    if (span)
-      report.moment = {stage_number, span->to};
+    report.step       = progress.n_steps;
     report.stage      = stage.name;
     report.in_contact = stage.contact;
-    report.loads      = loads_at(reached, stage);
-    report.approach   = (stage.contact ? reached.travel : 0.);
+    report.loads      = loads_at(progress.reached, stage, progress);
+    report.approach   = (stage.contact ? progress.reached.travel : 0.);
     report.contact    = equations.summarize_contact(state, report.loads);
     report.iterations = result.iterations;
     report.residuals  = result.residuals;
     report.seconds    = timer.wall_time();
-    observer(report, state);
-    return true;
+    return Attempt::converged;
   }
 
 
   NewtonResult
-  LoadStepping::try_step(State                     &state,
-                         const Newton::Path        &path,
-                         double                    &number,
-                         const std::optional<Span> &span)
+  LoadStepping::try_step(State              &state,
+                         const Newton::Path &path,
+                         double             &number,
+                         const double        size,
+                         const Progress     &progress)
   {
     const State  start       = state;
     const double first_guess = number;
-    const bool   zone_given  = span && predict(*span, state);
+    const bool   zone_given  = size > 0 && predict(size, progress, state);
     NewtonResult result      = newton.solve(
       state, path, number, newton.parameters.iteration, zone_given);
-    if (!result.converged &&
+    if (!result.converged && !result.stopped &&
         newton.parameters.iteration == NewtonIteration::mixed)
       {
         out << "  not converged: " << result.message
@@ -234,7 +299,7 @@ namespace Biface
         number                   = first_guess;
         // the secant may have led astray; the coarser mesh has been there
         if (zone_given)
-          predict(*span, state);
+          predict(size, progress, state);
         result = newton.solve(
           state, path, number, NewtonIteration::substituted, zone_given);
         result.iterations += spent;
@@ -244,20 +309,23 @@ namespace Biface
 
 
   bool
-  LoadStepping::predict(const Span &span, State &state) const
+  LoadStepping::predict(const double    size,
+                        const Progress &progress,
+                        State          &state) const
   {
-    if (nested != nullptr && nested->predict(equations.discretization,
-                                             {stage_number, span.from},
-                                             {stage_number, span.to},
-                                             state))
+    if (nested != nullptr &&
+        nested->predict(equations.discretization,
+                        {progress.stage, progress.fraction},
+                        {progress.stage, progress.fraction + size},
+                        state))
       return true;
     if (parameters.predict)
-      predictor.predict(state, span.to - span.from);
+      progress.predictor.predict(state, size);
     return false;
   }
 
 
-  LoadStepping::LoadPoint
+  LoadPoint
   LoadStepping::point_at(const Stage    &stage,
                          const Progress &progress,
                          const double    fraction) const
@@ -272,23 +340,17 @@ namespace Biface
 
 
   Loads
-  LoadStepping::loads_at(const LoadPoint &point, const Stage &stage) const
+  LoadStepping::loads_at(const LoadPoint &point,
+                         const Stage     &stage,
+                         const Progress  &progress) const
   {
     Loads loads;
     loads.pressure = point.pressure;
     loads.factor   = point.factor;
     if (stage.contact)
-      loads.foundation = touching_plane->moved(point.travel);
+      loads.foundation =
+        equations.foundation(*progress.touching_travel + point.travel);
     return loads;
   }
 
-
-  LoadSteppingResult
-  LoadStepping::failure(const Stage &stage) const
-  {
-    return {false,
-            "step " + std::to_string(n_steps + 1) + " (" + stage.name +
-              ") did not converge, though cut in half " +
-              std::to_string(parameters.max_cuts) + " times: " + last_message};
-  }
 } // namespace Biface

@@ -53,12 +53,14 @@ namespace Biface
                  ShellEquations     &equations,
                  LinearSolver       &linear_solver,
                  ConditionalOStream &out,
-                 TimerOutput        &timer)
+                 TimerOutput        &timer,
+                 const Stop         &stop)
     : parameters(parameters)
     , equations(equations)
     , linear_solver(linear_solver)
     , out(out)
     , timer(timer)
+    , stop(stop)
   {}
 
 
@@ -120,6 +122,12 @@ namespace Biface
 
     while (true)
       {
+        if (stop && stop())
+          {
+            result.message = "stopped";
+            result.stopped = true;
+            return result;
+          }
         {
           TimerOutput::Scope scope(timer, "Assembly");
           equations.assemble(state, loads);

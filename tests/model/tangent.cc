@@ -69,9 +69,10 @@ namespace
     state = at(equations, state, some_displacement(*discretization, 0.2, 3));
 
     Loads loads;
-    loads.pressure              = 0.1;
-    loads.factor                = 0.7;
-    loads.foundation            = equations.touching_plane(state).moved(6);
+    loads.pressure = 0.1;
+    loads.factor   = 0.7;
+    loads.foundation =
+      equations.foundation(equations.touching_travel(state) + 6);
     const unsigned int n_active = equations.update_active_set(state, loads);
 
     equations.assemble(state, loads);

@@ -43,6 +43,10 @@ namespace Biface
     /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     std::array<dealii::types::global_dof_index, 6> dofs;
 
+    /** Counted along the lines of the mesh, the first coordinate running
+     * fastest: the same on any number of ranks. */
+    dealii::types::global_cell_index number;
+
     /** Whether the node belongs to this rank. */
     bool locally_owned;
 
@@ -60,6 +64,8 @@ namespace Biface
     /** Position in Discretization::strips. */
     unsigned int    strip;
     ElementGeometry geometry;
+    /** Counted as that of nodes. */
+    dealii::types::global_cell_index number;
   };
 
 

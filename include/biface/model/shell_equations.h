@@ -49,6 +49,28 @@ namespace Biface
     void
     take_as_prestress(State &state);
 
+    /** What earlier stages have left in the equations: with a State and its
+     * Loads, a complete restore point. */
+    struct History
+    {
+      /** Of each locally owned cell. */
+      std::vector<Modes::Vector> initial_resultants;
+      /** What the strains were that gave initial resultants, see
+       * take_as_prestress(). */
+      std::vector<Modes::Vector> initial_strains;
+      /** The state about which the strains are linearized, if they are. */
+      std::optional<State> linearization_point;
+    };
+
+    History
+    get_history() const
+    {
+      return {initial_resultants, initial_strains, linearization_point};
+    }
+
+    void
+    restore(const History &history);
+
     /** Compute residual() and tangent() at a state. */
     void
     assemble(const State &state, const Loads &loads);
@@ -164,10 +186,15 @@ namespace Biface
     ContactSummary
     summarize_contact(const State &state, const Loads &loads) const;
 
-    /** The plane with the given normal that just touches the deformed outer
-     * face. */
+    /** The foundation that has moved by @p travel from the origin of
+     * coordinates. */
     RigidPlane
-    touching_plane(const State &state) const;
+    foundation(const double travel) const;
+
+    /** The travel of the foundation that just touches the deformed outer face.
+     */
+    double
+    touching_travel(const State &state) const;
 
     /** Strains of a cell, those that gave the prestress included. */
     Modes::Vector

@@ -17,8 +17,8 @@ namespace Biface
    * Write the rows of all ranks, sorted by their leading columns, below a line
    * of column names.
    *
-   * Must be called on all ranks; the first one writes. Throws InputError on all
-   * ranks where the file cannot be written.
+   * Must be called on all ranks; the first one writes. Throws OutputError on
+   * all ranks where the file cannot be written.
    *
    * @param header column names, separated by commas.
    */
@@ -34,14 +34,28 @@ namespace Biface
 
   /**
    * Write a text to a file on the first rank, at its end or in place of what
-   * it held. Must be called on all ranks. Throws InputError on all of them
-   * where the file cannot be written.
+   * it held: as a whole, or the file stays as it was. Must be called on all
+   * ranks. Throws OutputError on all of them where the file cannot be written.
    */
   void
   write_text(const std::string &path,
              const std::string &text,
              const bool         append,
              const MPI_Comm     communicator);
+
+  /**
+   * Take the rows of later steps off a table whose first column is the step.
+   * The file is changed as a whole or not at all. Must be called on all ranks.
+   *
+   * Throws InputError where the table does not begin with @p header, or does
+   * not hold @p rows_per_step rows for each of the first @p n_steps steps.
+   */
+  void
+  cut_table(const std::string &path,
+            const std::string &header,
+            const unsigned int n_steps,
+            const unsigned int rows_per_step,
+            const MPI_Comm     communicator);
 } // namespace Biface
 
 #endif

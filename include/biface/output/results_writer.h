@@ -5,8 +5,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <biface/model/shell_equations.h>
@@ -36,24 +37,54 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
+    /** What was written so far. */
+    struct Written
+    {
+      /** The last step, and those of which there are VTU files. */
+      unsigned int              n_steps = 0;
+      std::vector<unsigned int> faces, plies;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &n_steps &faces &plies;
+      }
+    };
+
     /**
      * Make the directory, if need be, and begin history.csv. Throws
      * InputError where that is not possible.
+     *
+     * @param continued what an earlier run has written, to continue its files:
+     * what they hold beyond is cut off. Throws InputError where they hold less.
      */
-    ResultsWriter(const Parameters     &parameters,
-                  const ShellEquations &equations);
+    ResultsWriter(const Parameters             &parameters,
+                  const ShellEquations         &equations,
+                  const std::optional<Written> &continued = {});
 
     /** What is asked for and cannot be given: a sentence each. */
     std::vector<std::string>
     warnings() const;
 
-    /** Write the parameters as used. */
+    /** Write the parameters as used.
+     * @param text of a parameter file. */
     void
-    write_parameters(const dealii::ParameterHandler &prm) const;
+    write_parameters(const std::string &text) const;
 
-    /** Write everything about a converged step. */
+    /** Write everything about a converged step. Throws OutputError. */
     void
     write_step(const StepReport &report, const State &state);
+
+    /** Bring all that was written to the disk. Throws OutputError. */
+    void
+    sync();
+
+    const Written &
+    get_written() const
+    {
+      return written;
+    }
 
   private:
     void
@@ -73,26 +104,30 @@ namespace Biface
     void
     write_plies(const StepReport &report, const State &state) const;
 
-    /** A series of VTU files, one a step, and the file that lists them. */
-    struct Series
-    {
-      std::string name;
-      /** Steps and files so far. */
-      std::vector<std::pair<double, std::string>> times_and_names = {};
-    };
-
+    /** One of a series of VTU files. */
     template <typename Patches>
     void
-    write_vtu(const StepReport &report, Patches &patches, Series &series);
+    write_vtu(const StepReport          &report,
+              Patches                   &patches,
+              const std::string         &series,
+              std::vector<unsigned int> &steps);
 
+    /** The file that lists the VTU files of a series. */
+    void
+    write_pvd(const std::string               &series,
+              const std::vector<unsigned int> &steps) const;
+
+    /** @param name of a file of the directory, which is about to be written.
+     */
     std::string
     path(const std::string &name) const;
 
     const Parameters      parameters;
     const ShellEquations &equations;
 
-    Series faces{"shell"};
-    Series plies{"plies"};
+    Written written;
+    /** Files that may not have reached the disk. */
+    mutable std::set<std::string> unsynced;
   };
 } // namespace Biface
 

@@ -25,6 +25,8 @@ namespace Biface
     Action                action = Action::run;
     std::string           file_name;
     std::vector<Override> overrides;
+    /** Whether to continue the run in the directory of results. */
+    bool restart = false;
 
     /** Throws InputError where the words make no sense. */
     CommandLine(int argc, char **argv);

@@ -17,6 +17,7 @@
 #include <biface/model/pressure_load.h>
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
+#include <biface/program/checkpoint.h>
 #include <biface/solver/linear_solver_parameters.h>
 #include <biface/solver/load_stepping.h>
 #include <biface/solver/newton.h>
@@ -45,6 +46,7 @@ namespace Biface
     Newton::Parameters              newton;
     LoadStepping::Parameters        load_stepping;
     ResultsWriter::Parameters       output;
+    CheckpointParameters            checkpoint;
 
     /** Declare all entries, with a section for each of the materials and each
      * of the stages. The object must outlive @p prm. */
@@ -82,6 +84,19 @@ namespace Biface
                   const MPI_Comm               communicator,
                   Parameters                  &parameters,
                   dealii::ParameterHandler    &prm);
+
+  /** The same from the text of a parameter file, in which names of other files
+   * are absolute. Every rank parses its own copy.
+   * @param source what error messages call the text. */
+  void
+  parse_parameters(const std::string        &source,
+                   const std::string        &text,
+                   Parameters               &parameters,
+                   dealii::ParameterHandler &prm);
+
+  /** All entries and their values as the text of a parameter file. */
+  std::string
+  print_parameters(const dealii::ParameterHandler &prm);
 } // namespace Biface
 
 #endif

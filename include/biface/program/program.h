@@ -15,7 +15,12 @@ namespace Biface
     done           = 0,
     wrong_input    = 1,
     no_convergence = 2,
-    internal_error = 3
+    /** Or results cannot be written; what was reached is kept. */
+    internal_error = 3,
+    /** Stopped by SIGINT or SIGTERM; what was reached is kept. The numbers are
+     * those a shell gives to processes that end by these signals. */
+    interrupted = 130,
+    terminated  = 143
   };
 
   /**

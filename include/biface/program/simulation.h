@@ -40,15 +40,36 @@ namespace Biface
                const MPI_Comm    communicator,
                std::ostream     &stream);
 
-    /** Go through all stages, and tell each converged step to @p observer. */
+    /** Go through all stages, or what is left of them, and tell each converged
+     * step to @p observer.
+     * @param stop see Newton. */
     LoadSteppingResult
-    run(const LoadStepping::Observer &observer);
+    run(const LoadStepping::Observer &observer, const Newton::Stop &stop = {});
 
     const ShellEquations &
     get_equations() const
     {
       return equations;
     }
+
+    /** As of the last converged step; while the observer is called, too. */
+    const State &
+    get_state() const
+    {
+      return state;
+    }
+
+    const Progress &
+    get_progress() const
+    {
+      return progress;
+    }
+
+    /** Continue from another run of the same shell. */
+    void
+    restore(const ShellEquations::History &history,
+            const State                   &state,
+            const Progress                &progress);
 
     /** Times of the parts of the run. */
     dealii::TimerOutput &
@@ -84,7 +105,7 @@ namespace Biface
     /** Go through all stages on the coarser mesh, and learn where steps lead.
      */
     std::unique_ptr<const NestedPredictor>
-    run_coarser();
+    run_coarser(const Newton::Stop &stop);
 
     const Parameters                            parameters;
     std::ostream                               &stream;
@@ -96,6 +117,7 @@ namespace Biface
     const std::unique_ptr<LinearSolver>         linear_solver;
     State                                       state;
     double                                      coarse_solver_seconds = 0;
+    Progress                                    progress;
   };
 } // namespace Biface
 

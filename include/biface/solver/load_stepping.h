@@ -7,7 +7,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@
 #include <biface/model/state.h>
 #include <biface/solver/nested_predictor.h>
 #include <biface/solver/newton.h>
-#include <biface/solver/secant_predictor.h>
+#include <biface/solver/progress.h>
 #include <biface/solver/stage.h>
 
 namespace Biface
@@ -47,6 +46,8 @@ namespace Biface
     bool success = true;
     /** Where a step failed for good: what happened. */
     std::string message;
+    /** Whether the run was asked to stop; then it is no success. */
+    bool stopped = false;
   };
 
 
@@ -85,73 +86,48 @@ namespace Biface
                  dealii::ConditionalOStream &out,
                  const NestedPredictor      *nested = nullptr);
 
-    /** Run the stages from a state, which is the last converged one at the
-     * end. */
+    /**
+     * Run the stages on from where the progress is.
+     *
+     * @param progress, state at the begin, or of a run that ended early, with
+     * the history of its equations; where a step failed or was stopped, they
+     * are those of the last converged one. They are up to date when the
+     * observer is called.
+     */
     LoadSteppingResult
     run(const std::vector<Stage> &stages,
+        Progress                 &progress,
         State                    &state,
         const Observer           &observer);
 
   private:
-    /** Loads and foundation travel at some moment. */
-    struct LoadPoint
+    /** How an attempt at a step ended. */
+    enum class Attempt
     {
-      double pressure = 0;
-      double factor   = 0;
-      double travel   = 0;
+      converged,
+      failed,
+      stopped
     };
 
-    /** Where the stage at hand is on its way. */
-    struct Progress
-    {
-      LoadPoint begin;
-      /** Fraction of the way from the begin to the stage's loads. */
-      double fraction = 0;
-    };
+    void
+    begin_stage(const Stage &stage, Progress &progress, State &state);
 
-    /** Fractions of the stage at hand. */
-    struct Span
-    {
-      double from, to;
-    };
-
+    /** One converged step, cut as often as needed. */
     LoadSteppingResult
-    run_stage(const Stage &stage, State &state, const Observer &observer);
+    next_step(const Stage &stage, Progress &progress, State &state);
 
-    /** Steps of given fractions of the stage.
-     * @param step_to a step to a given fraction; whether it converged. */
-    LoadSteppingResult
-    follow_fractions(const Stage                             &stage,
-                     Progress                                &progress,
-                     const std::function<bool(const double)> &step_to);
+    /** A step of given loads or a given force. */
+    Attempt
+    step_of_loads(const Stage &stage, Progress &progress, State &state);
 
-    /** Steps of given loads. */
-    LoadSteppingResult
-    follow_loads(const Stage    &stage,
-                 Progress       &progress,
-                 State          &state,
-                 const Observer &observer);
+    /** A step of a given displacement. */
+    Attempt
+    step_of_displacement(const Stage &stage, Progress &progress, State &state);
 
-    /** Steps of a given force on the foundation. */
-    LoadSteppingResult
-    follow_force(const Stage    &stage,
-                 Progress       &progress,
-                 State          &state,
-                 const Observer &observer);
-
-    /** Steps of a given displacement. */
-    LoadSteppingResult
-    follow_displacement(const Stage    &stage,
-                        Progress       &progress,
-                        State          &state,
-                        const Observer &observer);
-
-    /** Steps of a given length, until the stage's loads are reached. */
-    LoadSteppingResult
-    follow_arc(const Stage    &stage,
-               Progress       &progress,
-               State          &state,
-               const Observer &observer);
+    /** A step of given length; the first is one of the loads, and gives the
+     * length of the later ones. */
+    Attempt
+    step_of_arc(const Stage &stage, Progress &progress, State &state);
 
     /**
      * One step from the last converged state.
@@ -159,40 +135,48 @@ namespace Biface
      * @param point the loads by one number, such as the fraction of the stage.
      * @param number to reach, or, with @p control, to begin with; then the one
      * reached.
-     * @param span the fractions of the stage between which the step leads, for
-     * the predictors; none where they are not given.
-     * @return whether it converged; the state then is the new one, and the step
-     * has been reported.
+     * @param size of the step, as a fraction of the stage, for the predictor;
+     * 0 where it does not know.
+     * @return where it converged, the state is the new one, and the report that
+     * of the step.
      */
-    bool
+    Attempt
     step(const Stage                                  &stage,
          const std::function<LoadPoint(const double)> &point,
          double                                       &number,
-         const std::optional<Span>                    &span,
+         const double                                  size,
          const PathControl                            *control,
-         State                                        &state,
-         const Observer                               &observer);
+         Progress                                     &progress,
+         State                                        &state);
 
     /** A step to a fraction of the stage, given or chosen by @p control; moves
      * the progress. */
-    bool
+    Attempt
     fraction_step(const Stage       &stage,
-                  Progress          &progress,
                   const double       guess,
                   const PathControl *control,
-                  State             &state,
-                  const Observer    &observer);
+                  Progress          &progress,
+                  State             &state);
+
+    /** A step to a given force on the foundation, and to the loads of the given
+     * fraction. */
+    Attempt
+    force_step(const Stage &stage,
+               const double fraction,
+               Progress    &progress,
+               State       &state);
 
     NewtonResult
-    try_step(State                     &state,
-             const Newton::Path        &path,
-             double                    &number,
-             const std::optional<Span> &span);
+    try_step(State              &state,
+             const Newton::Path &path,
+             double             &number,
+             const double        size,
+             const Progress     &progress);
 
-    /** Move a state to where a step probably ends.
+    /** Move a state to where a step of given size probably ends.
      * @return whether the contact zone was moved, too. */
     bool
-    predict(const Span &span, State &state) const;
+    predict(const double size, const Progress &progress, State &state) const;
 
     /** How the loads change over the whole stage. */
     static Loads
@@ -204,10 +188,9 @@ namespace Biface
              const double    fraction) const;
 
     Loads
-    loads_at(const LoadPoint &point, const Stage &stage) const;
-
-    LoadSteppingResult
-    failure(const Stage &stage) const;
+    loads_at(const LoadPoint &point,
+             const Stage     &stage,
+             const Progress  &progress) const;
 
     const Parameters            parameters;
     ShellEquations             &equations;
@@ -215,16 +198,10 @@ namespace Biface
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;
 
-    /** Position of the stage at hand. */
-    unsigned int    stage_number = 0;
-    SecantPredictor predictor;
-    LoadPoint       reached;
-    unsigned int    n_steps           = 0;
-    unsigned int    last_n_iterations = 0;
-    std::string     last_message;
-    /** The plane as it touches the shell at the begin of the first stage with
-     * contact, or the first one after a prestress. */
-    std::optional<RigidPlane> touching_plane;
+    /** Of the last converged step. */
+    StepReport report;
+    /** Of the last step that did not converge. */
+    std::string last_message;
   };
 } // namespace Biface
 

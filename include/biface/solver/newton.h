@@ -25,6 +25,8 @@ namespace Biface
     unsigned int iterations = 0;
     /** Where it did not converge: why. */
     std::string message;
+    /** Whether it was asked to stop. */
+    bool stopped = false;
     /** Relative residuals before each iteration, and after the last. */
     std::vector<double> residuals;
   };
@@ -55,12 +57,17 @@ namespace Biface
       check() const;
     };
 
-    /** The objects are kept by reference. */
+    /** Whether to stop; asked on all ranks, which must get the same answer. */
+    using Stop = std::function<bool()>;
+
+    /** The objects are kept by reference.
+     * @param stop asked before each iteration. */
     Newton(const Parameters           &parameters,
            ShellEquations             &equations,
            LinearSolver               &linear_solver,
            dealii::ConditionalOStream &out,
-           dealii::TimerOutput        &timer);
+           dealii::TimerOutput        &timer,
+           const Stop                 &stop = {});
 
     /** The loads by one number, such as a fraction of a stage, and which
      * condition chooses it. */
@@ -97,6 +104,7 @@ namespace Biface
     LinearSolver               &linear_solver;
     dealii::ConditionalOStream &out;
     dealii::TimerOutput        &timer;
+    const Stop                  stop;
   };
 } // namespace Biface
 

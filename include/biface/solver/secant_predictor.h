@@ -37,13 +37,29 @@ namespace Biface
     bool
     predict(State &state, const double size) const;
 
-  private:
+    /** What changed in a step. */
     struct Step
     {
+      /** The locally owned entries. */
       LA::Vector                 displacement;
       std::vector<Modes::Vector> resultants;
-      double                     size;
+      double                     size = 0;
     };
+
+    /** What was learnt, if anything. */
+    const std::optional<Step> &
+    get_last() const
+    {
+      return last;
+    }
+
+    void
+    restore(const std::optional<Step> &step)
+    {
+      last = step;
+    }
+
+  private:
     std::optional<Step> last;
   };
 } // namespace Biface

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/numbered_rows.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  NumberedRows
+  rows_of(const LA::Vector &displacement, const Discretization &discretization)
+  {
+    NumberedRows rows;
+    rows.width   = 6;
+    rows.n_rows  = discretization.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(discretization);
+    for (const Node &node : discretization.nodes)
+      if (node.locally_owned)
+        for (const types::global_dof_index dof : node.dofs)
+          rows.values.push_back(displacement(dof));
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of(const std::vector<Modes::Vector> &modes,
+          const Discretization             &discretization)
+  {
+    AssertDimension(modes.size(), discretization.cells.size());
+    NumberedRows rows;
+    rows.width   = Modes::n;
+    rows.n_rows  = discretization.n_cells();
+    rows.numbers = numbers_of_cells(discretization);
+    for (const Modes::Vector &mode : modes)
+      for (unsigned int i = 0; i < Modes::n; ++i)
+        rows.values.push_back(mode[i]);
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of(const ContactConditions::ActiveSet &active,
+          const Discretization               &discretization)
+  {
+    AssertDimension(active.size(), discretization.nodes.size());
+    NumberedRows rows;
+    rows.width   = 1;
+    rows.n_rows  = discretization.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(discretization);
+    for (unsigned int n = 0; n < active.size(); ++n)
+      if (discretization.nodes[n].locally_owned)
+        rows.values.push_back(active[n]);
+    return rows;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_owned_nodes(const Discretization &discretization)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Node &node : discretization.nodes)
+      if (node.locally_owned)
+        numbers.push_back(node.number);
+    return numbers;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_nodes(const Discretization &discretization)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Node &node : discretization.nodes)
+      numbers.push_back(node.number);
+    return numbers;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_cells(const Discretization &discretization)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Cell &cell : discretization.cells)
+      numbers.push_back(cell.number);
+    return numbers;
+  }
+
+
+  LA::Vector
+  vector_from(const std::vector<double> &values,
+              const Discretization      &discretization)
+  {
+    LA::Vector  vector = discretization.owned_vector();
+    std::size_t i      = 0;
+    for (const Node &node : discretization.nodes)
+      if (node.locally_owned)
+        for (const types::global_dof_index dof : node.dofs)
+          vector(dof) = values.at(i++);
+    vector.compress(VectorOperation::insert);
+    return vector;
+  }
+
+
+  std::vector<Modes::Vector>
+  modes_from(const std::vector<double> &values)
+  {
+    std::vector<Modes::Vector> modes(values.size() / Modes::n);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      modes[i / Modes::n][i % Modes::n] = values[i];
+    return modes;
+  }
+
+
+  ContactConditions::ActiveSet
+  active_from(const std::vector<double> &values)
+  {
+    ContactConditions::ActiveSet active;
+    for (const double value : values)
+      active.push_back(value != 0);
+    return active;
+  }
+} // namespace Biface

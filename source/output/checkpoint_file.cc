@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+#include <biface/base/input_error.h>
+#include <biface/base/output_error.h>
+#include <biface/output/atomic_file.h>
+#include <biface/output/checkpoint_file.h>
+
+#include <boost/crc.hpp>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace CheckpointFile
+  {
+    namespace
+    {
+      constexpr std::array<char, 8> magic{
+        {'b', 'i', 'f', 'a', 'c', 'e', '\r', '\n'}};
+      // reads otherwise where numbers are stored otherwise
+      constexpr std::uint32_t byte_order = 0x01020304;
+
+      // numbers that pass through the first rank at once
+      constexpr std::uint64_t piece = 1 << 20;
+
+      /** CRC-64/XZ. */
+      using Checksum = boost::crc_optimal<64,
+                                          0x42F0E1EBA9EA3693,
+                                          0xFFFFFFFFFFFFFFFF,
+                                          0xFFFFFFFFFFFFFFFF,
+                                          true,
+                                          true>;
+
+
+      /** Puts numbers into a file, and into its checksum. */
+      class Sink
+      {
+      public:
+        explicit Sink(const std::string &path) : file(path)
+        {}
+
+        void
+        put(const void *data, const std::size_t size)
+        {
+          checksum.process_bytes(data, size);
+          file.write(data, size);
+        }
+
+        template <typename Number>
+        void
+        put_number(const Number number)
+        {
+          put(&number, sizeof(number));
+        }
+
+        void
+        put_text(const std::string &text)
+        {
+          put_number<std::uint64_t>(text.size());
+          put(text.data(), text.size());
+        }
+
+        AtomicFile file;
+        Checksum   checksum;
+      };
+
+
+      /** The rows of all ranks with numbers from @p begin to @p end, in their
+       * order; on the first rank.
+       * @param order the rows of this rank by their numbers. */
+      std::vector<double>
+      gather(const NumberedRows             &rows,
+             const std::vector<std::size_t> &order,
+             const std::uint64_t             begin,
+             const std::uint64_t             end,
+             const MPI_Comm                  communicator)
+      {
+        const auto before = [&](const std::size_t i, const std::uint64_t n) {
+          return rows.numbers[i] < n;
+        };
+        std::pair<std::vector<std::uint64_t>, std::vector<double>> mine;
+        for (auto i =
+               std::lower_bound(order.begin(), order.end(), begin, before);
+             i != order.end() && rows.numbers[*i] < end;
+             ++i)
+          {
+            mine.first.push_back(rows.numbers[*i]);
+            const auto row = rows.values.begin() + *i * rows.width;
+            mine.second.insert(mine.second.end(), row, row + rows.width);
+          }
+
+        std::vector<double> all((end - begin) * rows.width);
+        std::uint64_t       n_found = 0;
+        for (const auto &part : Utilities::MPI::gather(communicator, mine))
+          {
+            n_found += part.first.size();
+            for (std::size_t i = 0; i < part.first.size(); ++i)
+              std::copy_n(part.second.begin() + i * rows.width,
+                          rows.width,
+                          all.begin() + (part.first[i] - begin) * rows.width);
+          }
+        (void) n_found;
+        Assert(Utilities::MPI::this_mpi_process(communicator) != 0 ||
+                 n_found == end - begin,
+               ExcInternalError());
+        return all;
+      }
+    } // namespace
+
+
+    void
+    write(const std::string        &path,
+          const std::string        &previous,
+          const std::string        &header,
+          const std::vector<Table> &tables,
+          const MPI_Comm            communicator)
+    {
+      const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
+      std::unique_ptr<Sink> sink;
+      if (is_root)
+        {
+          sink = std::make_unique<Sink>(path);
+          sink->put(magic.data(), magic.size());
+          sink->put_number(format);
+          sink->put_number(byte_order);
+          sink->put_text(header);
+          sink->put_number<std::uint64_t>(tables.size());
+          for (const Table &table : tables)
+            {
+              sink->put_text(table.first);
+              sink->put_number<std::uint64_t>(table.second.width);
+              sink->put_number(table.second.n_rows);
+            }
+        }
+
+      for (const Table &table : tables)
+        {
+          const NumberedRows      &rows = table.second;
+          std::vector<std::size_t> order(rows.numbers.size());
+          std::iota(order.begin(), order.end(), 0);
+          std::sort(
+            order.begin(), order.end(), [&](const auto a, const auto b) {
+              return rows.numbers[a] < rows.numbers[b];
+            });
+          const std::uint64_t step = piece / rows.width;
+          for (std::uint64_t begin = 0; begin < rows.n_rows; begin += step)
+            {
+              const auto values = gather(rows,
+                                         order,
+                                         begin,
+                                         std::min(begin + step, rows.n_rows),
+                                         communicator);
+              if (is_root)
+                sink->put(values.data(), values.size() * sizeof(double));
+            }
+        }
+
+      std::string reason;
+      if (is_root)
+        {
+          sink->put_number<std::uint64_t>(sink->checksum.checksum());
+          AtomicFile &file = sink->file;
+          file.sync();
+          // between the two changes of names, the older file is the newest
+          if (file.error().empty() &&
+              std::rename(path.c_str(), previous.c_str()) != 0 &&
+              errno != ENOENT)
+            reason = std::strerror(errno);
+          else
+            {
+              file.commit();
+              reason = file.error();
+            }
+          if (reason.empty())
+            reason = sync_to_disk(
+              std::filesystem::absolute(path).parent_path().string());
+        }
+      reason = Utilities::MPI::broadcast(communicator, reason);
+      if (!reason.empty())
+        throw OutputError(path, reason);
+    }
+
+
+    namespace
+    {
+      /** Reads numbers from a file, as far as it goes. */
+      class Source
+      {
+      public:
+        explicit Source(const std::string &path) : file(path, std::ios::binary)
+        {}
+
+        template <typename Number>
+        Number
+        number()
+        {
+          Number number = 0;
+          file.read(reinterpret_cast<char *>(&number), sizeof(number));
+          return number;
+        }
+
+        std::string
+        text()
+        {
+          std::string text(number<std::uint64_t>(), ' ');
+          file.read(&text[0], text.size());
+          return text;
+        }
+
+        std::ifstream file;
+      };
+
+
+      /** Why a file is not what was written; empty if it is. */
+      std::string
+      damage(const std::string &path)
+      {
+        std::error_code error;
+        if (!std::filesystem::exists(path, error))
+          return "there is none";
+        errno = 0;
+        Source source(path);
+        if (!source.file)
+          return std::string("it cannot be read: ") +
+                 (errno != 0 ? std::strerror(errno) : "unknown reason");
+
+        const std::uint64_t size = std::filesystem::file_size(path, error);
+        if (error || size < magic.size() + 4 * sizeof(std::uint64_t))
+          return "it is cut off";
+        std::array<char, 8> begin;
+        source.file.read(begin.data(), begin.size());
+        if (begin != magic)
+          return "it is no checkpoint";
+        if (source.number<std::uint32_t>() != format)
+          return "its form is that of another version of the program";
+        if (source.number<std::uint32_t>() != byte_order)
+          return "it is from a machine that stores numbers otherwise";
+
+        Checksum          checksum;
+        std::vector<char> buffer(piece);
+        source.file.seekg(0);
+        for (std::uint64_t left = size - sizeof(std::uint64_t); left > 0;)
+          {
+            const std::uint64_t n = std::min<std::uint64_t>(left, piece);
+            source.file.read(buffer.data(), n);
+            checksum.process_bytes(buffer.data(), n);
+            left -= n;
+          }
+        const auto expected = source.number<std::uint64_t>();
+        if (!source.file)
+          return "it cannot be read";
+        if (expected != checksum.checksum())
+          return "it is damaged: its checksum is wrong";
+        return "";
+      }
+    } // namespace
+
+
+    Reader::Reader(const std::string &path, const MPI_Comm communicator)
+      : communicator(communicator), path(path)
+    {
+      std::string reason;
+      using Head = std::pair<std::string,
+                             std::map<std::string, std::vector<std::uint64_t>>>;
+      Head head;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          reason = damage(path);
+          if (reason.empty())
+            {
+              Source source(path);
+              source.file.seekg(magic.size() + 2 * sizeof(std::uint32_t));
+              head.first          = source.text();
+              const auto n_tables = source.number<std::uint64_t>();
+              std::vector<std::string> names;
+              for (unsigned int i = 0; i < n_tables; ++i)
+                {
+                  names.push_back(source.text());
+                  const auto width          = source.number<std::uint64_t>();
+                  const auto n_rows         = source.number<std::uint64_t>();
+                  head.second[names.back()] = {width, n_rows, 0};
+                }
+              std::uint64_t offset = source.file.tellg();
+              for (const std::string &name : names)
+                {
+                  auto &entry = head.second[name];
+                  entry[2]    = offset;
+                  offset += entry[0] * entry[1] * sizeof(double);
+                }
+            }
+        }
+      reason = Utilities::MPI::broadcast(communicator, reason);
+      if (!reason.empty())
+        throw InputError("the checkpoint '" + path +
+                         "' cannot be used: " + reason + ".");
+      head   = Utilities::MPI::broadcast(communicator, head);
+      header = head.first;
+      for (const auto &entry : head.second)
+        tables[entry.first] = {
+          entry.second[0], entry.second[1], entry.second[2]};
+    }
+
+
+    std::vector<double>
+    Reader::rows(const std::string                &name,
+                 const std::vector<std::uint64_t> &numbers) const
+    {
+      const Entry             &entry = tables.at(name);
+      std::vector<double>      values(numbers.size() * entry.width);
+      std::vector<std::size_t> order(numbers.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return numbers[a] < numbers[b];
+      });
+
+      std::ifstream file;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          file.open(path, std::ios::binary);
+          file.seekg(entry.offset);
+        }
+      auto                next = order.begin();
+      const std::uint64_t step = piece / entry.width;
+      for (std::uint64_t begin = 0; begin < entry.n_rows; begin += step)
+        {
+          const std::uint64_t end = std::min(begin + step, entry.n_rows);
+          std::vector<double> part;
+          if (file.is_open())
+            {
+              part.resize((end - begin) * entry.width);
+              file.read(reinterpret_cast<char *>(part.data()),
+                        part.size() * sizeof(double));
+              AssertThrow(file, ExcIO());
+            }
+          part = Utilities::MPI::broadcast(communicator, part);
+          for (; next != order.end() && numbers[*next] < end; ++next)
+            std::copy_n(part.begin() + (numbers[*next] - begin) * entry.width,
+                        entry.width,
+                        values.begin() + *next * entry.width);
+        }
+      AssertThrow(next == order.end(), ExcInternalError());
+      return values;
+    }
+  } // namespace CheckpointFile
+} // namespace Biface

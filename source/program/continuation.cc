@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <biface/base/input_error.h>
+#include <biface/base/parameter_tools.h>
+#include <biface/base/read_file.h>
+#include <biface/program/continuation.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  std::map<std::string, std::string>
+  read_named_files(const Parameters &parameters, const MPI_Comm communicator)
+  {
+    std::map<std::string, std::string> files;
+    const std::string                 &points = parameters.surface.points_file;
+    if (!points.empty())
+      files["Surface/Points/File"] = read_file(points, communicator);
+    for (const std::string &text :
+         Utilities::split_string_list(parameters.laminate.tables, ','))
+      {
+        const auto colon = text.find(':');
+        if (colon != std::string::npos)
+          files["Laminate/Tables, " + Utilities::trim(text.substr(0, colon))] =
+            read_file(Utilities::trim(text.substr(colon + 1)), communicator);
+      }
+    return files;
+  }
+
+
+  namespace
+  {
+    using Entries = std::vector<std::pair<std::string, std::string>>;
+
+    /** Full names and values of all entries, in their order. */
+    Entries
+    entries_of(const std::string &text)
+    {
+      Entries            entries;
+      std::istringstream lines(text);
+      std::string        line, path;
+      while (std::getline(lines, line))
+        {
+          line = Utilities::trim(line.substr(0, line.find('#')));
+          if (line.rfind("subsection ", 0) == 0)
+            path += Utilities::trim(line.substr(11)) + "/";
+          else if (line == "end" && !path.empty())
+            path.erase(path.find_last_of('/', path.size() - 2) + 1);
+          else if (line.rfind("set ", 0) == 0)
+            {
+              const auto equals = line.find('=');
+              entries.emplace_back(
+                path + Utilities::trim(line.substr(4, equals - 4)),
+                Utilities::trim(line.substr(equals + 1)));
+            }
+        }
+      return entries;
+    }
+
+
+    /** The words and numbers of a value, without regard to blanks that say
+     * nothing. */
+    std::vector<std::string>
+    words_of(const std::string &value)
+    {
+      return split_words(
+        std::regex_replace(value, std::regex("[,;:@=]"), " $& "));
+    }
+
+
+    bool
+    same_word(const std::string &a, const std::string &b)
+    {
+      if (a == b)
+        return true;
+      char        *end_a = nullptr, *end_b = nullptr;
+      const double x = std::strtod(a.c_str(), &end_a);
+      const double y = std::strtod(b.c_str(), &end_b);
+      return !a.empty() && !b.empty() && *end_a == 0 && *end_b == 0 && x == y;
+    }
+
+
+    bool
+    same_value(const std::string &a, const std::string &b)
+    {
+      const auto x = words_of(a), y = words_of(b);
+      return std::equal(x.begin(), x.end(), y.begin(), y.end(), same_word);
+    }
+
+
+    /** Whether an entry may be another one when a run goes on. */
+    bool
+    may_change(const std::string &entry, const Progress &progress)
+    {
+      // compared by what the files hold
+      if (entry == "Surface/Points/File" || entry == "Laminate/Tables")
+        return true;
+      if (entry == "Mesh/Distribution" || entry == "Number of stages")
+        return true;
+      for (const std::string section : {"Linear solver/",
+                                        "Newton/",
+                                        "Step control/",
+                                        "Output/",
+                                        "Checkpoint/"})
+        if (entry.rfind(section, 0) == 0)
+          return true;
+
+      std::smatch match;
+      if (!std::regex_match(entry, match, std::regex("Stage ([0-9]+)/(.*)")))
+        return false;
+      const unsigned int stage = std::stoul(match[1]) - 1;
+      if (stage != progress.stage)
+        return stage > progress.stage;
+      const std::set<std::string> free_entries{"Pressure",
+                                               "Travel",
+                                               "Load factor",
+                                               "Control value",
+                                               "Force",
+                                               "Steps",
+                                               "Adaptive steps"};
+      return !progress.stage_begun || free_entries.count(match[2]) > 0;
+    }
+
+
+    std::string
+    in_quotes(const std::string &text)
+    {
+      return "'" + (text.size() <= 200 ? text : text.substr(0, 197) + "...") +
+             "'";
+    }
+  } // namespace
+
+
+  void
+  check_continuation(const std::string                        &before,
+                     const std::string                        &now,
+                     const std::map<std::string, std::string> &files_before,
+                     const std::map<std::string, std::string> &files_now,
+                     const Progress                           &progress)
+  {
+    std::map<std::string, std::string> values;
+    for (const auto &entry : entries_of(before))
+      values.insert(entry);
+    for (const auto &entry : entries_of(now))
+      {
+        const auto old = values.find(entry.first);
+        if (entry.first == "Number of stages" &&
+            std::stoul(entry.second) <= progress.stage)
+          throw InputError(entry.first,
+                           entry.second,
+                           "the run that is to go on has come to stage " +
+                             std::to_string(progress.stage + 1));
+        if (may_change(entry.first, progress))
+          continue;
+        if (old == values.end())
+          throw InputError("the entry " + in_quotes(entry.first) + " is " +
+                           in_quotes(entry.second) +
+                           ", but the run that is to go on had no such entry.");
+        if (!same_value(entry.second, old->second))
+          throw InputError("the entry " + in_quotes(entry.first) + " is " +
+                           in_quotes(entry.second) +
+                           ", but the run that is to go on had " +
+                           in_quotes(old->second) + ".");
+      }
+
+    for (const auto &file : files_now)
+      {
+        const auto old = files_before.find(file.first);
+        if (old == files_before.end() || old->second != file.second)
+          throw InputError("the file of the entry " + in_quotes(file.first) +
+                           " is not the one of the run that is to go on.");
+      }
+    for (const auto &file : files_before)
+      if (files_now.count(file.first) == 0)
+        throw InputError("the entry " + in_quotes(file.first) +
+                         " names no file, but the run that is to go on had "
+                         "one.");
+  }
+} // namespace Biface
