@@ -11,7 +11,8 @@ packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
 case ${1-} in
   "") ;;
-  tests) packages="$packages numdiff clang-format-14 doxygen texlive-binaries" ;;
+  tests) packages="$packages numdiff clang-format-14 doxygen texlive-binaries
+    python3" ;;
   *)
     echo "Usage: doc/install.sh [tests]" >&2
     exit 1

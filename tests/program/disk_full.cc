@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where a file cannot grow any more, one sentence says so, the last checkpoint
+// is in order, and a restart with more room ends as an undisturbed run.
+
+#include "../tests.h"
+#include "restart.h"
+#include <sys/resource.h>
+
+using namespace dealii;
+
+namespace
+{
+  /** Let no file of this process be longer. */
+  void
+  limit_files(const rlim_t size)
+  {
+    struct rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = (size == 0 ? limit.rlim_max : size);
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+
+
+  void
+  check(const std::string &what, const rlim_t size, const std::string &vtu)
+  {
+    const auto words = with(coarse_tire, {"Output/Write VTU=" + vtu});
+    std::filesystem::remove_all("cut");
+    run(words, "whole", MPI_COMM_WORLD);
+    run(words, "cut", MPI_COMM_WORLD, "Step 4,");
+
+    limit_files(size);
+    const Ended full = restart(words, "cut", MPI_COMM_WORLD);
+    limit_files(0);
+    std::cout << what << ": " << full.code << '\n' << full.err;
+
+    const Ended continued = restart(words, "cut", MPI_COMM_WORLD);
+    std::cout << "with more room: " << continued.code << '\n' << continued.err;
+    check_small("history", difference("history.csv", "whole", "cut"), 1e-9);
+    check_true("no temporary file is left",
+               !std::filesystem::exists("cut/checkpoint.bin.tmp"));
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  // checkpoints have about 180000 bytes, files of steps about 41000 and below
+  check("checkpoint", 100000, "false");
+  check("faces", 30000, "true");
+}
