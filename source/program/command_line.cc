@@ -14,6 +14,7 @@ namespace Biface
                               {"restart", no_argument, nullptr, 'r'},
                               {"print-parameters", no_argument, nullptr, 'p'},
                               {"check", no_argument, nullptr, 'c'},
+                              {"quiet", no_argument, nullptr, 'q'},
                               {"version", no_argument, nullptr, 'v'},
                               {"help", no_argument, nullptr, 'h'},
                               {nullptr, 0, nullptr, 0}};
@@ -38,6 +39,9 @@ namespace Biface
             break;
           case 'c':
             action = Action::check;
+            break;
+          case 'q':
+            quiet = true;
             break;
           case 'v':
             action = Action::print_version;
@@ -79,6 +83,8 @@ namespace Biface
            "documentation\n"
            "  --check                      read and check the file, do not "
            "run\n"
+           "  --quiet                      print errors only; run.log has "
+           "the rest\n"
            "  --version                    print the version\n"
            "  --help                       print this text\n"
            "\n"

@@ -17,6 +17,7 @@
 #include <biface/program/command_line.h>
 #include <biface/program/continuation.h>
 #include <biface/program/program.h>
+#include <biface/program/run_log.h>
 #include <biface/program/signal_watch.h>
 #include <biface/program/simulation.h>
 
@@ -55,24 +56,6 @@ namespace Biface
           out << ". Loads or contact alone must hold them.\n";
         }
       out << std::endl;
-    }
-
-
-    void
-    print_step(const StepReport &report, ConditionalOStream &out)
-    {
-      char line[160];
-      std::snprintf(line,
-                    sizeof(line),
-                    "  force %.6g, contact %u nodes, area %.6g, greatest "
-                    "pressure %.4g, %u iterations, %.2f s",
-                    report.contact.force,
-                    report.contact.n_nodes,
-                    report.contact.area,
-                    report.contact.max_pressure,
-                    report.iterations,
-                    report.seconds);
-      out << line << std::endl;
     }
 
 
@@ -127,7 +110,7 @@ namespace Biface
                                                              : "")
           << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
           << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
-          << "parameters.prm" << std::endl;
+          << "parameters.prm, run.log" << std::endl;
     }
 
 
@@ -157,9 +140,13 @@ namespace Biface
                    const ParameterHandler &prm,
                    const CommandLine      &command_line,
                    const MPI_Comm          communicator,
-                   std::ostream           &stream,
+                   std::ostream           &screen,
                    ConditionalOStream     &err)
     {
+      RunLog log(screen,
+                 command_line.quiet,
+                 Utilities::MPI::this_mpi_process(communicator) == 0);
+
       RunRecord record;
       record.version    = version();
       record.parameters = print_parameters(prm);
@@ -167,7 +154,7 @@ namespace Biface
       const auto checkpoint =
         find_checkpoint(parameters, record, command_line.restart, communicator);
 
-      Simulation          simulation(parameters, communicator, stream);
+      Simulation          simulation(parameters, communicator, log.stream());
       ConditionalOStream &out = simulation.get_stream();
       print_header(simulation, out);
       if (command_line.action == CommandLine::Action::check)
@@ -208,6 +195,7 @@ namespace Biface
 
       ResultsWriter writer(
         parameters.output, simulation.get_equations(), written);
+      log.open(directory + "/run.log", checkpoint != nullptr);
       writer.write_parameters(record.parameters);
       for (const std::string &sentence : writer.warnings())
         out << sentence << std::endl;
@@ -218,10 +206,11 @@ namespace Biface
                                    checkpoint != nullptr);
       checkpoints.write(record);
 
+      const StepCounter counter(parameters.stages, simulation.get_progress());
       const LoadSteppingResult result = simulation.run(
         [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
-          print_step(report, out);
+          out << counter.line(report, simulation.get_progress()) << std::endl;
           writer.write_step(report, state);
           if (report.in_contact)
             record.curve.push_back({report.approach, report.contact});

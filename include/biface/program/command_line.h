@@ -27,6 +27,8 @@ namespace Biface
     std::vector<Override> overrides;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
+    /** Whether to print nothing on the screen but errors. */
+    bool quiet = false;
 
     /** Throws InputError where the words make no sense. */
     CommandLine(int argc, char **argv);
