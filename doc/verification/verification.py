@@ -47,6 +47,7 @@ HEADINGS = {
     "hinged_roof_thin": "Hinged roof, thickness 6.35",
     "hinged_roof_thin_0_90_0": "Hinged roof, thickness 6.35, [0/90/0]",
     "hinged_roof_thin_90_0_90": "Hinged roof, thickness 6.35, [90/0/90]",
+    "membrane_on_sphere": "Membrane on a sphere",
     "open_cylinder": "Cylinder with open ends, pulled",
     "pagano_4": "Laminated strip, length over thickness 4",
     "pagano_10": "Laminated strip, length over thickness 10",
@@ -58,6 +59,7 @@ HEADINGS = {
     "pinched_cylinder_large": "Pinched cylinder, large load",
     "scordelis_lo": "Scordelis-Lo roof",
     "slit_annulus": "Slit annular plate",
+    "strip_on_drum": "Strip on a drum",
     "strip_on_flat": "Strip on a rigid flat",
     "torus_membrane": "Torus under pressure",
 }
@@ -196,6 +198,9 @@ REMARKS = {
         "The reference leaves out that the cylinder stretches, by 0.01 %. The "
         "contact area is that of the nodes in contact and jumps by a cell's, "
         "so that its order means little.",
+    "strip_on_drum":
+        "The contact area is that of the nodes in contact and jumps by a "
+        "cell's.",
     "strip_on_flat":
         "The contact area is that of the nodes in contact and jumps by a "
         "cell's, here to the next one beyond the exact edge.",

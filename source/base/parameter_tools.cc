@@ -32,6 +32,59 @@ namespace Biface
   }
 
 
+  void
+  check_not_zero(const std::string &entry, const double value)
+  {
+    if (!(std::isfinite(value) && value != 0))
+      throw InputError(
+        entry, number_to_string(value), "it must be a number other than 0");
+  }
+
+
+  namespace
+  {
+    std::string
+    vector_to_string(const dealii::Tensor<1, 3> &vector)
+    {
+      return number_to_string(vector[0]) + ", " + number_to_string(vector[1]) +
+             ", " + number_to_string(vector[2]);
+    }
+  } // namespace
+
+
+  void
+  check_finite(const std::string &entry, const dealii::Tensor<1, 3> &vector)
+  {
+    if (!std::isfinite(vector.norm()))
+      throw InputError(
+        entry, vector_to_string(vector), "its length must be a finite number");
+  }
+
+
+  dealii::Tensor<1, 3>
+  unit_vector(const std::string &entry, const dealii::Tensor<1, 3> &vector)
+  {
+    if (!(std::isfinite(vector.norm()) && vector.norm() > 0))
+      throw InputError(entry,
+                       vector_to_string(vector),
+                       "a direction must be finite and not the zero vector");
+    return vector / vector.norm();
+  }
+
+
+  void
+  check_not_parallel(const std::string          &entry,
+                     const dealii::Tensor<1, 3> &a,
+                     const std::string          &other,
+                     const dealii::Tensor<1, 3> &b)
+  {
+    if (dealii::cross_product_3d(a, b).norm() < 1e-6 * a.norm() * b.norm())
+      throw InputError(entry,
+                       vector_to_string(a),
+                       "it must not be parallel to '" + other + "'");
+  }
+
+
   std::string
   number_to_string(const double value)
   {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-
-#include <biface/base/input_error.h>
 #include <biface/base/parameter_tools.h>
 #include <biface/contact/contact_conditions.h>
 
@@ -13,11 +10,7 @@ namespace Biface
   void
   ContactConditions::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Plane normal",
-                      normal,
-                      "Normal of the rigid plane, from the shell toward the "
-                      "foundation: three components x, y, z, of any length "
-                      "but zero.");
+    foundation.add_parameters(prm);
     add_choice(prm,
                "Multiplier mass",
                mass,
@@ -38,11 +31,7 @@ namespace Biface
   ContactConditions::Parameters::check() const
   {
     check_positive("Contact/Regularization", regularization);
-    if (!(std::isfinite(normal.norm()) && normal.norm() > 0))
-      throw InputError("Contact/Plane normal",
-                       number_to_string(normal[0]) + ", " +
-                         number_to_string(normal[1]) + ", " +
-                         number_to_string(normal[2]),
-                       "a normal must be finite and not the zero vector");
+    // which checks its parameters
+    make_foundation(foundation);
   }
 } // namespace Biface

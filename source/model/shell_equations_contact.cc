@@ -3,13 +3,31 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include <biface/base/input_error.h>
 #include <biface/model/shell_equations.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  ShellEquations::ContactTraction
+  ShellEquations::contact_traction(const State &state,
+                                   const Loads &loads,
+                                   const Node  &node) const
+  {
+    const FoundationPoint at =
+      loads.foundation->evaluate(discretization.deformed_position(
+        state.displacement, node, Resultants::outer));
+    const double lambda = contact.multiplier(at.clearance);
+    return {lambda * at.normal,
+            contact.multiplier_stiffness() *
+                symmetrize(outer_product(at.normal, at.normal)) -
+              lambda * at.normal_gradient};
+  }
+
 
   void
   ShellEquations::add_contact(const State   &state,
@@ -24,32 +42,33 @@ namespace Biface
       return;
 
     const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
-
-    // the foundation's normal in the frames of the nodes
-    std::array<Tensor<1, 3>, 4> m;
-    for (unsigned int r = 0; r < 4; ++r)
-      m[r] = discretization.nodes[cell.nodes[r]].surface.to_frame(
-        loads.foundation->normal());
-
+    const auto frame =
+      [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
+      return discretization.nodes[cell.nodes[v]].surface.frame;
+    };
     for (unsigned int s = 0; s < 4; ++s)
       {
         const unsigned int node = cell.nodes[s];
         if (!state.active[node])
           continue;
-        const double lambda = contact.multiplier(
-          clearance(state, loads, discretization.nodes[node]));
+        const ContactTraction traction =
+          contact_traction(state, loads, discretization.nodes[node]);
+        std::array<Tensor<1, 3>, 3> columns;
+        for (unsigned int j = 0; j < 3; ++j)
+          columns[j] = traction.stiffness * frame(s)[j];
+
         for (unsigned int r = 0; r < 4; ++r)
           for (unsigned int i = 0; i < 3; ++i)
             {
               const unsigned int row =
                 MixedElement::dof(r, i, Resultants::outer);
-              const double force = M[r][s] * lambda * m[r][i];
+              const double force = M[r][s] * (frame(r)[i] * traction.value);
               equations.residual[row] += force;
               equations.force_square += force * force;
               for (unsigned int j = 0; j < 3; ++j)
                 equations
                   .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
-                  M[r][s] * contact.multiplier_stiffness() * m[r][i] * m[s][j];
+                  M[r][s] * (frame(r)[i] * columns[j]);
             }
       }
   }
@@ -105,16 +124,25 @@ namespace Biface
       {
         const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
         MixedElement::NodalVector force;
-        for (unsigned int r = 0; r < 4; ++r)
+        for (unsigned int s = 0; s < 4; ++s)
           {
-            const Tensor<1, 3> m =
-              discretization.nodes[cell.nodes[r]].surface.to_frame(
-                loads.foundation->normal());
-            for (unsigned int s = 0; s < 4; ++s)
-              if (state.active[cell.nodes[s]])
+            const unsigned int node = cell.nodes[s];
+            if (!state.active[node])
+              continue;
+            // the foundation's travel is as good as the node's the other way
+            const Tensor<1, 3> per_travel =
+              -(contact_traction(state, loads, discretization.nodes[node])
+                  .stiffness *
+                loads.foundation->direction());
+            for (unsigned int r = 0; r < 4; ++r)
+              {
+                const Tensor<1, 3> m =
+                  discretization.nodes[cell.nodes[r]].surface.to_frame(
+                    per_travel);
                 for (unsigned int i = 0; i < 3; ++i)
-                  force[MixedElement::dof(r, i, Resultants::outer)] -=
-                    M[r][s] * contact.multiplier_stiffness() * m[i];
+                  force[MixedElement::dof(r, i, Resultants::outer)] +=
+                    M[r][s] * m[i];
+              }
           }
         discretization.add_nodal_forces(cell, force, direction);
       }
@@ -126,8 +154,9 @@ namespace Biface
   ShellEquations::ContactForce
   ShellEquations::contact_force(const State &state, const Loads &loads) const
   {
-    double     value = 0, per_travel = 0;
-    LA::Vector gradient = discretization.owned_vector();
+    const Tensor<1, 3> d     = loads.foundation->direction();
+    double             value = 0, per_travel = 0;
+    LA::Vector         gradient = discretization.owned_vector();
     for (const Cell &cell : discretization.cells)
       {
         MixedElement::NodalVector per_displacement;
@@ -136,15 +165,18 @@ namespace Biface
             const unsigned int node = cell.nodes[v];
             if (!state.active[node])
               continue;
+            const ContactTraction traction =
+              contact_traction(state, loads, discretization.nodes[node]);
+            const Tensor<1, 3> per_motion = traction.stiffness * d;
             // the columns of both masses add up to a quarter each
             const double area = cell.geometry.weight / 4;
-            value += area * pressure(state, loads, node);
-            per_travel += area * contact.multiplier_stiffness();
-            const Tensor<1, 3> m = discretization.nodes[node].surface.to_frame(
-              loads.foundation->normal());
+            value -= area * (traction.value * d);
+            per_travel += area * (per_motion * d);
+            const Tensor<1, 3> m =
+              discretization.nodes[node].surface.to_frame(per_motion);
             for (unsigned int i = 0; i < 3; ++i)
               per_displacement[MixedElement::dof(v, i, Resultants::outer)] +=
-                area * contact.multiplier_stiffness() * m[i];
+                area * m[i];
           }
         discretization.add_nodal_forces(cell, per_displacement, gradient);
       }
@@ -157,12 +189,15 @@ namespace Biface
 
 
   double
-  ShellEquations::least_clearance(const State &state, const Loads &loads) const
+  ShellEquations::travel_to_touch(const State &state, const Loads &loads) const
   {
-    double least = std::numeric_limits<double>::max();
+    double least = std::numeric_limits<double>::infinity();
     for (const Node &node : discretization.nodes)
       if (node.outer_face_free)
-        least = std::min(least, clearance(state, loads, node));
+        least =
+          std::min(least,
+                   loads.foundation->travel_to(discretization.deformed_position(
+                     state.displacement, node, Resultants::outer)));
     return Utilities::MPI::min(least, discretization.communicator);
   }
 
@@ -206,22 +241,39 @@ namespace Biface
   }
 
 
-  RigidPlane
+  MovedFoundation
   ShellEquations::foundation(const double travel) const
   {
-    return RigidPlane(contact.normal(), 0).moved(travel);
+    return contact.foundation_at_rest().moved(travel);
   }
 
 
   double
   ShellEquations::touching_travel(const State &state) const
   {
-    const RigidPlane through_origin = foundation(0);
-    double           height         = -std::numeric_limits<double>::max();
+    const MovedFoundation at_rest = foundation(0);
+
+    double travel = std::numeric_limits<double>::infinity();
     for (const Node &node : discretization.nodes)
-      height = std::max(height,
-                        through_origin.height(discretization.deformed_position(
+      travel = std::min(travel,
+                        at_rest.travel_to(discretization.deformed_position(
                           state.displacement, node, Resultants::outer)));
-    return -Utilities::MPI::max(height, discretization.communicator);
+    travel = Utilities::MPI::min(travel, discretization.communicator);
+    if (travel == std::numeric_limits<double>::infinity())
+      throw InputError("the foundation of the section 'Contact' passes by the "
+                       "shell, but on its path it must meet a node of it.");
+
+    // the shell may be too large for a hollow foundation
+    const MovedFoundation touching = at_rest.moved(travel);
+    bool                  fits     = std::isfinite(travel);
+    for (const Node &node : discretization.nodes)
+      fits = fits && touching.clearance(discretization.deformed_position(
+                       state.displacement, node, Resultants::outer)) >
+                       -1e-9 * discretization.size();
+    if (Utilities::MPI::max(static_cast<unsigned int>(!fits),
+                            discretization.communicator) > 0)
+      throw InputError("the shell does not fit into the hollow foundation of "
+                       "the section 'Contact', but it must.");
+    return travel;
   }
 } // namespace Biface

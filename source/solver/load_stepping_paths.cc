@@ -72,7 +72,8 @@ namespace Biface
                            Progress    &progress,
                            State       &state)
   {
-    // how far the plane goes beyond touching, to find something to press on
+    // how far the foundation goes beyond touching, to find something to press
+    // on
     const double nudge = 0.01 * equations.discretization.thickness();
 
     const auto point = [&](const double travel) {
@@ -82,7 +83,7 @@ namespace Biface
     };
     double travel = progress.reached.travel;
     if (equations.count_active(state) == 0)
-      travel += equations.least_clearance(
+      travel += equations.travel_to_touch(
                   state, loads_at(progress.reached, stage, progress)) +
                 nudge;
     const ForceControl control(progress.begin_value +

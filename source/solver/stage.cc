@@ -26,16 +26,16 @@ namespace Biface
       Patterns::Double());
     prm.add_parameter("Contact",
                       contact,
-                      "Whether the rigid plane of the section 'Contact' is "
-                      "there. It first touches the shell as deformed at the "
-                      "begin of the first stage with contact (or "
-                      "the first after 'Begin from prestress').",
+                      "Whether the rigid foundation of the section 'Contact' "
+                      "is there. It first touches the shell as deformed at the "
+                      "begin of the first stage with contact (or the first "
+                      "after 'Begin from prestress').",
                       Patterns::Bool());
     prm.add_parameter("Travel",
                       travel,
-                      "How far the plane has moved against its normal at the "
-                      "end of the stage, counted from where it first touched. "
-                      "Unit: length.",
+                      "How far the foundation has moved against 'Plane normal' "
+                      "at the end of the stage, counted from where it first "
+                      "touched. Unit: length.",
                       Patterns::Double());
     prm.add_parameter("Load factor",
                       factor,
@@ -53,8 +53,8 @@ namespace Biface
                "length' (steps of the displacements as a whole, which adapt "
                "and pass turning points of the load, until the loads given are "
                "reached; 'Steps' sets the first: 1/Steps of the loads), or "
-               "'foundation force' (equal steps of the force on the plane and "
-               "of all loads; the travel of the plane follows).");
+               "'foundation force' (equal steps of the force on the foundation "
+               "and of all loads; its travel follows).");
     prm.add_parameter("Control point",
                       control_point,
                       "Name of the point whose displacement (of the middle "
@@ -71,8 +71,8 @@ namespace Biface
                       Patterns::Double());
     prm.add_parameter("Force",
                       force,
-                      "Compressive force on the plane at the end of a stage "
-                      "with 'Control = foundation force'. Unit: force.",
+                      "Compressive force on the foundation at the end of a "
+                      "stage with 'Control = foundation force'. Unit: force.",
                       Patterns::Double());
     prm.add_parameter("Steps",
                       n_steps,
@@ -135,7 +135,7 @@ namespace Biface
         if (!contact)
           throw InputError(section + "/Control",
                            "foundation force",
-                           "without 'Contact = true' there is no plane");
+                           "without 'Contact = true' there is no foundation");
         if (travel != 0)
           throw InputError(section + "/Travel",
                            number_to_string(travel),
@@ -150,6 +150,6 @@ namespace Biface
     if (!contact && travel != 0)
       throw InputError(section + "/Travel",
                        number_to_string(travel),
-                       "without 'Contact = true' there is no plane to move");
+                       "without 'Contact = true' there is nothing to move");
   }
 } // namespace Biface

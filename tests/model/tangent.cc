@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The tangent of a prestressed shell in contact is minus the derivative of its
-// residual, with the nodes in contact kept, and symmetric where it says so.
+// residual, with the nodes in contact kept, and symmetric where it says so;
+// with a plane, a drum and a sphere.
 
 #include <cmath>
 
@@ -17,12 +18,14 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string   &name,
-       const ThicknessLaw   law,
-       const MultiplierMass mass,
-       const StrainTheory   theory,
-       const PressureKind   pressure_kind = PressureKind::dead,
-       const std::string   &plies         = Layup::Parameters().plies)
+  test(const std::string               &name,
+       const ThicknessLaw               law,
+       const MultiplierMass             mass,
+       const StrainTheory               theory,
+       const PressureKind               pressure_kind = PressureKind::dead,
+       const std::string               &plies = Layup::Parameters().plies,
+       const FoundationParameters::Type foundation =
+         FoundationParameters::Type::plane)
   {
     Layup::Parameters parameters;
     parameters.plies = plies;
@@ -32,9 +35,13 @@ namespace
 
     // a foundation as soft as the shell, so that neither hides the other
     ContactConditions::Parameters contact_parameters;
-    contact_parameters.mass           = mass;
-    contact_parameters.regularization = 1;
-    contact_parameters.normal         = Tensor<1, 3>({1, 0.2, -0.1});
+    contact_parameters.mass                      = mass;
+    contact_parameters.regularization            = 1;
+    contact_parameters.foundation.type           = foundation;
+    contact_parameters.foundation.path.direction = Tensor<1, 3>({1, 0.2, -0.1});
+    contact_parameters.foundation.drum.radius    = 80;
+    contact_parameters.foundation.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
+    contact_parameters.foundation.sphere.radius  = 120;
     const ContactConditions contact(contact_parameters);
 
     PressureLoad pressure;
@@ -115,7 +122,10 @@ namespace
         check_true("  prestressed", stress > 1);
         check_small("  prestress, its change", change, 1e-14, stress);
         check_small("  and its forces", unbalanced, 1e-12, stress);
-        check_range("  nodes in contact", n_active, 4, n_nodes / 2);
+        check_range("  nodes in contact",
+                    n_active,
+                    foundation == FoundationParameters::Type::plane ? 4 : 2,
+                    n_nodes / 2);
         check_true("  forces are there", force > 1);
         check_small("  tangent", deviation, 1e-8);
         check_true("  symmetric or not, as it says",
@@ -173,4 +183,23 @@ main(int argc, char *argv[])
        "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
        "cord: 1 @ 52 from " +
          number_to_string(begin) + " to " + number_to_string(end));
+  for (const auto mass : {MultiplierMass::lumped, MultiplierMass::consistent})
+    {
+      const std::string name =
+        (mass == MultiplierMass::lumped ? "lumped mass" : "consistent mass");
+      test("drum, " + name,
+           ThicknessLaw::symmetric,
+           mass,
+           StrainTheory::nonlinear,
+           PressureKind::dead,
+           Layup::Parameters().plies,
+           FoundationParameters::Type::drum);
+      test("sphere, " + name,
+           ThicknessLaw::symmetric,
+           mass,
+           StrainTheory::nonlinear,
+           PressureKind::dead,
+           Layup::Parameters().plies,
+           FoundationParameters::Type::sphere);
+    }
 }

@@ -4,6 +4,7 @@
 #define biface_base_parameter_tools_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
 
 #include <mpi.h>
 
@@ -23,6 +24,29 @@ namespace Biface
    * number, 0 or above. */
   void
   check_not_negative(const std::string &entry, const double value);
+
+  /** Throw an InputError that names @p entry unless @p value is a finite
+   * number other than 0. */
+  void
+  check_not_zero(const std::string &entry, const double value);
+
+  /** Throw an InputError that names @p entry unless the length of a vector is a
+   * finite number. */
+  void
+  check_finite(const std::string &entry, const dealii::Tensor<1, 3> &vector);
+
+  /** The unit vector along @p vector. Throws an InputError that names
+   * @p entry where there is none. */
+  dealii::Tensor<1, 3>
+  unit_vector(const std::string &entry, const dealii::Tensor<1, 3> &vector);
+
+  /** Throw an InputError that names @p entry, which is the vector @p a, where
+   * it is parallel to the vector @p b of the entry @p other. */
+  void
+  check_not_parallel(const std::string          &entry,
+                     const dealii::Tensor<1, 3> &a,
+                     const std::string          &other,
+                     const dealii::Tensor<1, 3> &b);
 
   /** A number as a person would write it, with up to ten digits. */
   std::string

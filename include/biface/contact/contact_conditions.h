@@ -5,10 +5,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <vector>
 
+#include <biface/contact/foundation_parameters.h>
+#include <biface/contact/moved_foundation.h>
 #include <biface/contact/multiplier_mass.h>
-#include <biface/contact/rigid_plane.h>
 
 namespace Biface
 {
@@ -33,7 +35,7 @@ namespace Biface
     {
       MultiplierMass       mass           = MultiplierMass::consistent;
       double               regularization = 1e4;
-      dealii::Tensor<1, 3> normal{{1, 0, 0}};
+      FoundationParameters foundation;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -47,8 +49,11 @@ namespace Biface
      * written to by parts. */
     using ActiveSet = std::vector<char>;
 
+    /** Throws InputError where the foundation's parameters do not describe one.
+     */
     explicit ContactConditions(const Parameters &parameters)
       : parameters(parameters)
+      , foundation(make_foundation(parameters.foundation))
     {}
 
     /** The multiplier of an active node. */
@@ -81,10 +86,11 @@ namespace Biface
       return parameters.mass;
     }
 
-    const dealii::Tensor<1, 3> &
-    normal() const
+    /** The foundation, not yet moved. */
+    MovedFoundation
+    foundation_at_rest() const
     {
-      return parameters.normal;
+      return MovedFoundation(foundation);
     }
 
     /** Whether the tangent of the contact forces is symmetric. */
@@ -95,7 +101,8 @@ namespace Biface
     }
 
   private:
-    const Parameters parameters;
+    const Parameters                             parameters;
+    const std::shared_ptr<const RigidFoundation> foundation;
   };
 } // namespace Biface
 

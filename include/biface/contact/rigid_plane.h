@@ -3,59 +3,28 @@
 #ifndef biface_contact_rigid_plane_h
 #define biface_contact_rigid_plane_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include <biface/contact/rigid_foundation.h>
 
 namespace Biface
 {
-  /**
-   * A rigid half-space @f$\mathbf n\cdot\mathbf x\ge d@f$ bounded by a plane.
-   * Its normal points from the shell into the foundation.
+  /** A rigid half-space bounded by a plane, which travels against its normal.
    */
-  class RigidPlane
+  class RigidPlane : public RigidFoundation
   {
   public:
-    /**
-     * @param normal any vector but zero; its length does not matter.
-     * @param offset the distance d of the plane from the origin, along the
-     * normal. Unit: length.
-     */
-    RigidPlane(const dealii::Tensor<1, 3> &normal, const double offset)
-      : unit_normal(normal / normal.norm()), offset(offset)
-    {}
+    using RigidFoundation::RigidFoundation;
 
-    /** The distance left between a point and the foundation; negative for a
-     * point inside it. */
+    FoundationPoint
+    evaluate(const dealii::Point<3> &x) const override
+    {
+      return {direction * (point - x), direction, {}};
+    }
+
     double
-    clearance(const dealii::Point<3> &x) const
+    travel_to(const dealii::Point<3> &x) const override
     {
-      return offset - height(x);
+      return direction * (point - x);
     }
-
-    /** How far a point lies along the normal. */
-    double
-    height(const dealii::Point<3> &x) const
-    {
-      return unit_normal * x;
-    }
-
-    /** The normal @f$\mathbf n@f$, minus the gradient of the clearance. */
-    const dealii::Tensor<1, 3> &
-    normal() const
-    {
-      return unit_normal;
-    }
-
-    /** The plane moved against its normal, into the shell. */
-    RigidPlane
-    moved(const double travel) const
-    {
-      return RigidPlane(unit_normal, offset - travel);
-    }
-
-  private:
-    dealii::Tensor<1, 3> unit_normal;
-    double               offset;
   };
 } // namespace Biface
 

@@ -107,9 +107,10 @@ namespace Biface
     ContactForce
     contact_force(const State &state, const Loads &loads) const;
 
-    /** The least clearance between the shell and the foundation. */
+    /** How far the foundation travels until it touches a free node of the
+     * outer face, see RigidFoundation::travel_to(). */
     double
-    least_clearance(const State &state, const Loads &loads) const;
+    travel_to_touch(const State &state, const Loads &loads) const;
 
     /** How far the prescribed displacements, at the last assembly, were from
      * what the loads ask for. Unit: length. */
@@ -186,13 +187,13 @@ namespace Biface
     ContactSummary
     summarize_contact(const State &state, const Loads &loads) const;
 
-    /** The foundation that has moved by @p travel from the origin of
-     * coordinates. */
-    RigidPlane
+    /** The foundation that has moved by @p travel from where it is at rest. */
+    MovedFoundation
     foundation(const double travel) const;
 
     /** The travel of the foundation that just touches the deformed outer face.
-     */
+     * Throws InputError where it passes by the shell, or the shell does not fit
+     * into it. */
     double
     touching_travel(const State &state) const;
 
@@ -242,6 +243,32 @@ namespace Biface
                        const MixedElement::NodalVector &V,
                        CellEquations                   &equations) const;
 
+    /** What an active node presses on the foundation with. */
+    struct ContactTraction
+    {
+      /** That on the shell, @f$\lambda\mathbf n@f$. Unit: force/area. */
+      dealii::Tensor<1, 3> value;
+      /** Minus its derivative with respect to the position of the node,
+       * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
+      dealii::SymmetricTensor<2, 3> stiffness;
+    };
+
+    ContactTraction
+    contact_traction(const State &state,
+                     const Loads &loads,
+                     const Node  &node) const;
+
+    /**
+     * Add the contact forces on a cell, and minus their derivative.
+     *
+     * The force on the node r is @f$\sum_s M_{rs}\lambda_s\mathbf n_s@f$ with
+     * the normal at the node s, where the multiplier is: the traction
+     * @f$\lambda\mathbf n@f$ is what is interpolated. So the forces add up to
+     * those that contact_force() reports, whichever the multiplier mass is.
+     * With the lumped mass they have the potential
+     * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and so a
+     * symmetric tangent; a normal at the node r would have neither.
+     */
     void
     add_contact(const State   &state,
                 const Loads   &loads,

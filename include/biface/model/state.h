@@ -8,7 +8,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/contact_conditions.h>
-#include <biface/contact/rigid_plane.h>
+#include <biface/contact/moved_foundation.h>
 #include <biface/element/modes.h>
 
 namespace Biface
@@ -41,14 +41,14 @@ namespace Biface
      */
     double factor = 0;
 
-    std::optional<RigidPlane> foundation;
+    std::optional<MovedFoundation> foundation;
   };
 
 
   /** The figures of a contact zone. */
   struct ContactSummary
   {
-    /** Compressive force on the foundation, along its normal. */
+    /** Compressive force on the foundation, along its direction. */
     double       force   = 0;
     unsigned int n_nodes = 0;
     /** Sum of the areas that belong to the active nodes, on the surface midway

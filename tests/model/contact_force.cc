@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// With the lumped mass the forces on a shell add up to the reported force on a
+// curved foundation and pass through its axis or its center; with both masses
+// the derivatives of force and residual with respect to the
+// displacements and the travel are those that are given.
+
+#include <cmath>
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string          &name,
+       const FoundationParameters &foundation,
+       const MultiplierMass        mass)
+  {
+    const Layup layup(Layup::Parameters(), cord_ply());
+    const auto  discretization = coarse_torus(layup);
+
+    ContactConditions::Parameters parameters;
+    parameters.mass           = mass;
+    parameters.regularization = 1;
+    parameters.foundation     = foundation;
+    const ContactConditions contact(parameters);
+    ShellEquations          equations(*discretization, contact);
+
+    State state = at(equations,
+                     equations.initial_state(),
+                     some_displacement(*discretization, 0.2, 1));
+    Loads loads;
+    loads.foundation = equations.foundation(equations.touching_travel(state));
+    const double touching = std::abs(equations.travel_to_touch(state, loads)) /
+                            discretization->size();
+    loads.foundation            = loads.foundation->moved(6);
+    const unsigned int n_active = equations.update_active_set(state, loads);
+
+    // the forces of the contact alone
+    equations.assemble(state, Loads());
+    LA::Vector forces = equations.residual();
+    forces *= -1;
+    equations.assemble(state, loads);
+    forces += equations.residual();
+
+    Tensor<1, 3>       sum, moment;
+    const auto        &path = foundation.path;
+    const Tensor<1, 3> d    = path.direction / path.direction.norm();
+    const double radius = (foundation.type == FoundationParameters::Type::drum
+                             ? foundation.drum.radius
+                             : foundation.sphere.radius);
+    // it has come by as much as it lacks at the point of its path
+    const double   travel = -loads.foundation->clearance(path.point);
+    const Point<3> center = path.point + (radius - travel) * d;
+    for (const Node &node : discretization->nodes)
+      if (node.locally_owned)
+        {
+          const Tensor<1, 3> force =
+            node.surface.from_frame(Tensor<1, 3>({forces(node.dofs[1]),
+                                                  forces(node.dofs[3]),
+                                                  forces(node.dofs[5])}));
+          sum += force;
+          moment +=
+            cross_product_3d(discretization->deformed_position(
+                               state.displacement, node, Resultants::outer) -
+                               center,
+                             force);
+        }
+    sum    = Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+    moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);
+
+    const auto   force = equations.contact_force(state, loads);
+    const double scale = force.value;
+
+    // derivatives with respect to the travel
+    const double step  = 1e-5;
+    const auto   moved = [&](const double travel) {
+      Loads result      = loads;
+      result.foundation = loads.foundation->moved(travel);
+      return result;
+    };
+    const double per_travel =
+      (equations.contact_force(state, moved(step)).value -
+       equations.contact_force(state, moved(-step)).value) /
+      (2 * step);
+    LA::Vector   direction      = equations.travel_direction(state, loads);
+    const double direction_norm = direction.l2_norm();
+    for (const double sign : {-1., 1.})
+      {
+        equations.assemble(state, moved(sign * step));
+        direction.add(-sign / (2 * step), equations.residual());
+      }
+
+    // and to the displacements
+    const LA::Vector dV             = some_displacement(*discretization, 1, 4);
+    double           gradient       = force.gradient * dV;
+    const double     gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
+    for (const double sign : {-1., 1.})
+      {
+        LA::Vector V = discretization->owned_vector();
+        V            = state.displacement;
+        V.add(sign * step, dV);
+        gradient -=
+          sign / (2 * step) *
+          equations.contact_force(at(equations, state, V), loads).value;
+      }
+
+    const double       deviation = direction.l2_norm();
+    const unsigned int n_nodes   = discretization->n_nodes();
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    std::cout << name << std::endl;
+    check_small("  travel left when it touches", touching, 1e-14);
+    check_range("  nodes in contact", n_active, 2, n_nodes / 2);
+    // with the consistent mass, nodes that are held take part of the force
+    if (mass == MultiplierMass::lumped)
+      {
+        check_small("  sum of the forces", sum * d + scale, 1e-12, scale);
+        check_small("  moment about axis or center",
+                    foundation.type == FoundationParameters::Type::drum
+                      ? moment * foundation.drum.axis
+                      : moment.norm(),
+                    1e-12,
+                    scale * std::abs(radius));
+      }
+    check_small("  force by travel",
+                force.per_travel - per_travel,
+                1e-8,
+                force.per_travel);
+    check_small("  residual by travel", deviation, 1e-8, direction_norm);
+    check_small("  force by displacements", gradient, 1e-8, gradient_scale);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  FoundationParameters foundation;
+  // the drum's axis is across it, so that the drum's center is on the path
+  foundation.path.direction = Tensor<1, 3>({1, 0.2, -0.1});
+  foundation.path.point     = Point<3>(10, 2, -1);
+  foundation.drum.axis      = Tensor<1, 3>({-0.2, 1, 0});
+  foundation.drum.axis /= foundation.drum.axis.norm();
+
+  foundation.type        = FoundationParameters::Type::drum;
+  foundation.drum.radius = 80;
+  test("drum, lumped mass", foundation, MultiplierMass::lumped);
+  test("drum, consistent mass", foundation, MultiplierMass::consistent);
+  foundation.drum.radius = -400;
+  test("hollow drum, lumped mass", foundation, MultiplierMass::lumped);
+
+  foundation.type          = FoundationParameters::Type::sphere;
+  foundation.sphere.radius = 120;
+  test("sphere, lumped mass", foundation, MultiplierMass::lumped);
+  test("sphere, consistent mass", foundation, MultiplierMass::consistent);
+}
