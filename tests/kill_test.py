@@ -4,9 +4,9 @@
 """A run that is killed again and again, and restarted each time, ends with the
 results of a run that is left alone.
 
-The program is killed (SIGKILL) at random moments, every other time as soon as a
-file is being written after that. Kills are spread over the whole run: each
-comes within the time that is left. When a run ends, its history and its series
+The program is killed (SIGKILL) at random moments, spread evenly over the whole
+run by the time that it takes when left alone; every other time as soon as a
+file is being written after that. When a run ends, its history and its series
 for ParaView are compared with those of the run that was left alone, and another
 one begins, until there were enough kills.
 
@@ -28,6 +28,7 @@ import sys
 import time
 
 TOLERANCE = 1e-9
+KILLS_A_RUN = 5
 
 
 def arguments():
@@ -167,7 +168,7 @@ def main():
             sys.exit(f"the run left alone did not end well, see {log_path}")
         duration = time.monotonic() - begin
         n_steps = steps_in(whole)
-        print(f"left alone: {n_steps} steps, {duration:.1f} s")
+        print(f"left alone: {n_steps} steps, {duration:.1f} s", flush=True)
 
         n_kills, n_launches, n_runs, n_bad = 0, 0, 0, 0
         n_early, n_writing, at_steps = 0, 0, []
@@ -176,16 +177,17 @@ def main():
             n_launches += 1
             restart = (cut / "checkpoint.bin").exists() or (
                 cut / "checkpoint-previous.bin").exists()
-            left = duration * (1.05 - steps_in(cut) / n_steps)
+            # a constant rate: kills are spread evenly over the run
+            delay = draw.expovariate(KILLS_A_RUN / duration)
             size = log_path.stat().st_size
             process = start(given, n_ranks, cut, log, restart)
             if n_kills < given.kills:
                 # one of four may come while the program sets up
                 if n_kills % 4 != 3:
                     wait_until(lambda: says_step(log_path, size), process, 600)
-                wait_until(lambda: False, process, draw.uniform(0, left))
+                wait_until(lambda: False, process, delay)
                 if n_kills % 2 == 0:
-                    wait_until(lambda: any(cut.glob("*.tmp")), process, left)
+                    wait_until(lambda: any(cut.glob("*.tmp")), process, duration)
             else:
                 process.wait()
             if process.poll() is None:
@@ -200,6 +202,7 @@ def main():
                          f"{log_path}")
 
             n_runs += 1
+            print(f"run {n_runs} has ended, after {n_kills} kills", flush=True)
             bad = complaints(whole, cut)
             n_bad += len(bad)
             for complaint in bad[:10]:

@@ -224,30 +224,31 @@ namespace Biface
       };
 
 
-      /** Why a file is not what was written; empty if it is. */
+      /** What is wrong with a file, as the end of a sentence that begins with
+       * its name; empty if nothing is. */
       std::string
       damage(const std::string &path)
       {
         std::error_code error;
         if (!std::filesystem::exists(path, error))
-          return "there is none";
+          return "is not there";
         errno = 0;
         Source source(path);
         if (!source.file)
-          return std::string("it cannot be read: ") +
-                 (errno != 0 ? std::strerror(errno) : "unknown reason");
+          return std::string("cannot be read (") +
+                 (errno != 0 ? std::strerror(errno) : "unknown reason") + ")";
 
         const std::uint64_t size = std::filesystem::file_size(path, error);
         if (error || size < magic.size() + 4 * sizeof(std::uint64_t))
-          return "it is cut off";
+          return "is cut off";
         std::array<char, 8> begin;
         source.file.read(begin.data(), begin.size());
         if (begin != magic)
-          return "it is no checkpoint";
+          return "is no checkpoint";
         if (source.number<std::uint32_t>() != format)
-          return "its form is that of another version of the program";
+          return "has the form of another version of the program";
         if (source.number<std::uint32_t>() != byte_order)
-          return "it is from a machine that stores numbers otherwise";
+          return "is from a machine that stores numbers otherwise";
 
         Checksum          checksum;
         std::vector<char> buffer(piece);
@@ -261,9 +262,9 @@ namespace Biface
           }
         const auto expected = source.number<std::uint64_t>();
         if (!source.file)
-          return "it cannot be read";
+          return "cannot be read";
         if (expected != checksum.checksum())
-          return "it is damaged: its checksum is wrong";
+          return "is damaged (its checksum is wrong)";
         return "";
       }
     } // namespace
@@ -304,8 +305,7 @@ namespace Biface
         }
       reason = Utilities::MPI::broadcast(communicator, reason);
       if (!reason.empty())
-        throw InputError("the checkpoint '" + path +
-                         "' cannot be used: " + reason + ".");
+        throw InputError("the checkpoint '" + path + "' " + reason + ".");
       head   = Utilities::MPI::broadcast(communicator, head);
       header = head.first;
       for (const auto &entry : head.second)

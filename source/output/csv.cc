@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -70,6 +72,62 @@ namespace Biface
             file.commit();
             reason = file.error();
           }
+      }
+    reason = Utilities::MPI::broadcast(communicator, reason);
+    if (!reason.empty())
+      throw OutputError(path, reason);
+  }
+
+
+  void
+  write_texts_of_ranks(const std::string &path,
+                       const std::string &text,
+                       const MPI_Comm     communicator)
+  {
+    // a message holds less than 2^31 bytes
+    constexpr std::uint64_t longest = 1 << 28;
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+
+    std::string reason;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        AtomicFile file(path);
+        file.write(text);
+        std::vector<char> buffer;
+        for (unsigned int rank = 1; rank < n_ranks; ++rank)
+          {
+            std::uint64_t left;
+            MPI_Recv(
+              &left, 1, MPI_UINT64_T, rank, 0, communicator, MPI_STATUS_IGNORE);
+            while (left > 0)
+              {
+                const std::uint64_t n = std::min(left, longest);
+                buffer.resize(n);
+                MPI_Recv(buffer.data(),
+                         n,
+                         MPI_CHAR,
+                         rank,
+                         0,
+                         communicator,
+                         MPI_STATUS_IGNORE);
+                file.write(buffer.data(), n);
+                left -= n;
+              }
+          }
+        file.commit();
+        reason = file.error();
+      }
+    else
+      {
+        const std::uint64_t size = text.size();
+        MPI_Send(&size, 1, MPI_UINT64_T, 0, 0, communicator);
+        for (std::uint64_t begin = 0; begin < size; begin += longest)
+          MPI_Send(text.data() + begin,
+                   std::min(size - begin, longest),
+                   MPI_CHAR,
+                   0,
+                   0,
+                   communicator);
       }
     reason = Utilities::MPI::broadcast(communicator, reason);
     if (!reason.empty())

@@ -344,19 +344,19 @@ namespace Biface
 
     const std::string name =
       series + "-" + Utilities::int_to_string(report.step, 4) + ".vtu";
-    // every rank writes its part: say what went wrong on any of them
-    bool failed = false;
-    try
-      {
-        patches.write_vtu_in_parallel(path(name), communicator);
-      }
-    catch (const ExceptionBase &)
-      {
-        failed = true;
-      }
-    if (Utilities::MPI::max(static_cast<unsigned int>(failed), communicator) >
-        0)
-      throw OutputError(path(name), "a rank could not write its part");
+    // the pieces of all ranks between the begin of the file, from the first
+    // one, and its end, from the last. MPI's parallel files would do it, too,
+    // but do not tell of a full disk
+    std::ostringstream stream;
+    patches.write_vtu(stream);
+    std::string       text    = stream.str();
+    const std::string closing = "</Piece>\n";
+    if (Utilities::MPI::this_mpi_process(communicator) + 1 <
+        Utilities::MPI::n_mpi_processes(communicator))
+      text.erase(text.rfind(closing) + closing.size());
+    if (Utilities::MPI::this_mpi_process(communicator) > 0)
+      text.erase(0, text.find("<Piece"));
+    write_texts_of_ranks(path(name), text, communicator);
 
     steps.push_back(report.step);
     write_pvd(series, steps);

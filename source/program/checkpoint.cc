@@ -194,8 +194,8 @@ namespace Biface
     const std::vector<char> bytes(header.begin(), header.end());
     record = Utilities::unpack<RunRecord>(bytes, false);
     if (!warning.empty())
-      warning = "The run continues from the checkpoint before the last one (" +
-                warning.substr(0, warning.size() - 1) + ").";
+      warning =
+        "The run continues from the checkpoint before the last one: " + warning;
   }
 
 

@@ -175,8 +175,6 @@ namespace Biface
                            before,
                            prm_before);
           checkpoint->restore(simulation, before.stages, parameters.stages);
-          if (!checkpoint->get_warning().empty())
-            out << checkpoint->get_warning() << std::endl;
           const Progress &progress = simulation.get_progress();
           if (progress.at_end_of(parameters.stages))
             {
@@ -184,9 +182,6 @@ namespace Biface
                   << " steps: nothing is left to do." << std::endl;
               return done;
             }
-          out << "The run continues after step " << progress.n_steps << '.'
-              << std::endl;
-          checkpoint->remove_unusable();
           written      = checkpoint->get_record().written;
           record.curve = checkpoint->get_record().curve;
         }
@@ -196,6 +191,14 @@ namespace Biface
       ResultsWriter writer(
         parameters.output, simulation.get_equations(), written);
       log.open(directory + "/run.log", checkpoint != nullptr);
+      if (checkpoint)
+        {
+          if (!checkpoint->get_warning().empty())
+            out << checkpoint->get_warning() << std::endl;
+          out << "The run continues after step " << written->n_steps << '.'
+              << std::endl;
+          checkpoint->remove_unusable();
+        }
       writer.write_parameters(record.parameters);
       for (const std::string &sentence : writer.warnings())
         out << sentence << std::endl;

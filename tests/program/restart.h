@@ -9,10 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/program/program.h>
@@ -76,7 +79,19 @@ run(const std::vector<std::string> &words,
 }
 
 
-/** The same, continued. */
+/** What a run said of errors, without the folder of shipped files. */
+inline std::string
+said(const Ended &ended)
+{
+  const std::string folder = std::string(PRM_DIR) + "/";
+  const auto        at     = ended.err.find(folder);
+  return at == std::string::npos
+           ? ended.err
+           : ended.err.substr(0, at) + ended.err.substr(at + folder.size());
+}
+
+
+/** Continue a run, see run(). */
 inline Ended
 restart(std::vector<std::string> words,
         const std::string       &directory,
@@ -101,8 +116,8 @@ read_table(const std::string &path)
 
 /**
  * The greatest difference of two tables, as a fraction of the greatest number
- * of the column; infinite where they differ in more than numbers. Times do not
- * count.
+ * of the column, or of all displacements; infinite where they differ in more
+ * than numbers. Times do not count.
  */
 inline double
 difference(const std::string &file,
@@ -113,29 +128,29 @@ difference(const std::string &file,
   const auto b = read_table(other + "/" + file);
   if (a.size() != b.size() || a.size() < 2)
     return INFINITY;
+
+  // distances and sizes by names of columns; displacements are one
+  std::map<std::string, std::pair<double, double>> found;
+  for (unsigned int row = 0; row < a.size(); ++row)
+    for (unsigned int column = 0; column < a[0].size(); ++column)
+      {
+        const std::string &name = a[0][column];
+        const std::string &x = a[row][column], &y = b[row].at(column);
+        char              *end    = nullptr;
+        const double       number = std::strtod(x.c_str(), &end);
+        auto &[distance, size] = found[name.substr(0, 2) == "u_" ? "u" : name];
+        if (*end == 0)
+          {
+            distance = std::max(distance, std::abs(number - std::stod(y)));
+            size     = std::max(size, std::abs(number));
+          }
+        else if (x != y)
+          return INFINITY;
+      }
   double result = 0;
-  for (unsigned int column = 0; column < a[0].size(); ++column)
-    {
-      if (a[0][column] == "seconds")
-        continue;
-      double size = 1e-300, distance = 0;
-      for (unsigned int row = 0; row < a.size(); ++row)
-        if (a[row][column] != b[row].at(column))
-          try
-            {
-              const double x = std::stod(a[row][column]);
-              const double y = std::stod(b[row][column]);
-              distance       = std::max(distance, std::abs(x - y));
-            }
-          catch (const std::invalid_argument &)
-            {
-              return INFINITY;
-            }
-      for (unsigned int row = 1; row < a.size(); ++row)
-        size = std::max(size,
-                        std::abs(std::strtod(a[row][column].c_str(), nullptr)));
-      result = std::max(result, distance / size);
-    }
+  for (const auto &[name, values] : found)
+    if (name != "seconds" && values.first > 0)
+      result = std::max(result, values.first / values.second);
   return result;
 }
 

@@ -18,11 +18,7 @@ namespace
     const std::string before = text_of("changed/history.csv");
     const Ended       ended =
       restart(with(coarse_tire, {setting}), "changed", MPI_COMM_WORLD);
-    std::string said = ended.err;
-    const auto  path = said.find(PRM_DIR);
-    if (path != std::string::npos)
-      said.erase(path, std::string(PRM_DIR).size() + 1);
-    std::cout << setting << ": " << ended.code << '\n' << said;
+    std::cout << setting << ": " << ended.code << '\n' << said(ended);
     if (ended.code != 0)
       check_true("the history is as it was",
                  text_of("changed/history.csv") == before);

@@ -44,6 +44,17 @@ namespace Biface
              const MPI_Comm     communicator);
 
   /**
+   * Write the texts of all ranks one after the other, as one file: as a whole,
+   * or the file stays as it was. Must be called on all ranks; the first one
+   * writes, and holds the text of one rank at a time. Throws OutputError on all
+   * of them where the file cannot be written.
+   */
+  void
+  write_texts_of_ranks(const std::string &path,
+                       const std::string &text,
+                       const MPI_Comm     communicator);
+
+  /**
    * Take the rows of later steps off a table whose first column is the step.
    * The file is changed as a whole or not at all. Must be called on all ranks.
    *
