@@ -81,13 +81,15 @@ main(int argc, char *argv[])
   const std::string verification = DATA_DIR "/../verification/";
   const std::string no_vtu       = "Output/Write VTU=false";
 
-  check("loads", coarse_tire, 4);
+  // a foundation that is less stiff than the default: round-off in clearances
+  // is smaller in the forces, and ranks agree in more digits
+  const auto tire = with(coarse_tire, {"Contact/Regularization=1e3"});
+  check("loads", tire, 4);
   check("a mesh that no rank holds whole",
-        with(coarse_tire, {"Mesh/Distribution=distributed", no_vtu}),
+        with(tire, {"Mesh/Distribution=distributed", no_vtu}),
         3);
   check("loads in steps that are cut",
-        with(coarse_tire,
-             {"Newton/Maximum iterations=4", "Stage 2/Steps=1", no_vtu}),
+        with(tire, {"Newton/Maximum iterations=4", "Stage 2/Steps=1", no_vtu}),
         4);
   check("loads in steps that adapt",
         {"--set",
@@ -99,7 +101,7 @@ main(int argc, char *argv[])
          verification + "cantilever_end_shear.prm"},
         5);
   check("force on the foundation",
-        with(coarse_tire,
+        with(tire,
              {"Stage 2/Control=foundation force",
               "Stage 2/Travel=0",
               "Stage 2/Force=1500",
