@@ -9,17 +9,18 @@ namespace Biface
 {
   CommandLine::CommandLine(int argc, char **argv)
   {
-    const option options[] = {{"set", required_argument, nullptr, 's'},
-                              {"output", required_argument, nullptr, 'o'},
-                              {"restart", no_argument, nullptr, 'r'},
-                              {"print-parameters", no_argument, nullptr, 'p'},
-                              {"check", no_argument, nullptr, 'c'},
-                              {"quiet", no_argument, nullptr, 'q'},
-                              {"version", no_argument, nullptr, 'v'},
-                              {"help", no_argument, nullptr, 'h'},
-                              {nullptr, 0, nullptr, 0}};
-    opterr                 = 0; // errors are ours to tell
-    optind                 = 0; // begin anew, also on a second call
+    const option options[] = {
+      {"set", required_argument, nullptr, 's'},
+      {"output", required_argument, nullptr, 'o'},
+      {"restart", no_argument, nullptr, 'r'},
+      {"print-parameters", optional_argument, nullptr, 'p'},
+      {"check", no_argument, nullptr, 'c'},
+      {"quiet", no_argument, nullptr, 'q'},
+      {"version", no_argument, nullptr, 'v'},
+      {"help", no_argument, nullptr, 'h'},
+      {nullptr, 0, nullptr, 0}};
+    opterr = 0; // errors are ours to tell
+    optind = 0; // begin anew, also on a second call
 
     int found;
     while ((found = getopt_long_only(argc, argv, ":", options, nullptr)) != -1)
@@ -36,6 +37,12 @@ namespace Biface
             break;
           case 'p':
             action = Action::print_parameters;
+            if (optarg != nullptr && std::string(optarg) != "json")
+              throw InputError("the option '--print-parameters' is '" +
+                               std::string(optarg) +
+                               "', but only '--print-parameters' and "
+                               "'--print-parameters=json' are allowed.");
+            json = (optarg != nullptr);
             break;
           case 'c':
             action = Action::check;
@@ -79,7 +86,7 @@ namespace Biface
            "  --output DIR                 where the results go\n"
            "  --restart                    continue the run whose results are "
            "there\n"
-           "  --print-parameters           print all entries with their "
+           "  --print-parameters[=json]    print all entries with their "
            "documentation\n"
            "  --check                      read and check the file, do not "
            "run\n"

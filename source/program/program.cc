@@ -293,7 +293,8 @@ namespace Biface
                 if (is_root)
                   prm.print_parameters(
                     out_stream,
-                    ParameterHandler::PRM |
+                    (command_line.json ? ParameterHandler::JSON
+                                       : ParameterHandler::PRM) |
                       ParameterHandler::KeepDeclarationOrder);
                 return done;
               }

@@ -30,6 +30,9 @@ namespace Biface
     /** Whether to print nothing on the screen but errors. */
     bool quiet = false;
 
+    /** Parameters are printed for programs, not for people. */
+    bool json = false;
+
     /** Throws InputError where the words make no sense. */
     CommandLine(int argc, char **argv);
 

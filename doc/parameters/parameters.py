@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page on all entries of a parameter file, doc/parameters.md, from what the
+program declares with --print-parameters=json."""
+
+import argparse
+import json
+import re
+import subprocess
+from pathlib import Path
+
+HEAD = """# All entries of a parameter file
+
+One table for each section. `cmake --build build --target reference` writes this
+page from what the program declares; `biface --print-parameters` prints the
+same as a parameter file. [new_shell.md](new_shell.md) says what to choose.
+
+```
+set Entry = value            # a comment
+subsection Section
+  set Entry of the section = value
+end
+```
+
+The program knows no units but degrees: give lengths, forces and pressures in one
+system, such as mm, N and MPa. Entries that are left out have their defaults, and
+unknown ones are refused. On the command line,
+`--set "Section/Entry=value"` takes precedence over the file.
+"""
+
+# sections whose name the user chooses
+NAMED = {
+    "Material cord": (
+        "Material NAME",
+        "One section for each name in `Materials`, `cord` unless told otherwise."),
+    "Stage 1": (
+        "Stage N",
+        "One section for each of the `Number of stages`, N = 1, 2, ..."),
+}
+
+
+def number(text):
+    """A bound of an interval, or nothing if there is none."""
+    if "MAX_" in text or text in ("-2147483648", "2147483647"):
+        return ""
+    return f"{float(text):g}"
+
+
+def interval(name, low, high):
+    """Which numbers are allowed."""
+    low, high = number(low), number(high)
+    if low and high:
+        return f"{name}, {low} to {high}"
+    if low:
+        return f"{name}, {low} or more"
+    if high:
+        return f"{name}, at most {high}"
+    return name
+
+
+def count(low, high):
+    """How many items a list may have."""
+    if low == high:
+        return low
+    if high == "4294967295":
+        return "any number of" if low == "0" else f"{low} or more"
+    return f"{low} to {high}"
+
+
+def allowed(pattern):
+    """ParameterHandler's description of a pattern, in words."""
+    pattern = pattern.strip()
+    match = re.fullmatch(r"\[Selection (.*?) ?\]", pattern)
+    if match:
+        return ", ".join(f"`{word.strip()}`" for word in match[1].split("|"))
+    match = re.fullmatch(r"\[MultipleSelection (.*?) ?\]", pattern)
+    if match:
+        return "list of: " + ", ".join(
+            f"`{word.strip()}`" for word in match[1].split("|"))
+    match = re.fullmatch(
+        r"\[(Double|Integer)(?: range)?(?: (\S+)\.\.\.(\S+) \(inclusive\))?\]", pattern)
+    if match:
+        name = {"Double": "number", "Integer": "whole number"}[match[1]]
+        return interval(name, match[2], match[3]) if match[2] else name
+    match = re.fullmatch(
+        r"\[List of <(.*)> of length (\d+)\.\.\.(\d+) \(inclusive\).*\]", pattern)
+    if match:
+        return f"list of {count(match[2], match[3])}: {allowed(match[1])}"
+    simple = {"[Bool]": "`true`, `false`", "[Anything]": "text",
+              "[DirectoryName]": "directory",
+              "[FileName (Type: input)]": "file",
+              "[FileName (Type: output)]": "file"}
+    if pattern not in simple:
+        raise SystemExit(f"no words are known for the pattern {pattern}; "
+                         "tell doc/parameters/parameters.py.")
+    return simple[pattern]
+
+
+def cell(text):
+    """Text in a table of Markdown."""
+    text = re.sub(r"'([^']+)'(?!\w)", r"`\1`", text)   # as written in a file
+    text = re.sub(r"(?<![`\w])((?:\w+_)+\w+)(?!\w)(?=[^`]*(?:`[^`]*`[^`]*)*$)",
+                  r"`\1`", text)                        # names such as alpha_1
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def table(entries):
+    """The entries of one section as a table."""
+    lines = ["| Entry | Default | Allowed | Meaning and unit |",
+             "| --- | --- | --- | --- |"]
+    for name, entry in entries:
+        default = entry["default_value"]
+        lines.append(f"| `{name}` | {f'`{default}`' if default else 'empty'} | "
+                     f"{allowed(entry['pattern_description'])} | "
+                     f"{cell(entry['documentation'])} |")
+    return lines
+
+
+def section(name, declared, level):
+    """A section with its own ones, as lines of Markdown."""
+    entries = [(key, value) for key, value in declared.items()
+               if "default_value" in value]
+    lines = []
+    if name:
+        title, remark = NAMED.get(name, (name, ""))
+        lines += ["", "#" * level + " " + title]
+        if remark:
+            lines += ["", remark]
+    if entries:
+        lines += [""] + table(entries)
+    for key, value in declared.items():
+        if "default_value" not in value:
+            inner = key if level == 1 else f"{name}: {key}"
+            lines += section(inner, value, level + 1)
+    return lines
+
+
+def main():
+    """Write the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=Path, help="the program biface")
+    parser.add_argument("page", type=Path, help="the file to write")
+    arguments = parser.parse_args()
+    declared = json.loads(subprocess.run(
+        [arguments.program, "--print-parameters=json"], check=True,
+        capture_output=True, text=True).stdout)
+    top = ["", "## Outside of all sections"]
+    top_entries = {k: v for k, v in declared.items() if "default_value" in v}
+    sections = {k: v for k, v in declared.items() if "default_value" not in v}
+    lines = top + section("", top_entries, 1) + section("", sections, 1)
+    arguments.page.write_text(HEAD + "\n".join(lines) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
