@@ -6,4 +6,5 @@
 s/\$`\([^`]*\)`\$/@f$\1@f$/g
 s|<img src="doc/figures/|<img src="|
 s/\[\([^]]*\)\](references\.bib#\([A-Za-z0-9]*\))/\1 @cite \2/g
-s|](prm/|](|g
+s,](\(\.\./\)\?prm/\(tutorial/\)\?,](,g
+s|](paraview/|](|g

@@ -11,14 +11,15 @@
 //   # expect: least load factor is VALUE within FRACTION
 // for the first maximum of a path, and the minimum after it;
 //   # expect: at most N iterations
-// for all steps together.
+// for all steps together;
+//   # file: a parameter file to run instead of this one
+// where {PRM} stands for the folder of shipped files.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -26,38 +27,13 @@
 
 #include <biface/program/program.h>
 
+#include "../read_csv.h"
 #include "../tests.h"
 
 using namespace dealii;
 
 namespace
 {
-  using Row = std::map<std::string, std::string>;
-
-  std::vector<Row>
-  read_csv(const std::string &name)
-  {
-    std::vector<Row>         rows;
-    std::vector<std::string> header;
-    std::ifstream            file(name);
-    std::string              line;
-    while (std::getline(file, line))
-      {
-        const auto cells = Utilities::split_string_list(line, ',');
-        if (header.empty())
-          header = cells;
-        else
-          {
-            Row row;
-            for (unsigned int i = 0; i < header.size(); ++i)
-              row[header[i]] = cells[i];
-            rows.push_back(row);
-          }
-      }
-    return rows;
-  }
-
-
   /** The row of history.csv at the end of a stage ('end of STAGE'), or with a
    * load factor; the last one if there are several, null if there is none. */
   const Row *
@@ -127,8 +103,18 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  std::vector<std::string> words{"biface", "--output", "results", argv[1]};
-  std::vector<char *>      arguments;
+  std::string   parameter_file = argv[1];
+  std::ifstream file(argv[1]);
+  std::string   line;
+  while (std::getline(file, line))
+    if (line.rfind("# file: {PRM}", 0) == 0)
+      parameter_file = PRM_DIR + line.substr(13);
+  file.clear();
+  file.seekg(0);
+
+  std::vector<std::string> words{
+    "biface", "--output", "results", parameter_file};
+  std::vector<char *> arguments;
   for (std::string &word : words)
     arguments.push_back(&word[0]);
   arguments.push_back(nullptr);
@@ -148,8 +134,6 @@ main(int argc, char *argv[])
       n_iterations += std::stoi(row.at("iterations"));
     }
 
-  std::ifstream file(argv[1]);
-  std::string   line;
   while (std::getline(file, line))
     {
       if (line.rfind("# expect: ", 0) != 0)
