@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
 #include <limits>
 
 #include <biface/laminate/failure.h>
@@ -73,10 +74,49 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /**
+     * The direction of the fibers in the deformed shell, as data 3 to 5 of a
+     * patch with its vertices and the displacements in data 0 to 2: each
+     * coordinate line carries its component along.
+     */
+    void
+    set_fibers(const double angle, DataOutBase::Patch<3, 3> &patch)
+    {
+      for (unsigned int i = 0; i < 8; ++i)
+        {
+          Tensor<1, 3> fiber;
+          for (unsigned int line = 0; line < 2; ++line)
+            {
+              const unsigned int begin = i & ~(1u << line);
+              const unsigned int end   = i | (1u << line);
+              const Tensor<1, 3> edge =
+                patch.vertices[end] - patch.vertices[begin];
+              Tensor<1, 3> initial_edge = edge;
+              for (unsigned int d = 0; d < 3; ++d)
+                initial_edge[d] -= patch.data(d, end) - patch.data(d, begin);
+              fiber += (line == 0 ? std::cos(angle) : std::sin(angle)) /
+                       initial_edge.norm() * edge;
+            }
+          fiber /= fiber.norm();
+          for (unsigned int d = 0; d < 3; ++d)
+            patch.data(3 + d, i) = fiber[d];
+        }
+    }
+  } // namespace
+
+
   PlyPatches::PlyPatches(const ShellEquations  &equations,
                          const State           &state,
                          const FailureCriteria &criteria)
-    : names({"displacement", "displacement", "displacement", "ply"})
+    : names({"displacement",
+             "displacement",
+             "displacement",
+             "fiber",
+             "fiber",
+             "fiber",
+             "ply"})
   {
     const std::vector<std::string> value_names = ply_value_names(criteria);
     names.insert(names.end(), value_names.begin(), value_names.end());
@@ -121,9 +161,9 @@ namespace Biface
                     patch.vertices[i] = x[0] + z * (x[1] - x[0]);
 
                     const Tensor<1, 3> u_z = u[0] + z * (u[1] - u[0]);
-                    unsigned int       d   = 0;
-                    for (; d < 3; ++d)
+                    for (unsigned int d = 0; d < 3; ++d)
                       patch.data(d, i) = u_z[d];
+                    unsigned int d     = 6; // see set_fibers()
                     patch.data(d++, i) = ply.number + 1;
                     for (const double value : ply_values(
                            PlyState(laminate, p, side, E[v]),
@@ -134,6 +174,7 @@ namespace Biface
                   }
                 height[v] += ply.thickness;
               }
+            set_fibers(strip.laminate.get_plies()[p].angle, patch);
             patches.push_back(patch);
           }
       }
@@ -161,10 +202,9 @@ namespace Biface
                DataComponentInterpretation::DataComponentInterpretation>>
   PlyPatches::get_nonscalar_data_ranges() const
   {
-    return {std::make_tuple(
-      0,
-      2,
-      std::string("displacement"),
-      DataComponentInterpretation::component_is_part_of_vector)};
+    const auto vector =
+      DataComponentInterpretation::component_is_part_of_vector;
+    return {std::make_tuple(0, 2, std::string("displacement"), vector),
+            std::make_tuple(3, 5, std::string("fiber"), vector)};
   }
 } // namespace Biface

@@ -67,8 +67,8 @@ namespace Biface
   /**
    * The plies of the deformed shell for deal.II's writers: one hexahedron a ply
    * of every locally owned cell, between the ply's real surfaces. Data: the
-   * displacement, the number of the ply (from 1 at the inner face), and
-   * ply_values().
+   * displacement, the unit vector along the fibers as deformed, the number of
+   * the ply (from 1 at the inner face), and ply_values().
    */
   class PlyPatches : public dealii::DataOutInterface<3, 3>
   {
