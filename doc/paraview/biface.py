@@ -93,7 +93,7 @@ def show_plies(view, plies):
 
 def main():
     """Build the pipeline; draw a picture if asked to."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description="A view of results of biface.")
     parser.add_argument("--picture", type=Path, help="a PNG to write")
     parser.add_argument("--plies", action="store_true",
                         help="the picture shows plies and cords, not the faces")

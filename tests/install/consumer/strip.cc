@@ -5,11 +5,11 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <biface/program/parameters.h>
-#include <biface/program/simulation.h>
-
 #include <cmath>
 #include <iostream>
+
+#include <biface/program/parameters.h>
+#include <biface/program/simulation.h>
 
 int
 main(int argc, char *argv[])
