@@ -13,6 +13,7 @@
 
 #include <biface/base/input_error.h>
 #include <biface/base/output_error.h>
+#include <biface/base/version.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/face_patches.h>
@@ -180,10 +181,11 @@ namespace Biface
 
 
   void
-  ResultsWriter::write_parameters(const std::string &text) const
+  ResultsWriter::write_parameters(const std::string &text,
+                                  const std::string &file_name) const
   {
     write_text(path("parameters.prm"),
-               text,
+               "# biface " + version() + ", from " + file_name + '\n' + text,
                false,
                equations.discretization.communicator);
   }

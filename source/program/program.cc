@@ -199,7 +199,7 @@ namespace Biface
               << std::endl;
           checkpoint->remove_unusable();
         }
-      writer.write_parameters(record.parameters);
+      writer.write_parameters(record.parameters, command_line.file_name);
       for (const std::string &sentence : writer.warnings())
         out << sentence << std::endl;
       CheckpointWriter checkpoints(parameters.checkpoint,

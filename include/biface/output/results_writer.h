@@ -67,10 +67,12 @@ namespace Biface
     std::vector<std::string>
     warnings() const;
 
-    /** Write the parameters as used.
+    /** Write the parameters as used. A comment in the first line names the
+     * program's version and the file that they were read from.
      * @param text of a parameter file. */
     void
-    write_parameters(const std::string &text) const;
+    write_parameters(const std::string &text,
+                     const std::string &file_name) const;
 
     /** Write everything about a converged step. Throws OutputError. */
     void
