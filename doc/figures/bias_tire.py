@@ -15,14 +15,15 @@ Units are those of the parameter file: mm, N, MPa, degrees.
 
 import argparse
 import csv
+import sys
 from pathlib import Path
-
-import matplotlib
-
-matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+
+from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 
 # Force (N) at an approach (mm), from an independent implementation of the
 # same equations
@@ -37,26 +38,6 @@ MERIDIAN_RADIUS, CENTER_RADIUS = 52.4, 200
 
 # Length of a degree of psi over that of a degree of phi, at the equator
 ASPECT = MERIDIAN_RADIUS / (MERIDIAN_RADIUS + CENTER_RADIUS)
-
-STYLE = {
-    "font.size": 11,
-    "axes.labelsize": 12,
-    "axes.titlesize": 12,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.linewidth": 0.8,
-    "axes.grid": True,
-    "grid.color": "0.9",
-    "grid.linewidth": 0.8,
-    "axes.axisbelow": True,
-    "legend.frameon": False,
-    "lines.linewidth": 2,
-    "savefig.facecolor": "white",
-    "savefig.dpi": 160,
-}
-
-BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
-
 
 # ---------------------------------------------------------------- results
 
@@ -160,14 +141,7 @@ def rms(values):
 
 def approach_colors(approaches):
     """One color for each approach, darker for more."""
-    shades = plt.get_cmap("viridis_r")(np.linspace(0.12, 0.95, len(approaches)))
-    return dict(zip(approaches, shades))
-
-
-def save(figure, directory, name):
-    """Write a figure, without blank margins."""
-    figure.savefig(directory / name, bbox_inches="tight", pad_inches=0.08)
-    plt.close(figure)
+    return dict(zip(approaches, shades(len(approaches))))
 
 
 def plot_curve(axes, directory, **style):
@@ -205,7 +179,7 @@ def draw_load_deflection(runs, output):
              ylabel="force on the foundation P (N)",
              xlim=(0, 22.5), ylim=(0, 4000), xticks=range(0, 21, 4))
     axes.legend(loc="upper left", fontsize=10)
-    save(figure, output, "load_deflection.png")
+    save(figure, output / "load_deflection.png")
 
 
 def draw_foundation(axes, height, width):
@@ -253,7 +227,7 @@ def draw_profile(runs, output):
     axes.set_aspect("equal")
     axes.invert_yaxis()
     axes.legend(loc="upper center", fontsize=10)
-    save(figure, output, "profile.png")
+    save(figure, output / "profile.png")
 
 
 def draw_pressure(runs, output):
@@ -279,7 +253,7 @@ def draw_pressure(runs, output):
     axes.set(xlabel="meridional angle ψ (degrees)",
              ylabel="contact pressure (MPa)", xlim=(-55, 55), ylim=(0, None))
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
-    save(figure, output, "pressure.png")
+    save(figure, output / "pressure.png")
 
 
 def cell_edges(coordinates):
@@ -372,7 +346,7 @@ def draw_table(runs, output):
     mark_unmatched(axes[1, 0], computed, paper)
     draw_scatter(axes[1, 1], computed, paper)
     figure.suptitle(table_caption(computed, paper), fontsize=12)
-    save(figure, output, "table_1.png")
+    save(figure, output / "table_1.png")
 
 
 # ---------------------------------------------------------------- program

@@ -11,16 +11,19 @@ basis, and so does the picture.
 """
 
 import argparse
+import sys
 from pathlib import Path
-
-import matplotlib
-
-matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+
+from biface_report.rendering import (
+    add_color_bar, figure_of, fixed_camera, line_actor, line_data, lit_actor,
+    point_values, positions, read_grid, render, to_vtk_points, zone_actor)
 
 # Distance of the meridian's center from the axle (mm)
 CENTER_RADIUS = 200
@@ -28,8 +31,8 @@ CENTER_RADIUS = 200
 # Pieces an element side is drawn with, at least
 SUBDIVISIONS = 6
 
-# Pixels of the picture, and how much larger it is drawn before it is reduced
-WIDTH, HEIGHT, OVERSAMPLING = 1000, 920, 2
+# Pixels of the picture
+WIDTH, HEIGHT = 1000, 920
 
 RUBBER = (0.62, 0.66, 0.71)
 INSIDE = (0.80, 0.81, 0.83)
@@ -42,14 +45,10 @@ COLORS = plt.get_cmap("plasma")
 
 def read_shell(path):
     """Undeformed positions, displacements, pressures and faces of all points."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    grid = reader.GetOutput()
-    data = {name: vtk_to_numpy(grid.GetPointData().GetArray(name)).astype(float)
+    grid = read_grid(path)
+    data = {name: point_values(grid, name)
             for name in ("displacement", "contact_pressure", "outer_face")}
-    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
-    return points - data["displacement"], data
+    return positions(grid) - data["displacement"], data
 
 
 def chart(points):
@@ -147,9 +146,7 @@ def surface(points, pressure=None):
     """Points on a two-dimensional grid as a smooth VTK surface."""
     grid = vtk.vtkStructuredGrid()
     grid.SetDimensions(points.shape[1], points.shape[0], 1)
-    vtk_points = vtk.vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(points.reshape(-1, 3), deep=True))
-    grid.SetPoints(vtk_points)
+    grid.SetPoints(to_vtk_points(points.reshape(-1, 3)))
     if pressure is not None:
         grid.GetPointData().SetScalars(
             numpy_to_vtk(pressure.ravel(), deep=True))
@@ -160,72 +157,6 @@ def surface(points, pressure=None):
     normals.SplittingOff()
     normals.Update()
     return normals.GetOutput()
-
-
-def surface_actor(points, color):
-    """A lit surface of one color."""
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(surface(points))
-    mapper.ScalarVisibilityOff()
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    appearance = actor.GetProperty()
-    appearance.SetColor(color)
-    appearance.SetAmbient(0.25)
-    appearance.SetDiffuse(0.75)
-    appearance.SetSpecular(0.12)
-    appearance.SetSpecularPower(25)
-    return actor
-
-
-def lookup_table():
-    """The colors of the pressures."""
-    table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    for i, color in enumerate(COLORS(np.arange(256))):
-        table.SetTableValue(i, *color)
-    table.SetRange(*PRESSURE_RANGE)
-    return table
-
-
-def footprint_actor(points, pressure):
-    """The part of a surface under pressure, in the exact colors of the bar."""
-    clip = vtk.vtkClipPolyData()
-    clip.SetInputData(surface(points, pressure))
-    clip.SetValue(0.002)
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputConnection(clip.GetOutputPort())
-    mapper.SetLookupTable(lookup_table())
-    mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOn()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -2)
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    return actor
-
-
-def line_actor(lines, color, width, opacity=1):
-    """Polylines, each an array of points."""
-    data, points, cells = vtk.vtkPolyData(), vtk.vtkPoints(), vtk.vtkCellArray()
-    for line in lines:
-        cells.InsertNextCell(len(line))
-        for point in line:
-            cells.InsertCellPoint(points.InsertNextPoint(point))
-    data.SetPoints(points)
-    data.SetLines(cells)
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4)
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(color)
-    actor.GetProperty().SetLineWidth(width * OVERSAMPLING)
-    actor.GetProperty().SetOpacity(opacity)
-    actor.GetProperty().LightingOff()
-    return actor
 
 
 def mesh_lines(face):
@@ -242,12 +173,14 @@ def wall_actors(path):
     psi, phi = fine_angles(outer)
     outside, inside = outer.positions(psi, phi), inner.positions(psi, phi)
     pressure = outer.interpolate(outer.pressure, psi, phi)
-    actors = [surface_actor(outside, RUBBER), surface_actor(inside, INSIDE),
-              footprint_actor(outside, pressure)]
+    actors = [lit_actor(surface(outside), RUBBER),
+              lit_actor(surface(inside), INSIDE),
+              zone_actor(surface(outside, pressure), 0.002, COLORS,
+                         PRESSURE_RANGE)]
     for end in (0, -1):
         edge = np.stack([outside[end], inside[end]])
-        actors.append(surface_actor(edge, INSIDE))
-    actors.append(line_actor(mesh_lines(outer), (0, 0, 0), 0.6, 0.35))
+        actors.append(lit_actor(surface(edge), INSIDE))
+    actors.append(line_actor(line_data(mesh_lines(outer)), (0, 0, 0), 0.6, 0.35))
     return actors
 
 
@@ -258,77 +191,13 @@ def foundation_actors(path):
     x = outer.positions(outer.psi, outer.phi)[..., 0].max() - 0.3
     y, z = 90, 150
     corners = np.array([[[x, -y, -z], [x, y, -z]], [[x, -y, z], [x, y, z]]])
-    pane = surface_actor(corners, (0.55, 0.7, 0.85))
+    pane = lit_actor(surface(corners), (0.55, 0.7, 0.85))
     pane.GetProperty().SetOpacity(0.12)
     outline = corners[[0, 0, 1, 1, 0], [0, 1, 1, 0, 0]]
-    return [pane, line_actor([outline], (0.35, 0.45, 0.55), 1.2)]
-
-
-def add_lights(renderer):
-    """A key light from above the camera, and a fill light beside it."""
-    renderer.RemoveAllLights()
-    for position, intensity in (((0.5, 1, 1.5), 0.85), ((-1.5, 0.2, 0.7), 0.4)):
-        light = vtk.vtkLight()
-        light.SetLightTypeToCameraLight()
-        light.SetPosition(position)
-        light.SetIntensity(intensity)
-        renderer.AddLight(light)
-
-
-def render(actors):
-    """The picture of some actors, as an array of RGB values."""
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for actor in actors:
-        renderer.AddActor(actor)
-    add_lights(renderer)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(OVERSAMPLING * WIDTH, OVERSAMPLING * HEIGHT)
-    window.AddRenderer(renderer)
-
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(1000, 460, 330)
-    camera.SetFocalPoint(0, 52, 4)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(27.5)
-    renderer.ResetCameraClippingRange()
-
-    picture = vtk.vtkWindowToImageFilter()
-    picture.SetInput(window)
-    picture.ReadFrontBufferOff()
-    picture.Update()
-    image = picture.GetOutput()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
-    width, height, _ = image.GetDimensions()
-    return pixels.reshape(height, width, 3)[::-1]
-
-
-def reduce_size(pixels):
-    """Averages blocks of pixels, which smooths all edges."""
-    height, width, _ = pixels.shape
-    blocks = pixels.reshape(height // OVERSAMPLING, OVERSAMPLING,
-                            width // OVERSAMPLING, OVERSAMPLING, 3)
-    return blocks.mean((1, 3)) / 255
+    return [pane, line_actor(line_data([outline]), (0.35, 0.45, 0.55), 1.2)]
 
 
 # ---------------------------------------------------------------- program
-
-
-def write_picture(pixels, path):
-    """Adds a color bar and writes the PNG."""
-    figure = plt.figure(figsize=(WIDTH / 100, HEIGHT / 100), dpi=100)
-    axes = figure.add_axes([0, 0, 1, 1])
-    axes.imshow(pixels, interpolation="none")
-    axes.axis("off")
-    bar = figure.colorbar(
-        plt.cm.ScalarMappable(plt.Normalize(*PRESSURE_RANGE), COLORS),
-        cax=figure.add_axes([0.79, 0.25, 0.024, 0.5]), extend="max")
-    bar.set_label("contact pressure (MPa)", fontsize=17)
-    bar.ax.tick_params(labelsize=15)
-    figure.savefig(path)
-    plt.close(figure)
 
 
 def main():
@@ -338,7 +207,11 @@ def main():
     parser.add_argument("picture", type=Path, help="the PNG to write")
     arguments = parser.parse_args()
     actors = wall_actors(arguments.shell) + foundation_actors(arguments.shell)
-    write_picture(reduce_size(render(actors)), arguments.picture)
+    camera = fixed_camera((1000, 460, 330), (0, 52, 4), 27.5)
+    figure = figure_of(render(actors, (WIDTH, HEIGHT), camera))
+    add_color_bar(figure, [0.79, 0.25, 0.024, 0.5], COLORS, PRESSURE_RANGE,
+                  "contact pressure (MPa)", "max")
+    figure.savefig(arguments.picture)
 
 
 if __name__ == "__main__":

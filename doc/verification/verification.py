@@ -19,16 +19,17 @@ import csv
 import math
 import re
 import subprocess
+import sys
 import textwrap
 from collections import namedtuple
 from fractions import Fraction
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-
 import matplotlib.pyplot as plt
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+
+from biface_report.drawing import STYLE
 
 # Cells in each direction, over those of the parameter file
 FACTORS = (Fraction(1, 2), Fraction(1), Fraction(2))
@@ -204,22 +205,6 @@ REMARKS = {
     "strip_on_flat":
         "The contact area is that of the nodes in contact and jumps by a "
         "cell's, here to the next one beyond the exact edge.",
-}
-
-STYLE = {
-    "font.size": 11,
-    "axes.labelsize": 12,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.linewidth": 0.8,
-    "axes.grid": True,
-    "grid.color": "0.9",
-    "grid.linewidth": 0.8,
-    "axes.axisbelow": True,
-    "legend.frameon": False,
-    "lines.linewidth": 1.8,
-    "savefig.facecolor": "white",
-    "savefig.dpi": 160,
 }
 
 COLORS = "#1f5fa8", "#c0392b", "#2e7d32"
@@ -712,7 +697,7 @@ def main():
     arguments.scratch.mkdir(parents=True, exist_ok=True)
     pictures = arguments.output / "verification"
     pictures.mkdir(parents=True, exist_ok=True)
-    plt.rcParams.update(STYLE)
+    plt.rcParams.update(STYLE | {"lines.linewidth": 1.8})
     benchmarks = [make_benchmark(arguments, prm)
                   for prm in sorted(arguments.parameters.glob("*.prm"),
                                     key=natural_order)]

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line of biface-report."""
+
+import argparse
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+# What the page cannot do without, and the package of Debian that brings it
+NEEDED = {"numpy": "python3-matplotlib", "matplotlib": "python3-matplotlib"}
+
+
+class Arguments(argparse.ArgumentParser):
+    """Wrong words on the command line are wrong input: exit code 1."""
+
+    def error(self, message):
+        self.print_usage(sys.stderr)
+        self.exit(1, f"biface-report: {message}\n")
+
+
+def parse_arguments():
+    """The directory, the step and the file to write."""
+    parser = Arguments(
+        prog="biface-report",
+        description="Turns a directory of results of biface into one page of "
+                    "HTML that needs no other file.")
+    parser.add_argument("directory", metavar="OUTPUT_DIR", type=Path,
+                        help="directory with history.csv and the other results")
+    parser.add_argument("--step", type=int, metavar="N",
+                        help="the step to show; the last one unless told")
+    parser.add_argument("-o", "--output", metavar="FILE", type=Path,
+                        help="what to write; OUTPUT_DIR/report.html unless told")
+    return parser.parse_args()
+
+
+def main():
+    """Writes the page; the exit code is 1 where that is not possible."""
+    arguments = parse_arguments()
+    for module, package in NEEDED.items():
+        if not find_spec(module):
+            print(f"biface-report: {module} for Python is missing (Debian: "
+                  f"{package}).", file=sys.stderr)
+            return 1
+
+    from .content import report
+    from .results import ReportError, Run
+
+    path = arguments.output or arguments.directory / "report.html"
+    try:
+        text = report(Run(arguments.directory, arguments.step))
+        path.write_text(text, encoding="utf-8")
+    except ReportError as error:
+        print(f"biface-report: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"biface-report: {error.filename or path} cannot be read or written "
+              f"({error.strerror}).", file=sys.stderr)
+        return 1
+    print(f"Report in {path}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves over the steps of a run."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from .drawing import BLUE, DISTINCT, GRAY, headroom
+from .page import ROUND_OFF
+from .parameters import stages
+
+# More points than this in one chart cannot be told apart
+GREATEST_NUMBER_OF_CURVES = len(DISTINCT)
+
+
+def contact_curve(run):
+    """Approaches and forces of the steps from the first touch on."""
+    chosen = (run.history["approach"] != 0) | run.in_contact
+    return (np.append(0, run.history["approach"][chosen]),
+            np.append(0, run.history["force"][chosen]))
+
+
+def stiffness(run):
+    """Change of force over change of approach in the last step, or None."""
+    approach, force = contact_curve(run)
+    if len(approach) < 2 or approach[-1] == approach[-2]:
+        return None
+    return (force[-1] - force[-2]) / (approach[-1] - approach[-2])
+
+
+def draw_contact_curve(run):
+    """The force on the foundation against its approach."""
+    approach, force = contact_curve(run)
+    figure, axes = plt.subplots(figsize=(5.6, 3.8))
+    axes.plot(approach, force, "o-", color=BLUE, markersize=4, clip_on=False)
+    axes.set(xlabel="approach [length]", ylabel="force on the foundation [force]")
+    headroom(axes)
+    return figure
+
+
+# ---------------------------------------------------------------- without contact
+
+
+class ProbeCurves:
+    """A load against the displacements of the named points, each in the
+    direction in which it moves most."""
+
+    def __init__(self, run, probes):
+        """Points of the middle of the wall, see Run.probes()."""
+        self.load_name, loads = varying_load(run)
+        load_of = dict(zip(run.steps, loads))
+        first = first_step_counted(run)
+        begins_at_zero = first == run.steps[0]
+        self.curves, self.at_rest = {}, []
+        greatest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
+        for name in dict.fromkeys(probes["name"]):
+            rows = probes.where((probes["name"] == name)
+                                & (probes["step"] >= first))
+            if len(rows) == 0:
+                continue
+            moves = {i: np.abs(rows["u_" + i]).max() for i in "xyz"}
+            direction = max(moves, key=moves.get)
+            if moves[direction] <= ROUND_OFF * greatest:
+                self.at_rest.append(name)
+                continue
+            origin = [0] if begins_at_zero else []
+            self.curves[name, direction] = (
+                np.append(origin, rows["u_" + direction]),
+                np.append(origin, [load_of[step] for step in rows["step"]]))
+
+    def draw(self):
+        """The chart; points beyond the greatest number of curves are left."""
+        figure, axes = plt.subplots(figsize=(5.6, 3.8))
+        curves = list(self.curves.items())[:GREATEST_NUMBER_OF_CURVES]
+        for ((name, direction), (moved, load)), color in zip(curves, DISTINCT):
+            axes.plot(moved, load, "o-", color=color, markersize=4,
+                      label=f"{name}, $u_{direction}$", clip_on=False)
+        headroom(axes)
+        axes.axhline(0, color="0.6", linewidth=0.8, zorder=1)
+        axes.axvline(0, color="0.6", linewidth=0.8, zorder=1)
+        axes.set(xlabel="displacement [length]", ylabel=self.load_name)
+        axes.legend(fontsize=10)
+        return figure
+
+
+def varying_load(run):
+    """What the load of the last stage is: name and values of a column that
+    changes, the load factor if both do."""
+    history = run.history
+    in_stage = history["stage"] == history["stage"][-1]
+    for chosen in (in_stage, np.ones_like(in_stage)):
+        for column, name in (("load_factor", "load factor"),
+                             ("pressure", "pressure [force/length²]")):
+            values = history[column]
+            begins_at = 0 if chosen[0] else values[~chosen][-1]
+            if (values[chosen] != begins_at).any():
+                return name, values
+    return "load factor", history["load_factor"]
+
+
+def first_step_counted(run):
+    """The first step whose displacements count from the same shape as those of
+    the last: they count anew after a prestress."""
+    first = run.steps[0]
+    for i, name in stages(run.parameters) if run.parameters else []:
+        chosen = run.history["stage"] == name
+        if (run.setting(f"Stage {i}/Begin from prestress") == "true"
+                and chosen.any()):
+            first = run.steps[chosen][0]
+    return first
+
+
+# ---------------------------------------------------------------- iterations
+
+
+def draw_iterations(run):
+    """Iterations and seconds of each step."""
+    figure, (above, below) = plt.subplots(2, 1, figsize=(5.6, 4.2), sharex=True,
+                                          layout="constrained")
+    for axes, column, label, color in (
+            (above, "iterations", "iterations", BLUE),
+            (below, "seconds", "seconds", GRAY)):
+        axes.bar(run.steps, run.history[column], color=color, width=0.7)
+        axes.set(ylabel=label, ylim=(0, None))
+        axes.grid(axis="x", visible=False)
+    above.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=5))
+    below.xaxis.set_major_locator(MaxNLocator(integer=True))
+    below.set(xlabel="step", xlim=(run.steps[0] - 0.6, run.steps[-1] + 0.6))
+    mark_stages(above, run)
+    return figure
+
+
+def mark_stages(axes, run):
+    """Where stages begin."""
+    names = run.history["stage"]
+    starts = [i for i in range(1, len(names)) if names[i] != names[i - 1]]
+    for i in starts:
+        for each in axes.figure.axes:
+            each.axvline(run.steps[i] - 0.5, color="0.3", linewidth=0.8,
+                         linestyle="--")
+    for i in [0] + starts if starts else []:
+        axes.annotate(names[i], (run.steps[i] - 0.45, 1), (1, 2),
+                      xycoords=("data", "axes fraction"),
+                      textcoords="offset points", fontsize=9, color="0.3",
+                      va="bottom", rotation=25)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How charts look, here and in the figures of the documentation."""
+
+import base64
+import io
+import re
+import struct
+from collections import namedtuple
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+# The look of all charts: plt.rcParams.update(STYLE)
+STYLE = {
+    "font.size": 11,
+    "axes.labelsize": 12,
+    "axes.titlesize": 12,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "grid.color": "0.9",
+    "grid.linewidth": 0.8,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "lines.linewidth": 2,
+    "savefig.facecolor": "white",
+    "savefig.dpi": 160,
+}
+
+BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
+
+# Colors that remain apart for the color-blind, for lines of different things
+DISTINCT = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+            "0.35")
+
+
+# A picture as part of a page: its address, and the width it has if there is
+# room, in pixels of the page
+Picture = namedtuple("Picture", "address width")
+
+
+def shades(count):
+    """Colors of steps in order, darker for later ones."""
+    return plt.get_cmap("viridis_r")(np.linspace(0.12, 0.95, count))
+
+
+def save(figure, target, **options):
+    """Write a figure to a file, without blank margins, and be done with it."""
+    figure.savefig(target, bbox_inches="tight", pad_inches=0.08, **options)
+    plt.close(figure)
+
+
+def embed(figure, kind="svg"):
+    """A figure as a picture that is part of the page, SVG for lines, PNG for
+    areas of color."""
+    buffer = io.BytesIO()
+    # the same run gives the same page: no date, no random names
+    with plt.rc_context({"svg.hashsalt": "biface", "savefig.dpi": 150}):
+        save(figure, buffer, format=kind,
+             metadata={"Date": None} if kind == "svg" else {"Software": None})
+    data = buffer.getvalue()
+    if kind == "svg":
+        points = re.search(rb'<svg [^>]*?width="([0-9.]+)pt"', data).group(1)
+        return embed_svg(data, round(float(points) * 96 / 72))
+    return embed_png(data, round(struct.unpack(">I", data[16:20])[0] * 96 / 150))
+
+
+def embed_svg(data, width):
+    """The bytes of an SVG file as a picture."""
+    return Picture("data:image/svg+xml;base64,"
+                   + base64.b64encode(data).decode(), width)
+
+
+def embed_png(data, width):
+    """The bytes of a PNG file as a picture."""
+    return Picture("data:image/png;base64," + base64.b64encode(data).decode(),
+                   width)
+
+
+def headroom(axes, share=0.06):
+    """Some room beyond the curves drawn so far, but none beyond zero where they
+    begin or end there."""
+    for get, put in ((axes.get_xlim, axes.set_xlim),
+                     (axes.get_ylim, axes.set_ylim)):
+        values = np.concatenate([
+            line.get_xdata() if get == axes.get_xlim else line.get_ydata()
+            for line in axes.lines]).astype(float)
+        low, high = np.nanmin(values), np.nanmax(values)
+        margin = share * (high - low or abs(high) or 1)
+        put(0 if low == 0 else low - margin, 0 if high == 0 else high + margin)

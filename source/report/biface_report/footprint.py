@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The contact zone in the plane of the foundation.
+
+contact-NNNN.csv has the nodes in contact and all that share a cell with them,
+so that every cell with a corner in contact is known by its four corners. The
+edge of the zone is somewhere between the last node in contact and the next one
+apart; the outline is drawn halfway, as the contact area of history.csv is
+counted.
+"""
+
+import matplotlib.figure
+import matplotlib.tri
+import numpy as np
+
+# Pieces that a cell's side is cut into
+SUBDIVISIONS = 8
+
+# Moments of the zone less different than this have no directions of their own
+ROUND = 0.02
+
+
+def plane_axes(normal):
+    """Two unit vectors in a plane, and what to call them."""
+    direction = np.argmax(np.abs(normal))
+    others = [i for i in range(3) if i != direction]
+    first = np.eye(3)[others[0]]
+    first = first - (first @ normal) * normal
+    first /= np.linalg.norm(first)
+    second = np.cross(normal, first)
+    if second[others[1]] < 0:
+        second = -second
+    names = []
+    for axis in (first, second):
+        main = np.argmax(np.abs(axis))
+        is_cartesian = np.isclose(axis[main], 1, atol=1e-9)
+        names.append("xyz"[main] if is_cartesian else
+                     "along ({:.3g}, {:.3g}, {:.3g})".format(*axis))
+    return np.array([first, second]), names
+
+
+def normal_of_nodes(contact):
+    """The normal that nodes in contact lie across, where no file tells."""
+    chosen = contact["active"] > 0
+    points = np.stack([contact[i][chosen] for i in "xyz"], -1)
+    if len(points) < 3:
+        return None
+    _, _, axes = np.linalg.svd(points - points.mean(0))
+    return axes[2] * np.sign(axes[2][np.argmax(np.abs(axes[2]))])
+
+
+def cells_in_contact(contact, is_closed):
+    """The four corners of each cell with a corner in contact, as rows of the
+    table: the lines of the mesh next to each other in the table make cells."""
+    lines, places = zip(*(np.unique(contact[name], return_inverse=True)
+                          for name in ("alpha_1", "alpha_2")))
+    rows = np.full((len(lines[0]), len(lines[1])), -1)
+    rows[places[0], places[1]] = np.arange(len(contact))
+    if is_closed and len(lines[1]) > 2:
+        rows = np.concatenate([rows, rows[:, :1]], 1)
+    corners = np.stack([rows[:-1, :-1], rows[1:, :-1], rows[1:, 1:],
+                        rows[:-1, 1:]], -1).reshape(-1, 4)
+    corners = corners[(corners >= 0).all(1)]
+    return corners[(contact["active"][corners] > 0).any(1)]
+
+
+def bilinear_weights():
+    """Weights of a cell's corners at the points of a grid in it, and the
+    triangles between these points."""
+    n = SUBDIVISIONS
+    s, t = (grid.ravel() for grid in
+            np.meshgrid(*2 * [np.linspace(0, 1, n + 1)], indexing="ij"))
+    weights = np.stack([(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t], -1)
+    index = np.arange((n + 1)**2).reshape(n + 1, n + 1)
+    a, b, c, d = (part.ravel() for part in
+                  (index[:-1, :-1], index[1:, :-1], index[1:, 1:],
+                   index[:-1, 1:]))
+    return weights, np.concatenate([np.stack([a, b, c], -1),
+                                    np.stack([a, c, d], -1)])
+
+
+class Footprint:
+    """Pressures between nodes, outline, principal axes and lengths."""
+
+    def __init__(self, contact, normal, is_closed):
+        """From the table of contact-NNNN.csv with at least one node in contact.
+        Lengths are those of the table."""
+        self.axes, self.axis_names = plane_axes(normal)
+        position = np.stack([contact[i] for i in "xyz"], -1)
+        self.nodes = position @ self.axes.T
+        self.active = contact["active"] > 0
+        self.pressure = contact["pressure"]
+        cells = cells_in_contact(contact, is_closed)
+        self._interpolate(cells)
+        self._find_outline()
+        self._find_principal_axes()
+        neighbors = self.nodes[np.unique(cells)]
+        self.lengths = self._extents(self.outline_points())
+        self.least_lengths = self._extents(self.nodes[self.active])
+        self.greatest_lengths = self._extents(neighbors)
+
+    def _interpolate(self, cells):
+        """Bilinear values on a fine triangulation of the cells."""
+        weights, triangles = bilinear_weights()
+        points = np.einsum("pc,kci->kpi", weights, self.nodes[cells])
+        pressure = self.pressure[cells] @ weights.T
+        contact = self.active[cells].astype(float) @ weights.T
+        shift = weights.shape[0] * np.arange(len(cells))
+        # cells share the points on their sides, so that outlines are whole
+        points = points.reshape(-1, 2)
+        size = np.ptp(points, axis=0).max()
+        _, first, which = np.unique(np.round(points / size, 9), axis=0,
+                                    return_index=True, return_inverse=True)
+        self.points = points[first]
+        self.fine_pressure = pressure.ravel()[first]
+        self.fine_contact = contact.ravel()[first]
+        self.triangles = which[triangles + shift[:, None, None]].reshape(-1, 3)
+
+    def triangulation(self):
+        """The fine triangulation, for pictures."""
+        return matplotlib.tri.Triangulation(*self.points.T, self.triangles)
+
+    def _find_outline(self):
+        """Polylines halfway between nodes in contact and nodes apart."""
+        corners = self.points[self.triangles]
+        edges = corners[:, 1:] - corners[:, :1]
+        area = np.abs(edges[:, 0, 0] * edges[:, 1, 1]
+                      - edges[:, 0, 1] * edges[:, 1, 0]) / 2
+        values = self.fine_contact[self.triangles].mean(1)
+        self.centers = corners.mean(1)
+        self.weights = np.where(values > 0.5, area, 0)
+        contour = matplotlib.figure.Figure().subplots().tricontour(
+            self.triangulation(), self.fine_contact, levels=[0.5])
+        self.outline = contour.allsegs[0]
+
+    def outline_points(self):
+        """All points of the outline, and the nodes in contact: where the shell
+        ends in the zone, there is no outline."""
+        return np.concatenate([*self.outline, self.nodes[self.active]])
+
+    def _find_principal_axes(self):
+        """Center and principal axes of the zone, the longer one first."""
+        total = self.weights.sum()
+        if total > 0:
+            self.center = self.weights @ self.centers / total
+            distance = self.centers - self.center
+            moments = (self.weights * distance.T) @ distance / total
+        else:
+            self.center = self.nodes[self.active].mean(0)
+            moments = np.eye(2)
+        values, vectors = np.linalg.eigh(moments)
+        self.is_round = values[1] - values[0] <= ROUND * values[1]
+        self.principal = np.eye(2) if self.is_round else vectors.T[::-1]
+        # both to the right, or up
+        for axis in self.principal:
+            axis *= np.sign(axis[np.argmax(np.abs(axis))])
+
+    def _extents(self, points):
+        """How far points reach along the principal axes."""
+        return np.ptp(points @ self.principal.T, axis=0)

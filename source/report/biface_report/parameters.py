@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads parameters.prm as the program writes it.
+
+It marks each value that is not the default by a comment '# default: VALUE'
+behind it, and begins with a comment that names the program and the file of the
+input.
+"""
+
+import re
+from collections import namedtuple
+
+# One entry: section/name, its value, and its default if the value is another
+Entry = namedtuple("Entry", "name value default")
+
+ENTRY = re.compile(r"set\s+(.*?)\s*=\s*(.*?)\s*(?:#\s*default:\s*(.*?)\s*)?$")
+ORIGIN = re.compile(r"#\s*biface\s+(\S+?)(?:,\s*from\s+(.+?))?\s*$")
+
+
+class Parameters:
+    """All entries by name, the text, and where it comes from if it says so."""
+
+    def __init__(self, text):
+        self.text = text
+        self.entries = {}
+        self.version = self.source = None
+
+    def changed(self):
+        """The entries whose values are not the defaults."""
+        return [entry for entry in self.entries.values()
+                if entry.default is not None
+                and not is_same(entry.value, entry.default)]
+
+
+def is_same(value, default):
+    """Whether two values agree, as numbers if they are (1e4 and 10000)."""
+    try:
+        return float(value) == float(default)
+    except ValueError:
+        return value == default
+
+
+def read_parameters(text):
+    """The parameters of the text of a file."""
+    result = Parameters(text)
+    origin = ORIGIN.match(text.split("\n", 1)[0])
+    if origin:
+        result.version, result.source = origin.groups()
+    sections = []
+    for line in map(str.strip, text.split("\n")):
+        if line.startswith("subsection "):
+            sections.append(line[len("subsection "):].strip())
+        elif line == "end" and sections:
+            sections.pop()
+        elif match := ENTRY.match(line):
+            name, value, default = match.groups()
+            name = "/".join(sections + [name])
+            result.entries[name] = Entry(name, value, default)
+    return result
+
+
+def stages(parameters):
+    """The numbers and names of all stages, in order."""
+    count = parameters.entries.get("Number of stages")
+    n_stages = int(count.value) if count and count.value.isdigit() else 1
+    return [(i, parameters.entries[f"Stage {i}/Name"].value)
+            for i in range(1, n_stages + 1)
+            if f"Stage {i}/Name" in parameters.entries]

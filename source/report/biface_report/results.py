@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files of one run, read and checked.
+
+Files of steps are complete once history.csv has the line of their step, since
+the program writes that line last. The last lines of history.csv and probes.csv
+may be cut off where a run was stopped, and are left out then.
+"""
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from .parameters import read_parameters
+
+# Columns that hold words
+WORDS = ("stage", "name", "face", "material")
+
+HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
+                   "contact_area", "max_pressure", "iterations", "seconds",
+                   "pressure", "load_factor")
+CONTACT_COLUMNS = ("alpha_1", "alpha_2", "x", "y", "z", "clearance", "pressure",
+                   "active")
+PROFILE_COLUMNS = ("alpha_1", "alpha_2", "outer_x", "outer_y", "outer_z",
+                   "inner_x", "inner_y", "inner_z", "pressure")
+PROBE_COLUMNS = ("step", "stage", "load_factor", "name", "face", "u_x", "u_y",
+                 "u_z")
+PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
+               "fiber_tension", "s_L", "s_T", "t_LT")
+
+
+class ReportError(Exception):
+    """What is wrong with the input, as one sentence for the user."""
+
+
+class Table(dict):
+    """Columns by name: arrays of numbers or of words, all of one length."""
+
+    def __len__(self):
+        return self.n_rows
+
+    def __init__(self, columns):
+        super().__init__(columns)
+        self.n_rows = len(next(iter(columns.values())))
+
+    def where(self, chosen):
+        """The rows for which an array of truth values holds."""
+        return Table({name: values[chosen] for name, values in self.items()})
+
+
+def read_text(path):
+    """The text of a file."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise ReportError(f"{path} is damaged: it is not text.") from None
+    except OSError as error:
+        raise ReportError(f"{path} cannot be read ({error.strerror}).") from None
+
+
+def split_line(line, names):
+    """The fields of a line. Names of stages may have commas in them."""
+    fields = line.split(",")
+    surplus = len(fields) - len(names)
+    if surplus > 0 and "stage" in names:
+        at = names.index("stage")
+        fields[at:at + surplus + 1] = [",".join(fields[at:at + surplus + 1])]
+    return fields
+
+
+def to_number(text, name, place):
+    """A field as a number; an empty one, a value that does not exist, is NaN."""
+    try:
+        return float(text) if text else np.nan
+    except ValueError:
+        raise ReportError(f"{place} is damaged: '{text}' in the column '{name}' "
+                          "is not a number.") from None
+
+
+def read_csv(path, required, may_be_cut=False):
+    """One of biface's CSV files, and whether its last line was cut off.
+
+    Throws a ReportError where a required column is missing or has no number in a
+    line, and where a line has too few or too many fields."""
+    lines = read_text(path).split("\n")
+    is_cut = lines.pop() != ""
+    if is_cut and not may_be_cut:
+        raise ReportError(f"{path} is damaged: its last line is cut off.")
+    names = lines[0].split(",") if lines else []
+    for name in required:
+        if name not in names:
+            raise ReportError(f"{path} is damaged: its first line does not name "
+                              f"the column '{name}'.")
+    rows = []
+    for number, line in enumerate(lines[1:], start=2):
+        fields = split_line(line, names)
+        place = f"{path}, line {number},"
+        if len(fields) != len(names):
+            raise ReportError(f"{place} is damaged: it has {len(fields)} fields "
+                              f"where {len(names)} are named.")
+        rows.append([field if name in WORDS else to_number(field, name, place)
+                     for name, field in zip(names, fields)])
+    columns = {name: np.array([row[i] for row in rows],
+                              dtype=object if name in WORDS else float)
+               for i, name in enumerate(names)}
+    for name in set(required) - set(WORDS):
+        finite = np.isfinite(columns[name])
+        if not finite.all():
+            raise ReportError(f"{path}, line {np.argmin(finite) + 2}, is damaged: "
+                              f"the column '{name}' has no finite number.")
+    return Table(columns), is_cut
+
+
+class Run:
+    """A directory of results, up to a step of it."""
+
+    def __init__(self, directory, step=None):
+        """Reads the history. The step is the last one unless told."""
+        self.directory = Path(directory)
+        if not self.directory.is_dir():
+            raise ReportError(f"{directory} is not a directory.")
+        path = self.directory / "history.csv"
+        if not path.exists():
+            raise ReportError(f"{directory} holds no results of biface: there "
+                              "is no history.csv in it.")
+        self.history, self.is_cut = read_csv(path, HISTORY_COLUMNS, True)
+        self._check_history(path)
+        self.parameters = self._read_parameters()
+        self._choose(step)
+
+    def _check_history(self, path):
+        if len(self.history) == 0:
+            raise ReportError(f"{path} has no step: there is nothing to report "
+                              "before the first one is done.")
+        steps = self.history["step"]
+        if (steps != np.round(steps)).any() or (np.diff(steps) <= 0).any():
+            raise ReportError(f"{path} is damaged: its steps are not in order.")
+
+    def _read_parameters(self):
+        path = self.directory / "parameters.prm"
+        return read_parameters(read_text(path)) if path.exists() else None
+
+    def _choose(self, step):
+        steps = self.history["step"].astype(int)
+        self.last_step = steps[-1]
+        self.step = steps[-1] if step is None else step
+        if self.step not in steps:
+            raise ReportError(f"There is no step {step} in "
+                              f"{self.directory / 'history.csv'}: it has the "
+                              f"steps {steps[0]} to {steps[-1]}.")
+        self.history = self.history.where(steps <= self.step)
+        self.steps = self.history["step"].astype(int)
+
+    def last(self, column):
+        """The value of a column of the history in the step of the report."""
+        return self.history[column][-1]
+
+    @property
+    def in_contact(self):
+        """For each step, whether the foundation carries any force."""
+        return self.history["contact_nodes"] > 0
+
+    @property
+    def is_contact(self):
+        """Whether the step of the report is in contact."""
+        return bool(self.in_contact[-1])
+
+    def path(self, kind, step=None, ending="csv"):
+        """The file of a kind and step."""
+        return self.directory / f"{kind}-{step or self.step:04d}.{ending}"
+
+    def contact(self, step=None):
+        """contact-NNNN.csv, or None where it is missing."""
+        table = self._read_step("contact", CONTACT_COLUMNS, step)
+        at = np.searchsorted(self.steps, step or self.step)
+        expected = int(self.history["contact_nodes"][at])
+        if table is not None and (table["active"] > 0).sum() != expected:
+            raise ReportError(
+                f"{self.path('contact', step)} does not belong to history.csv, "
+                f"which has {expected} nodes in contact in this step, but it has "
+                f"{(table['active'] > 0).sum()}.")
+        return table
+
+    def profile(self, step=None):
+        """profile-NNNN.csv, or None where it is missing."""
+        return self._read_step("profile", PROFILE_COLUMNS, step)
+
+    def plies(self):
+        """plies-NNNN.csv, or None where it is missing."""
+        return self._read_step("plies", PLY_COLUMNS, None)
+
+    def _read_step(self, kind, columns, step):
+        path = self.path(kind, step)
+        return read_csv(path, columns)[0] if path.exists() else None
+
+    def probes(self):
+        """The lines of probes.csv for the middle of the wall, up to the step of
+        the report; None where it is missing."""
+        path = self.directory / "probes.csv"
+        if not path.exists():
+            return None
+        table, _ = read_csv(path, PROBE_COLUMNS, True)
+        return table.where(np.isin(table["step"], self.steps)
+                           & (table["face"] == "middle"))
+
+    def setting(self, entry, otherwise=None):
+        """The value of an entry of parameters.prm, as text."""
+        if self.parameters is None or entry not in self.parameters.entries:
+            return otherwise
+        return self.parameters.entries[entry].value
+
+    def plane_normal(self):
+        """The normal of the foundation, of length 1, or None if unknown."""
+        numbers = re.split(r"[\s,]+", self.setting("Contact/Plane normal", ""))
+        try:
+            normal = np.array([float(number) for number in numbers])
+        except ValueError:
+            return None
+        length = np.linalg.norm(normal)
+        return normal / length if len(normal) == 3 and length > 0 else None

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The head of the page, and the numbers of the step."""
+
+from html import escape
+
+import numpy as np
+
+from . import charts
+from .page import Section, count, number, paragraph, plain_number, table
+from .parameters import stages
+
+UNITS = {"length": "length", "force": "force", "area": "length²",
+         "pressure": "force/length²", "stiffness": "force/length",
+         "seconds": "s", "": ""}
+
+
+def title(run):
+    """What the page is called: by the file of the input if it is known."""
+    return f"biface: {input_name(run)}"
+
+
+def input_name(run):
+    """The file of the input, or else the directory of the results."""
+    if run.parameters and run.parameters.source:
+        return run.parameters.source.rsplit("/", 1)[-1]
+    return run.directory.resolve().name
+
+
+def introduction(run):
+    """Where the numbers come from, what they are counted in, and whether the
+    run has done all that it was to do."""
+    facts = [f"Results in the directory {escape(run.directory.resolve().name)}"]
+    if run.parameters and run.parameters.version:
+        facts.append(f"biface {escape(run.parameters.version)}")
+    facts.append(f"step {run.step} of {run.last_step}")
+    facts.append(f"stage “{escape(run.last('stage'))}”")
+    result = [paragraph(", ".join(facts) + ".", "facts"),
+              paragraph("Units are those of the input: [length] and [force] stand "
+                        "for its units of length and force. Angles are in "
+                        "degrees.", "facts")]
+    result += [paragraph(escape(text), "warning") for text in warnings(run)]
+    return "\n".join(result)
+
+
+def warnings(run):
+    """Sentences on what the run has not done."""
+    result = []
+    if run.is_cut:
+        result.append("The last line of history.csv is cut off, as of a run that "
+                      "was stopped while it wrote; that line is left out.")
+    if run.parameters and run.step == run.last_step:
+        result += unfinished(run)
+    return result
+
+
+def unfinished(run):
+    """What is left of the stages of the input."""
+    planned = stages(run.parameters)
+    names = [name for _, name in planned]
+    if run.last("stage") not in names:
+        return []
+    if run.last("stage") != names[-1]:
+        rest = names[names.index(run.last("stage")) + 1:]
+        return [f"The run ended in the stage “{run.last('stage')}”, before it "
+                f"came to: {', '.join(rest)}."]
+    last = f"Stage {planned[-1][0]}/"
+    goals = {"load": [("Pressure", "pressure"), ("Load factor", "load_factor")],
+             "foundation force": [("Force", "force")]}
+    goals = list(goals.get(run.setting(last + "Control"), []))
+    if (run.setting(last + "Contact") == "true"
+            and run.setting(last + "Control") == "load"):
+        goals.append(("Travel", "approach"))
+    missed = []
+    for entry, column in goals:
+        try:
+            goal = float(run.setting(last + entry))
+        except (TypeError, ValueError):
+            continue
+        if not np.isclose(run.last(column), goal, rtol=1e-3, atol=1e-12):
+            missed.append(f"{entry.lower()} {plain_number(run.last(column))} of "
+                          f"{plain_number(goal)}")
+    return [] if not missed else [
+        f"The run ended before its last stage was done: {', '.join(missed)}."]
+
+
+# ---------------------------------------------------------------- numbers
+
+
+def row(name, value, kind="", remark="", digits=5):
+    """One line: value and unit of a kind, and what there is to say of it."""
+    unit = f' <span class="unit">[{UNITS[kind]}]</span>' if UNITS[kind] else ""
+    return [name, number(value, digits) + unit, remark]
+
+
+def summary(run, footprint):
+    """The section of numbers; the footprint is None without contact."""
+    rows = contact_rows(run, footprint) if run.is_contact else []
+    history = run.history
+    if history["pressure"].any():
+        rows.append(row("Pressure on the shell", run.last("pressure"),
+                        "pressure"))
+    if history["load_factor"].any():
+        rows.append(row("Load factor", run.last("load_factor"), "",
+                        "of dead loads and prescribed displacements"))
+    rows += [row("Steps", len(run.steps), "",
+                 count(len(dict.fromkeys(history["stage"])), "stage")),
+             row("Newton iterations", history["iterations"].sum(), "",
+                 f"at most {int(history['iterations'].max())} in a step"),
+             row("Wall time", history["seconds"].sum(), "seconds",
+                 "of all steps up to this one", 3)]
+    text = table(f"Step {run.step}, stage {run.last('stage')}", [], rows)
+    text = text.replace('<div class="scroll"', '<div class="scroll summary"', 1)
+    return Section("summary", "Summary", text, True)
+
+
+def contact_rows(run, footprint):
+    """Numbers of a step in contact."""
+    force, area = run.last("force"), run.last("contact_area")
+    rows = [row("Force on the foundation", force, "force"),
+            row("Approach of the foundation", run.last("approach"), "length",
+                "since it first touched the shell")]
+    slope = charts.stiffness(run)
+    if slope is not None:
+        rows.append(row("Stiffness", slope, "stiffness",
+                        "change of force over change of approach in this step"))
+    rows.append(row("Contact area", area, "area",
+                    f"{count(int(run.last('contact_nodes')), 'node')}, on the "
+                    "undeformed surface midway between the faces"))
+    if area > 0:
+        rows.append(row("Mean contact pressure", force / area, "pressure",
+                        "force over contact area"))
+    rows.append(row("Greatest contact pressure", run.last("max_pressure"),
+                    "pressure", "at a node" + place_of_peak(run)))
+    if footprint is not None:
+        rows += footprint_rows(footprint)
+    return rows
+
+
+def place_of_peak(run):
+    """Where the pressure is greatest."""
+    contact = run.contact()
+    if contact is None or len(contact) == 0:
+        return ""
+    at = np.argmax(contact["pressure"])
+    return (f", α<sub>1</sub> = {plain_number(contact['alpha_1'][at])}, "
+            f"α<sub>2</sub> = {plain_number(contact['alpha_2'][at])}")
+
+
+def footprint_rows(footprint):
+    """Length and width, each with its bounds."""
+    rows = []
+    for i, name in enumerate(("Length of the footprint", "Width of the footprint")):
+        least, most = footprint.least_lengths[i], footprint.greatest_lengths[i]
+        rows.append(row(
+            name, footprint.lengths[i], "length",
+            f"{direction(footprint, i)}; nodes in contact reach over "
+            f"{number(least, 4)}, with the next ones {number(most, 4)}", 4))
+    return rows
+
+
+def direction(footprint, i):
+    """The direction of a principal axis in words, relative to the axis that it
+    is nearest to."""
+    axis = footprint.principal[i]
+    near = np.argmax(np.abs(axis))
+    name = footprint.axis_names[near]
+    name = name if name.startswith("along") else f"along {name}"
+    angle = np.degrees(np.arctan2(axis[1 - near], axis[near]))
+    angle = (angle + 90) % 180 - 90
+    if footprint.is_round:
+        return name + ", the zone being nearly round"
+    if abs(angle) < 0.05:
+        return name
+    toward = footprint.axis_names[1 - near]
+    return (f"{name}, turned by {plain_number(abs(angle), 2)}° "
+            f"{'toward' if angle > 0 else 'away from'} "
+            f"{toward if len(toward) == 1 else 'the other axis'}")
