@@ -4,6 +4,7 @@
 # Installs the Debian 12 packages that biface needs and that are not there:
 #   doc/install.sh         to build and run the program
 #   doc/install.sh tests   to run the tests and build the documentation, too
+#   doc/install.sh report  to turn results into a page with biface-report, too
 
 set -eu
 
@@ -13,8 +14,15 @@ case ${1-} in
   "") ;;
   tests) packages="$packages numdiff clang-format-14 doxygen texlive-binaries
     python3" ;;
+  report)
+    packages="$packages python3-matplotlib xvfb xauth"
+    # ParaView has a VTK of its own and would have to go for Debian's
+    status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
+      2>/dev/null) || :
+    [ "$status" = installed ] || packages="$packages python3-vtk9"
+    ;;
   *)
-    echo "Usage: doc/install.sh [tests]" >&2
+    echo "Usage: doc/install.sh [tests | report]" >&2
     exit 1
     ;;
 esac

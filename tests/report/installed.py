@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# Installed elsewhere, biface-report does without the sources and the build.
+
+import os
+import subprocess
+
+from report_test import BUILD, RUNS, check, page_of, require, scratch
+
+require("matplotlib")
+prefix = scratch() / "a prefix"
+subprocess.run([os.environ["CMAKE"], "--install", BUILD / "source/report",
+                "--prefix", prefix], check=True, capture_output=True)
+launcher = prefix / "bin/biface-report"
+check(str(BUILD) not in launcher.read_text(), "the launcher names the build")
+page = page_of(RUNS / "bias_tire", launcher=launcher)
+check("Summary" in page.headings, "there is no summary")

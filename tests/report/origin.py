@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# The page names the file of the input, the version, and entries set by hand.
+
+import subprocess
+
+from report_test import BUILD, RUNS, check, page_of, require
+
+require("matplotlib")
+page = page_of(RUNS / "bias_tire")
+program = next(path for path in (BUILD / "biface", BUILD / "biface.debug")
+               if path.exists())
+version = subprocess.run([program, "--version"], capture_output=True, text=True,
+                         check=True).stdout.strip()
+check(page.headings[0] == "biface: bias_tire.prm", f"{page.headings[0]}")
+check(f"{version}," in page.text, f"the page does not name {version}")
+rows = [cells for cells, _ in page.rows]
+check(["Stage 2/Steps", "4", "1"] in rows, "Stage 2/Steps is not listed")
+check(not any(cells[0] == "Contact/Regularization" for cells in rows),
+      "1e4 is listed as other than the default 10000")

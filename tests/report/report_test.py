@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests of biface-report have in common."""
+
+import atexit
+import csv
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from html.parser import HTMLParser
+from importlib.util import find_spec
+from pathlib import Path
+
+BUILD, SOURCE, RUNS = (Path(os.environ[f"BIFACE_{name}"])
+                       for name in ("BUILD", "SOURCE", "RUNS"))
+PACKAGE = SOURCE / "source/report"
+
+# Elements of HTML that have no end
+VOID = ("meta", "img", "br", "link", "input", "hr")
+
+
+def require(*modules):
+    """Ends the test as skipped where Python lacks a module."""
+    for module in modules:
+        if not find_spec(module):
+            print(f"skipped: {module} for Python is missing")
+            sys.exit(77)
+
+
+def scratch():
+    """A directory that goes when the test ends."""
+    directory = tempfile.mkdtemp(dir=RUNS)
+    atexit.register(shutil.rmtree, directory, ignore_errors=True)
+    return Path(directory)
+
+
+def copy_of(run):
+    """A copy of the results of a run, to be changed."""
+    target = scratch() / run
+    shutil.copytree(RUNS / run, target)
+    return target
+
+
+def report(directory, *words, launcher=BUILD / "biface-report"):
+    """Runs biface-report: its exit code, what it said of errors, the page."""
+    target = scratch() / "page.html"
+    done = subprocess.run([launcher, directory, "-o", target, *words],
+                          capture_output=True, text=True, check=False)
+    page = target.read_text(encoding="utf-8") if target.exists() else ""
+    return done.returncode, done.stderr, page
+
+
+def page_of(directory, *words, **options):
+    """The page, read, of a directory of which there must be one."""
+    code, errors, page = report(directory, *words, **options)
+    check(code == 0, f"the exit code is {code}: {errors}")
+    return Page(page)
+
+
+def complaint(directory, *words):
+    """The sentence about a directory that cannot be reported."""
+    code, errors, page = report(directory, *words)
+    check(code == 1, f"the exit code is {code}, not 1: {errors}")
+    check(page == "", "a page was written")
+    check(errors.count("\n") == 1 and errors.endswith(".\n"),
+          f"this is not one sentence: {errors}")
+    return errors
+
+
+def read_csv(path):
+    """The lines of a CSV file, by the names of their columns."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def check(fact, message):
+    """Ends the test with a message where a fact is none."""
+    if not fact:
+        print(message)
+        sys.exit(1)
+
+
+def check_equal(computed, expected, what):
+    """Numbers must agree to the digits of the files."""
+    check(math.isclose(computed, expected, rel_tol=1e-10, abs_tol=1e-300),
+          f"{what} is {computed}, not {expected}")
+
+
+class Page(HTMLParser):
+    """The page as a reader sees it: text, pictures, rows of tables. The parser
+    fails where elements are not closed in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.rows, self.images, self.text = [], [], [], ""
+        self.addresses, self.headings = [], []
+        self.source = text
+        self.feed(text)
+        self.close()
+        check(not self.open, f"these are not closed: {self.open}")
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.addresses += [value for name, value in attributes.items()
+                           if name in ("src", "href", "srcset", "poster",
+                                       "action", "data")]
+        if tag == "img":
+            self.images.append(attributes)
+        if tag == "tr":
+            self.rows.append(([], []))
+        if tag == "data":
+            self.rows[-1][1].append(float(attributes["value"]))
+        if tag in ("th", "td"):
+            self.rows[-1][0].append("")
+        if tag in ("h1", "h2", "h3"):
+            self.headings.append("")
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        check(self.open and self.open[-1] == tag,
+              f"</{tag}> closes {self.open[-1:]} in line {self.getpos()[0]}")
+        self.open.pop()
+
+    def handle_data(self, data):
+        self.text += data
+        if self.open and self.open[-1] in ("h1", "h2", "h3"):
+            self.headings[-1] += data
+        if "tr" in self.open and self.rows[-1][0]:
+            self.rows[-1][0][-1] += data
+
+    def numbers(self, head):
+        """The numbers of the first row with a head."""
+        for cells, values in self.rows:
+            if cells[0] == head:
+                return values
+        check(False, f"there is no row '{head}'")
+        return []

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# The numbers of the summary are those of the last line of history.csv.
+
+from report_test import RUNS, check_equal, page_of, read_csv, require
+
+require("matplotlib")
+page = page_of(RUNS / "bias_tire")
+history = read_csv(RUNS / "bias_tire/history.csv")
+last = {name: float(value) for name, value in history[-1].items()
+        if name != "stage"}
+before = {name: float(history[-2][name]) for name in ("force", "approach")}
+
+for head, expected in (
+        ("Force on the foundation", last["force"]),
+        ("Approach of the foundation", last["approach"]),
+        ("Stiffness", (last["force"] - before["force"])
+         / (last["approach"] - before["approach"])),
+        ("Contact area", last["contact_area"]),
+        ("Mean contact pressure", last["force"] / last["contact_area"]),
+        ("Greatest contact pressure", last["max_pressure"]),
+        ("Pressure on the shell", last["pressure"]),
+        ("Steps", len(history)),
+        ("Newton iterations", sum(int(row["iterations"]) for row in history))):
+    check_equal(page.numbers(head)[0], expected, head)

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# Without contact, the page has the displacements and ply stresses of the files.
+
+from report_test import RUNS, check, check_equal, page_of, read_csv, require
+
+require("matplotlib")
+run = RUNS / "composite_panel"
+page = page_of(run)
+check("Footprint" not in page.headings, "there is a footprint")
+check("Load and deflection" in page.headings, "there is no curve")
+
+step = read_csv(run / "history.csv")[-1]["step"]
+for row in read_csv(run / "probes.csv"):
+    if row["step"] == step and row["face"] == "middle":
+        for value, column in zip(page.numbers(row["name"]), ("u_x", "u_y", "u_z")):
+            check_equal(value, float(row[column]), f"{column} of {row['name']}")
+
+# of the first point and its first ply: angle, tension, then from least to
+# greatest the stresses along and across the fibers
+plies = [row for row in read_csv(run / f"plies-{int(step):04d}.csv")
+         if row["name"] == "center" and row["ply"] == "1"]
+check(len(plies) == 2, "the ply has not two lines")
+values = next(values for cells, values in page.rows
+              if cells[:2] == ["1", "carbon"])
+expected = [float(plies[0]["angle"]), float(plies[0]["fiber_tension"])]
+for column in ("s_L", "s_T"):
+    expected += sorted(float(row[column]) for row in plies)
+for value, exact in zip(values, expected):
+    check_equal(value, exact, "a number of the ply")
