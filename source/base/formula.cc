@@ -2,6 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <biface/base/formula.h>
@@ -75,6 +76,8 @@ namespace Biface
         std::string reason = error.GetMsg();
         while (!reason.empty() && reason.back() == '.')
           reason.pop_back();
+        if (reason.size() > 200)
+          reason = reason.substr(0, 200) + "...";
         throw InputError(entry, text, allowed + " (" + reason + ")");
       }
     parser = new_parser;
@@ -88,14 +91,23 @@ namespace Biface
            dealii::ExcDimensionMismatch(values.size(), variables.size()));
     std::copy(values.begin(), values.end(), parser->values.begin());
     const double result = parser->parser.Eval();
-    if (!std::isfinite(result))
+    if (!(std::abs(result) <= greatest_number))
       {
+        // alpha_1 = 0 is not told apart from the sine of pi
+        double scale = 0;
+        for (const double value : values)
+          scale = std::max(scale, std::abs(value));
         std::string where;
         for (unsigned int i = 0; i < variables.size(); ++i)
           where += (where.empty() ? "" : ", ") + variables[i] + " = " +
-                   number_to_string(values[i]);
+                   coordinate_to_string(values[i], scale);
         throw InputError(
-          entry, text, "it must be a finite number, also at " + where);
+          entry,
+          text,
+          std::string(std::isfinite(result)
+                        ? "its value must lie between -1e100 and 1e100"
+                        : "it must be a finite number") +
+            ", also at " + where);
       }
     return result;
   }

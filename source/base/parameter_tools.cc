@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -85,12 +86,28 @@ namespace Biface
   }
 
 
+  void
+  check_finite(const std::string &entry, const double value)
+  {
+    if (!std::isfinite(value))
+      throw InputError(
+        entry, number_to_string(value), "it must be a finite number");
+  }
+
+
   std::string
   number_to_string(const double value)
   {
     char text[32];
     std::snprintf(text, sizeof(text), "%.10g", value);
     return text;
+  }
+
+
+  std::string
+  coordinate_to_string(const double value, const double scale)
+  {
+    return number_to_string(std::abs(value) <= 1e-12 * scale ? 0. : value);
   }
 
 
@@ -107,7 +124,9 @@ namespace Biface
       std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
     if (trimmed.empty() || result.ec != std::errc() ||
         result.ptr != trimmed.data() + trimmed.size() || !std::isfinite(value))
-      throw InputError(entry, text, allowed);
+      throw InputError(entry, trimmed, allowed);
+    if (std::abs(value) > greatest_number)
+      throw InputError(entry, trimmed, number_too_large);
     return value;
   }
 
@@ -117,6 +136,19 @@ namespace Biface
   {
     std::istringstream stream(text);
     return {std::istream_iterator<std::string>(stream), {}};
+  }
+
+
+  void
+  check_list_length(const std::string &entry,
+                    const std::string &list,
+                    const unsigned int limit)
+  {
+    const auto n = 1 + std::count(list.begin(), list.end(), ',');
+    if (n > limit)
+      throw InputError("the entry '" + entry + "' has " + std::to_string(n) +
+                       " items, but at most " + std::to_string(limit) +
+                       " are allowed.");
   }
 
 
@@ -131,7 +163,17 @@ namespace Biface
       throw InputError(entry, text, allowed);
     std::vector<double> numbers;
     for (const std::string &word : words)
-      numbers.push_back(parse_number(entry, word, allowed));
+      {
+        // all of them are quoted, to be found again
+        try
+          {
+            numbers.push_back(parse_number(entry, word, allowed));
+          }
+        catch (const InputError &)
+          {
+            throw InputError(entry, text, allowed);
+          }
+      }
     return numbers;
   }
 

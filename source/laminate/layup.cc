@@ -122,9 +122,16 @@ namespace Biface
       for (const MaterialParameters &material : materials)
         names += (names.empty() ? "'" : ", '") + material.name + "'";
 
+      // commas within formulas count, too, which does no harm
+      check_list_length(entry, parameters.plies, 1000);
       std::vector<PlyDescription> plies;
       for (const std::string &text : split_plies(parameters.plies))
         {
+          if (text.empty())
+            throw InputError(entry,
+                             parameters.plies,
+                             "each of its commas must stand between two "
+                             "plies, written 'material: thickness @ angle'");
           PlyDescription ply;
           ply.text         = text;
           const auto colon = text.find(':');
@@ -146,9 +153,13 @@ namespace Biface
 
           std::string angle = text.substr(at + 1);
           take_range(entry, angle, ply);
-          ply.thickness = tables.parse(
-            entry, Utilities::trim(text.substr(colon + 1, at - colon - 1)));
-          const auto degrees = tables.parse(entry, Utilities::trim(angle));
+          angle = Utilities::trim(angle);
+          const std::string thickness =
+            Utilities::trim(text.substr(colon + 1, at - colon - 1));
+          if (thickness.empty() || angle.empty())
+            throw InputError(entry, text, form);
+          ply.thickness      = tables.parse(entry, thickness);
+          const auto degrees = tables.parse(entry, angle);
           ply.angle          = [degrees](const double alpha_1) {
             return degrees(alpha_1) * numbers::PI / 180;
           };

@@ -19,11 +19,14 @@ namespace Biface
                                      const MPI_Comm     communicator)
   {
     const std::string entry = "Laminate/Tables";
+    check_list_length(entry, list, 1000);
 
     for (const std::string &text : Utilities::split_string_list(list, ','))
       {
-        const auto item =
-          split_named(entry, text, "each table is written 'name: file'");
+        const std::string form = "each table is written 'name: file'";
+        const auto        item = split_named(entry, text, form);
+        if (item.second.empty())
+          throw InputError(entry, text, form);
         check_name(item.first);
         const auto pairs = parse_pairs(
           read_file(item.second, communicator), item.second, "alpha_1, value");

@@ -186,6 +186,7 @@ namespace Biface
                       const AreaMeasure     area) const
   {
     LA::Vector nodal_forces = discretization.owned_vector();
+    check_list_length("Loads/Point forces", point_forces, 10000);
 
     for (const std::string &text :
          Utilities::split_string_list(point_forces, ','))

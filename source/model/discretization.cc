@@ -115,7 +115,12 @@ namespace Biface
     for (double &alpha_1 : lines)
       alpha_1 /= surface->coordinate_unit(0);
 
-    const double tolerance = 1e-7 * (lines.back() - lines.front());
+    const double span = lines.back() - lines.front();
+    // formulas and sentences see 0, not what is left of it
+    for (double &alpha_1 : lines)
+      if (std::abs(alpha_1) < 1e-14 * span)
+        alpha_1 = 0;
+    const double tolerance = 1e-7 * span;
     for (const PlyDescription &ply : layup.get_plies())
       for (const double end : {ply.begin, ply.end})
         if (std::isfinite(end) &&
@@ -168,8 +173,10 @@ namespace Biface
           const SurfacePoint           point =
             surface->evaluate(Point<2>(alpha_1, alpha_2));
           const std::string where =
-            "alpha_1 = " +
-            number_to_string(alpha_1 / surface->coordinate_unit(0));
+            "alpha_1 = " + coordinate_to_string(
+                             alpha_1 / surface->coordinate_unit(0),
+                             (grid.lines[0].back() - grid.lines[0].front()) /
+                               surface->coordinate_unit(0));
 
           if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
             throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +

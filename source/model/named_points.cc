@@ -32,11 +32,14 @@ namespace Biface
     const std::string entry = "Points";
     const std::string form  = "each point is written 'name: alpha_1 alpha_2'";
 
+    check_list_length(entry, list, 10000);
     std::vector<NamedPoint> points;
     std::set<std::string>   names;
     for (const std::string &text : Utilities::split_string_list(list, ','))
       {
         const auto name_and_place = split_named(entry, text, form);
+        if (name_and_place.second.empty())
+          throw InputError(entry, text, form);
         const auto numbers =
           parse_numbers(entry, name_and_place.second, 2, form);
         if (!names.insert(name_and_place.first).second)

@@ -136,6 +136,7 @@ namespace Biface
   Supports::point_conditions() const
   {
     const std::string entry = "Supports/Points";
+    check_list_length(entry, points, 10000);
     std::vector<std::pair<std::string, std::vector<SupportCondition>>> result;
     for (const std::string &text : Utilities::split_string_list(points, ','))
       {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numeric>
@@ -32,7 +33,12 @@ namespace Biface
       /** What stands before and after the first '='. */
       std::string name;
       std::string value;
+      /** How many sections are open after it. */
+      unsigned int depth = 0;
     };
+
+    /** More levels of sections than any entry has. */
+    constexpr unsigned int max_depth = 10;
 
 
     /** The lines of a file, the first one with the number 1. */
@@ -41,10 +47,24 @@ namespace Biface
     {
       std::vector<Line>  result(1);
       std::string        section;
+      unsigned int       depth = 0;
       std::istringstream lines(text);
-      std::string        content;
-      while (std::getline(lines, content))
+      std::string        physical, content;
+      while (std::getline(lines, physical))
         {
+          // a backslash joins a line with the next one
+          physical = Utilities::trim(physical);
+          if (!physical.empty() && physical.back() == '\\')
+            {
+              content.append(physical, 0, physical.size() - 1);
+              if (lines.peek() != std::istringstream::traits_type::eof())
+                {
+                  result.emplace_back();
+                  continue;
+                }
+            }
+          else
+            content += physical;
           content = Utilities::trim(content.substr(0, content.find('#')));
 
           Line              line;
@@ -62,22 +82,45 @@ namespace Biface
                 line.value = Utilities::trim(rest.substr(equals + 1));
             }
           result.push_back(line);
+          content.clear();
 
-          if (line.keyword == "subsection")
-            section += line.name + "/";
-          else if (line.keyword == "end" && !section.empty())
+          // what stands deeper is refused by check_lines()
+          if (line.keyword == "subsection" && ++depth <= max_depth)
+            section += line.name.substr(0, 200) + "/";
+          else if (line.keyword == "end" && depth > 0 && --depth < max_depth)
             section.erase(section.find_last_of('/', section.size() - 2) + 1);
+          result.back().depth = depth;
         }
       return result;
     }
 
 
-    /** A text as it is quoted in a sentence: not longer than a line or two. */
-    std::string
-    quoted(const std::string &text)
+    /** Whether one of the numbers that a text begins with, separated by commas,
+     * is larger than any that makes sense. */
+    bool
+    holds_too_large(const std::string &text)
     {
-      return "'" + (text.size() <= 200 ? text : text.substr(0, 197) + "...") +
-             "'";
+      std::istringstream stream(text);
+      double             number;
+      while (stream >> number)
+        {
+          if (std::abs(number) > greatest_number)
+            return true;
+          char comma;
+          if (!(stream >> comma) || comma != ',')
+            return false;
+        }
+      return false;
+    }
+
+
+    /** Where something stands, as the begin of a sentence. */
+    std::string
+    place(const std::string &source, const std::string &line)
+    {
+      // a setting of the command line is one line to its reader
+      return source + (source.rfind("--set", 0) == 0 ? "" : ", line " + line) +
+             ": ";
     }
 
 
@@ -85,7 +128,7 @@ namespace Biface
      * Refuse what ParameterHandler would take without a word, and not as meant:
      * two settings of one entry, of which it takes the last; braces, which it
      * takes for a list of alternatives; other files, which every rank would
-     * read.
+     * read; numbers that would overflow; sections without end.
      */
     void
     check_lines(const std::string &source, const std::string &text)
@@ -94,13 +137,16 @@ namespace Biface
       std::map<std::string, unsigned int> line_of_entry;
       for (unsigned int number = 1; number < lines.size(); ++number)
         {
-          const Line       &line = lines[number];
-          const std::string where =
-            source + ", line " + std::to_string(number) + ": ";
-          const std::string name = line.section + line.name;
+          const Line       &line  = lines[number];
+          const std::string where = place(source, std::to_string(number));
+          const std::string name  = line.section + line.name;
           if (line.keyword == "include")
             throw InputError(where +
                              "a parameter file must not include another one.");
+          if (line.depth > max_depth)
+            throw InputError(where + "more than " + std::to_string(max_depth) +
+                             " sections lie within each other, but no entry "
+                             "stands so deep.");
           if (line.keyword != "set")
             continue;
           const auto entry = line_of_entry.emplace(name, number);
@@ -113,6 +159,14 @@ namespace Biface
             throw InputError(where + "the entry " + quoted(name) + " is " +
                              quoted(line.value) +
                              ", but a value must not hold a brace.");
+          // splitting a list takes time by the square of its length
+          if (line.value.size() > 100000)
+            throw InputError(where + "the entry " + quoted(name) + " has " +
+                             std::to_string(line.value.size()) +
+                             " letters, but at most 100000 are allowed.");
+          if (holds_too_large(line.value))
+            throw InputError(
+              where + InputError(name, line.value, number_too_large).what());
         }
     }
 
@@ -216,6 +270,8 @@ namespace Biface
             pattern, match, std::regex("of length ([0-9]+)\\.\\.\\.\\1 ")))
         return "it must be a list of " + match[1].str() +
                " numbers, separated by commas";
+      if (pattern.rfind("[List of <[Anything]> of length 1...", 0) == 0)
+        return "it must be a list of at least one name, separated by commas";
       return "it must match the pattern " + pattern;
     }
 
@@ -242,9 +298,7 @@ namespace Biface
       };
       const std::string line  = "Line <([0-9]+)> of file <input string>?: ";
       const auto        where = [&](const std::string &number) {
-        // a setting of the command line is one line to its reader
-        return source +
-               (source.rfind("--set", 0) == 0 ? "" : ", line " + number) + ": ";
+        return place(source, number);
       };
 
       if (is(line + "The entry value ?(.*) for the entry named (.*) does not "
@@ -261,13 +315,19 @@ namespace Biface
         {
           const std::string name =
             lines.at(std::stoi(match[1])).section + match[2].str();
-          return where(match[1]) + "there is no entry '" + name +
-                 "'; the nearest name is '" + nearest_name(prm, name) + "'.";
+          return where(match[1]) + "there is no entry " + quoted(name) +
+                 "; the nearest name is '" + nearest_name(prm, name) + "'.";
         }
       if (is(line + "The line <(.*)> could not be parsed.*"))
         return where(match[1]) + quoted(match[2].str()) +
                " is none of 'set ENTRY = VALUE', 'subsection NAME', 'end', and "
                "no comment.";
+      if (is(line + "Invalid (format|content).*"))
+        {
+          const Line &found = lines.at(std::stoi(match[1]));
+          return where(match[1]) + quoted(found.keyword + " " + found.name) +
+                 " is neither 'set ENTRY = VALUE' nor 'end'.";
+        }
       if (is(line + "(.*)"))
         return where(match[1]) + match[2].str();
       if (is("There are unequal numbers of 'subsection' and 'end'.*"))
@@ -299,15 +359,21 @@ namespace Biface
     std::string
     override_text(const Override &setting)
     {
-      const auto equals = setting.find('=');
+      const std::string form   = "it must have the form 'Section/Entry=value'";
+      const auto        equals = setting.find('=');
       if (equals == std::string::npos || equals == 0)
-        throw InputError(
-          "--set", setting, "it must have the form 'Section/Entry=value'");
+        throw InputError("--set", setting, form);
       const std::vector<std::string> path =
         Utilities::split_string_list(setting.substr(0, equals), '/');
-      if (path.empty())
-        throw InputError(
-          "--set", setting, "it must have the form 'Section/Entry=value'");
+      if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
+        throw InputError("--set", setting, form);
+      // what would end a line of a file, or go on with the next one
+      if (setting.find_first_of("\n\r#") != std::string::npos ||
+          Utilities::trim(setting).back() == '\\')
+        throw InputError("--set",
+                         setting,
+                         "it must be one line without '#', and without a "
+                         "backslash at its end");
 
       std::string text;
       for (unsigned int i = 0; i + 1 < path.size(); ++i)

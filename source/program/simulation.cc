@@ -2,20 +2,68 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include <biface/base/input_error.h>
+<<<<<<< HEAD
+=======
+#include <biface/base/parameter_tools.h>
+  >>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
 #include <biface/program/simulation.h>
 
-namespace Biface
+#include <unistd.h>
+
+  namespace Biface
 {
   using namespace dealii;
 
   namespace
   {
+<<<<<<< HEAD
     /** @param grid of the mesh; null for that of the parameters. */
+=======
+    /** Refuse a mesh that cannot fit, before the system stops the program
+     * without a word. */
+    void
+    check_memory(const ChartGrid &grid, const MPI_Comm communicator)
+    {
+      // the set-up alone takes more; solving it, several times as much
+      constexpr double bytes_per_node = 5000;
+
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const unsigned int n_copies =
+        (grid.distribution == MeshDistribution::shared
+           ? Utilities::MPI::n_mpi_processes(machine)
+           : 1);
+      MPI_Comm_free(&machine);
+
+      const double n_nodes =
+        static_cast<double>(grid.lines[0].size()) * grid.lines[1].size();
+      const double needed = n_nodes * bytes_per_node * n_copies;
+      const double available =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+      // all ranks alike, also on different machines
+      if (Utilities::MPI::max(needed / available, communicator) <= 1)
+        return;
+      const double gigabyte = 1e9;
+      throw InputError(
+        "the section 'Mesh' asks for " + number_to_string(n_nodes) +
+        " nodes, which take more than " +
+        number_to_string(
+          std::ceil(Utilities::MPI::max(needed, communicator) / gigabyte)) +
+        " GB, but the memory of a machine is " +
+        number_to_string(
+          std::floor(Utilities::MPI::min(available, communicator) / gigabyte)) +
+        " GB.");
+    }
+
+
+>>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
     std::unique_ptr<const Discretization>
     make_discretization(const Parameters &parameters,
                         const MPI_Comm    communicator,
@@ -23,8 +71,13 @@ namespace Biface
     {
       std::unique_ptr<const ReferenceSurface> surface =
         make_surface(parameters.surface, communicator);
+<<<<<<< HEAD
       const ChartGrid given =
         (grid ? *grid : ChartGrid(parameters.mesh, *surface));
+=======
+      const ChartGrid grid(parameters.mesh, *surface);
+      check_memory(grid, communicator);
+>>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
       const Layup layup(
         parameters.laminate, parameters.materials, communicator);
       const std::vector<NamedPoint> points = parameters.points.parse(*surface);
@@ -97,8 +150,7 @@ namespace Biface
   }
 
 
-  ChartGrid
-  Simulation::coarser_grid(const ChartGrid &grid) const
+  ChartGrid Simulation::coarser_grid(const ChartGrid &grid) const
   {
     std::array<std::vector<double>, 2> kept;
     for (const NamedPoint &point : discretization->points)
@@ -112,8 +164,8 @@ namespace Biface
   }
 
 
-  std::unique_ptr<const NestedPredictor>
-  Simulation::run_coarser(const Newton::Stop &stop)
+  std::unique_ptr<const NestedPredictor> Simulation::run_coarser(
+    const Newton::Stop &stop)
   {
     if (parameters.mesh.n_coarse == 0)
       return nullptr;
@@ -144,10 +196,9 @@ namespace Biface
   }
 
 
-  void
-  Simulation::restore(const ShellEquations::History &history,
-                      const State                   &state,
-                      const Progress                &progress)
+  void Simulation::restore(const ShellEquations::History &history,
+                           const State                   &state,
+                           const Progress                &progress)
   {
     equations.restore(history);
     this->state    = state;
@@ -155,9 +206,8 @@ namespace Biface
   }
 
 
-  LoadSteppingResult
-  Simulation::run(const LoadStepping::Observer &observer,
-                  const Newton::Stop           &stop)
+  LoadSteppingResult Simulation::run(const LoadStepping::Observer &observer,
+                                     const Newton::Stop           &stop)
   {
     const std::unique_ptr<const NestedPredictor> nested = run_coarser(stop);
     if (nested)

@@ -77,7 +77,7 @@ namespace Biface
     prm.add_parameter("Steps",
                       n_steps,
                       "Number of steps; see 'Control'.",
-                      Patterns::Integer(1));
+                      Patterns::Integer(1, 1000000));
     prm.add_parameter("Adaptive steps",
                       adaptive,
                       "Whether steps of the loads or of the force grow after "

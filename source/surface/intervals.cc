@@ -99,7 +99,8 @@ namespace Biface
         double sum = 0;
         for (unsigned int k = 1; k <= n; ++k)
           sum += std::exp(k * log_q);
-        return sum - length / l;
+        // the solver needs finite numbers
+        return std::min(sum, 1e200) - length / l;
       };
       // the sum lies between q and n q^n for q >= 1, and below n q otherwise
       const double bound = std::log(length / l);
@@ -151,8 +152,17 @@ namespace Biface
                   const double       unit)
   {
     std::vector<Interval> intervals;
+    unsigned int          n_cells = 0;
     for (const std::string &text : Utilities::split_string_list(list, ','))
-      intervals.push_back(parse_interval(entry, text));
+      {
+        intervals.push_back(parse_interval(entry, text));
+        n_cells += intervals.back().n_cells;
+        if (n_cells > max_cells)
+          throw InputError(entry,
+                           list,
+                           "it must have at most " + std::to_string(max_cells) +
+                             " cells in all");
+      }
     if (intervals.empty())
       throw InputError(entry, list, "it must hold at least one interval");
 

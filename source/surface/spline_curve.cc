@@ -19,6 +19,13 @@ namespace Biface
                        std::to_string(points.size()) +
                        " points, but a spline needs at least 3.");
 
+    // the foot of a perpendicular is sought among all of them, for each node
+    constexpr unsigned int max_points = 10000;
+    if (points.size() > max_points)
+      throw InputError(name + ": the curve has " +
+                       std::to_string(points.size()) + " points, but at most " +
+                       std::to_string(max_points) + " are allowed.");
+
     std::vector<double> r, y;
     for (unsigned int i = 0; i < points.size(); ++i)
       {

@@ -9,6 +9,14 @@
 namespace Biface
 {
   /**
+   * A text from outside as it can stand in a sentence: in quotation marks,
+   * without what a terminal cannot show, and cut after @p limit bytes.
+   */
+  std::string
+  quoted(const std::string &text, const std::size_t limit = 200);
+
+
+  /**
    * A value from outside the program that cannot be used.
    *
    * Thrown where the value enters: every message is one plain sentence that
@@ -21,18 +29,14 @@ namespace Biface
   class InputError : public std::runtime_error
   {
   public:
-    /** A sentence of the form "`entry` is `value`, but `allowed`." */
+    /** A sentence of the form "`entry` is `value`, but `allowed`." The first
+     * two are quoted as by quoted(). */
     InputError(const std::string &entry,
                const std::string &value,
-               const std::string &allowed)
-      : InputError("the entry '" + entry + "' is '" + value + "', but " +
-                   allowed + ".")
-    {}
+               const std::string &allowed);
 
-    /** Any other sentence. */
-    explicit InputError(const std::string &sentence)
-      : std::runtime_error(sentence)
-    {}
+    /** Any other sentence; what a terminal cannot show is left out. */
+    explicit InputError(const std::string &sentence);
   };
 } // namespace Biface
 

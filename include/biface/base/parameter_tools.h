@@ -30,6 +30,11 @@ namespace Biface
   void
   check_not_zero(const std::string &entry, const double value);
 
+  /** Throw an InputError that names @p entry unless @p value is a finite
+   * number. */
+  void
+  check_finite(const std::string &entry, const double value);
+
   /** Throw an InputError that names @p entry unless the length of a vector is a
    * finite number. */
   void
@@ -52,9 +57,23 @@ namespace Biface
   std::string
   number_to_string(const double value);
 
+  /** A coordinate for a sentence: the same, but 0 where it is only round-off
+   * of numbers of the size @p scale. */
+  std::string
+  coordinate_to_string(const double value, const double scale);
+
+  /** Numbers beyond this size are refused, whatever their unit: products of a
+   * few of them would overflow. */
+  constexpr double greatest_number = 1e100;
+
+  /** What is said where a number is beyond greatest_number. */
+  constexpr const char *number_too_large =
+    "a number must lie between -1e100 and 1e100";
+
   /**
-   * Read a whole text as a finite number. Throws InputError that says
-   * "@p entry is @p text, but @p allowed" where it is anything else.
+   * Read a whole text as a number. Throws InputError that says "@p entry is
+   * @p text, but @p allowed" where it is anything else, or beyond
+   * greatest_number.
    */
   double
   parse_number(const std::string &entry,
@@ -72,6 +91,13 @@ namespace Biface
                 const std::string &text,
                 const unsigned int n,
                 const std::string &allowed);
+
+  /** Throw InputError where a list separated by commas has more than @p limit
+   * items, before any of them is read: each may cost far more than its text. */
+  void
+  check_list_length(const std::string &entry,
+                    const std::string &list,
+                    const unsigned int limit);
 
   /** Split "name: rest" at its colon. Throws InputError, as parse_number()
    * does, where there is none or the name is empty. */

@@ -14,7 +14,11 @@ namespace Biface
 {
   /**
    * The text of a file. The first rank reads it for all; must be called on all
-   * ranks. Throws InputError on all of them where the file cannot be read.
+   * ranks. Lines end with '\\n' alone, and the mark that some editors put in
+   * front of UTF-8 is left out.
+   *
+   * Throws InputError on all ranks where the file cannot be read, is not a
+   * text, or has more than 64 MiB.
    */
   std::string
   read_file(const std::string &file_name, const MPI_Comm communicator);

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Every entry that the program declares refuses values of the wrong kind and
+// those out of its range, and the answer is one sentence that names file,
+// entry, value and what is allowed.
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <biface/program/parameters.h>
+#include <biface/program/program.h>
+
+#include "../tests.h"
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+using namespace dealii;
+
+namespace
+{
+  const std::string long_word(20000, 'x');
+
+  /** Entries whose value is any text: names. An empty one means none. */
+  const std::set<std::string> any_text{"Output/Directory"};
+
+  /** Settings beside the wrong value, without which it would not be looked
+   * at. */
+  using Settings = std::map<std::string, std::string>;
+
+  struct Wrong
+  {
+    std::vector<std::string> values;
+    Settings                 others = {};
+  };
+
+  /** What is wrong for entries that the program reads as a text, and what is
+   * out of range for those it reads as a number. */
+  const std::map<std::string, std::vector<Wrong>> by_name{
+    {"Surface/Circular arc/Radius", {{{"0", "-0", "-1"}}}},
+    {"Surface/Circular arc/Center radius", {{{"-1"}}}},
+    {"Surface/Points/File",
+     {{{"", "no_such_file.csv", "/", long_word},
+       {{"Surface/Meridian", "points"}}}}},
+    {"Mesh/Intervals alpha_1",
+     {{{"",
+        "a",
+        "0",
+        "0:1",
+        "0:1:2:3:4",
+        "0:0:4",
+        "1:0:4",
+        "0:1:0",
+        "0:1:-1",
+        "0:1:1.5",
+        "0:1:1e9",
+        "0:1:4e9",
+        "nan:1:2",
+        "0:inf:2",
+        "0:1:2:0",
+        "0:1:2:x",
+        "0:1:1000001",
+        "0:1e999:2",
+        "0:0x10:2",
+        "0:1:2:smooth",
+        "0:1:2,2:3:1",
+        "0:2:2,1:3:1",
+        "-300:0:4",
+        "0:1:600000,1:2:600000"}},
+      {{"-120:120:1000000"}, {{"Mesh/Intervals alpha_2", "-180:180:290"}}}}},
+    {"Mesh/Intervals alpha_2",
+     {{{"", "0:361:4", "0:360:2", "0:359:4", "0:360:nan", "0:360:4:-1"}}}},
+    {"Materials", {{{"", ",", "a,a", "a:b", "a@b", "a/b"}}}},
+    {"Laminate/Plies",
+     {{{"",
+        ",",
+        "rubber",
+        "rubber: 1",
+        "rubber @ 1",
+        "rubber: 1 @ 0,",
+        ", rubber: 1 @ 0",
+        "rubber: 1 @ 0,, rubber: 1 @ 0",
+        "wood: 1 @ 0",
+        "rubber: 0 @ 0",
+        "rubber: -1 @ 0",
+        "rubber: nan @ 0",
+        "rubber: 1 @ inf",
+        "rubber: 1e999 @ 0",
+        "rubber: 1 @ 1e999",
+        "rubber: @ 0",
+        "rubber: 1 @",
+        "rubber: 1x @ 0",
+        "rubber: beta @ 0",
+        "rubber: 1 @ (0",
+        "rubber: 1 @ 0 from 1",
+        "rubber: 1 @ 0 from 60 to -60",
+        "rubber: 1 @ 0 from a to b",
+        "rubber: 1/0 @ 0",
+        "rubber: 1 @ 1/0"}}}},
+    {"Laminate/Tables",
+     {{{"t", "t:", ": f", "t: no_such_file.csv", "pi: f", "2: f", "t: /"}}}},
+    {"Laminate/Initial ply stresses",
+     {{{"1", "1 2 3, 1 2 3", "1 2 x", "nan 0 0", "0 inf 0", "0 0 1e999"}}}},
+    {"Laminate/Reference surface",
+     {{{"",
+        "top",
+        "ply",
+        "ply 0",
+        "ply 2",
+        "ply 1.5",
+        "ply x",
+        "nan",
+        "1e999",
+        "0x1"}}}},
+    {"Points",
+     {{{"A",
+        "A:",
+        "A: 1",
+        "A: 1 2 3",
+        "A: a b",
+        "A: nan 0",
+        "A: 0 inf",
+        ": 0 0",
+        "A: 0 0, A: 0 0",
+        "A: 1 1"}}}},
+    {"Supports/Points",
+     {{{"A",
+        "A: fixed",
+        "A: soft",
+        ": fixed",
+        "P: v_4 both",
+        "P: v_1",
+        "P: v_1 both = x",
+        "P: symmetry"},
+       {{"Points", "P: 0 0"}}}}},
+    {"Loads/Point forces",
+     {{{"P", "P: 1 2", "P: 1 2 x", "Q: 1 2 3", "P: 1 2 nan", "P: 1 2 3 top"},
+       {{"Points", "P: 0 0"}}}}},
+    {"Loads/Edge forces",
+     {{{"alpha_1 min",
+        "alpha_1 min: 1 2",
+        "alpha_1 min: a b c",
+        "alpha_2 min: 1 2 3",
+        "rim: 1 2 3",
+        "alpha_1 min: 1 2 1e999"}}}},
+    {"Loads/Edge moments",
+     {{{"alpha_1 min",
+        "alpha_1 min: 1",
+        "alpha_1 min: 1 alive",
+        "alpha_1 min: x dead",
+        "alpha_2 min: 1 dead",
+        "rim: 1 dead",
+        "alpha_1 min: inf dead"}}}},
+    {"Loads/Inner traction",
+     {{{"1",
+        "1; 2",
+        "1; 2; 3; 4",
+        "1; 2; q",
+        "1; 2; 1/0",
+        "1; 2; 1e999",
+        "1; 2;"}}}},
+    {"Loads/Outer traction",
+     {{{"1",
+        "1; 2",
+        "1; 2; 3; 4",
+        "1; 2; q",
+        "1; 2; 1/0",
+        "1; 2; 1e999",
+        "1; 2;"}}}},
+    {"Loads/Pressure distribution",
+     {{{"", "q", "1,", "1; 2", "x = 1", "1/0", "1e999", "(1"}}}},
+    {"Contact/Plane normal", {{{"0, 0, 0"}}}},
+    {"Contact/Regularization", {{{"0", "-1"}}}},
+    {"Newton/Residual tolerance", {{{"0", "-1"}}}},
+    {"Newton/Update tolerance", {{{"-1"}}}},
+    {"Stage 1/Name", {{{"", "a,b", "a\"b"}}}},
+    {"Stage 1/Travel",
+     {{{"1"}},
+      {{"1"},
+       {{"Stage 1/Contact", "true"},
+        {"Stage 1/Control", "foundation force"},
+        {"Stage 1/Force", "1"}}}}},
+    {"Stage 1/Force",
+     {{{"1"}},
+      {{"0", "-1"},
+       {{"Stage 1/Contact", "true"},
+        {"Stage 1/Control", "foundation force"}}}}},
+    {"Stage 1/Control", {{{"foundation force"}}}},
+    {"Stage 1/Control point",
+     {{{"", "Q"}, {{"Stage 1/Control", "displacement"}}}}},
+    {"Stage 1/Strain theory",
+     {{{"linear"}, {{"Stage 1/Control", "arc length"}}}}},
+    {"Material rubber/E", {{{"0", "-1"}}}},
+    {"Material rubber/nu", {{{"0.5", "-1", "1"}}}},
+  };
+
+  /** The analysis that each wrong value is put into. */
+  const Settings sound{
+    {"Mesh/Intervals alpha_1", "-120:120:4"},
+    {"Mesh/Intervals alpha_2", "-180:180:4"},
+    {"Materials", "rubber"},
+    {"Material rubber/Type", "isotropic"},
+    {"Material rubber/E", "5"},
+    {"Material rubber/nu", "0.4"},
+    {"Laminate/Plies", "rubber: 1 @ 0"},
+    {"Supports/alpha_1 min", "fixed"},
+    {"Supports/alpha_1 max", "fixed"},
+    {"Stage 1/Pressure", "0.1"},
+  };
+
+
+  struct Entry
+  {
+    std::string name;
+    /** As ParameterHandler describes it. */
+    std::string pattern;
+  };
+
+
+  void
+  collect(const boost::property_tree::ptree &tree,
+          const std::string                 &path,
+          std::vector<Entry>                &entries)
+  {
+    for (const auto &child : tree)
+      {
+        const std::string name = path + child.first;
+        if (const auto pattern =
+              child.second.get_optional<std::string>("pattern_description"))
+          entries.push_back({name, *pattern});
+        else
+          collect(child.second, name + "/", entries);
+      }
+  }
+
+
+  std::vector<Entry>
+  all_entries()
+  {
+    // with the sections of the sound analysis
+    std::ofstream("names.prm") << "set Materials = rubber\n";
+    Biface::Parameters parameters;
+    ParameterHandler   prm;
+    Biface::read_parameters("names.prm", {}, MPI_COMM_SELF, parameters, prm);
+    std::stringstream text;
+    prm.print_parameters(text, ParameterHandler::JSON);
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_json(text, tree);
+    std::vector<Entry> entries;
+    collect(tree, "", entries);
+    return entries;
+  }
+
+
+  /** Values of the wrong kind, or beyond the bounds that are declared. */
+  std::vector<std::string>
+  wrong_values(const std::string &pattern)
+  {
+    if (pattern.rfind("[Double", 0) == 0)
+      {
+        std::vector<std::string> values{"",
+                                        "word",
+                                        "1x",
+                                        "1 2",
+                                        "1,5",
+                                        "nan",
+                                        "inf",
+                                        "-inf",
+                                        "1e999",
+                                        "-1e999",
+                                        "1e200",
+                                        "0x10",
+                                        "1e",
+                                        "--1",
+                                        "true",
+                                        long_word};
+        if (pattern.find("...MAX_DOUBLE") != std::string::npos &&
+            pattern.find("-MAX_DOUBLE") == std::string::npos)
+          values.emplace_back("-1");
+        return values;
+      }
+    if (pattern.rfind("[Integer", 0) == 0)
+      return {"",
+              "word",
+              "1x",
+              "1 2",
+              "1.5",
+              "1e3",
+              "nan",
+              "-1",
+              "4000000000",
+              "99999999999999999999",
+              "0x10",
+              "true",
+              long_word};
+    if (pattern.rfind("[List of <[Double", 0) == 0)
+      return {"",
+              "1",
+              "1, 2, 3, 4",
+              "1, x, 3",
+              "a, b",
+              "nan, nan, nan",
+              "1, 2, 1e999",
+              "1, 1e200, 0",
+              "inf, 0",
+              long_word};
+    if (pattern.rfind("[Bool", 0) == 0)
+      return {"", "maybe", "1", "True", "true false", "nan", long_word};
+    if (pattern.rfind("[MultipleSelection", 0) == 0)
+      return {"word", "1", "nan", long_word};
+    if (pattern.rfind("[Selection", 0) == 0)
+      return {"", "word", "1", "nan", long_word};
+    return {};
+  }
+
+
+  std::string
+  as_file(const Settings &settings)
+  {
+    std::string text;
+    for (const auto &setting : settings)
+      {
+        std::string name = setting.first, end;
+        for (auto slash = name.find('/'); slash != std::string::npos;
+             slash      = name.find('/'))
+          {
+                 text += "subsection " + name.substr(0, slash) + "\n";
+                 end += "end\n";
+                 name.erase(0, slash + 1);
+          }
+        text += "  set " + name + " = " + setting.second + "\n" + end;
+      }
+    return text;
+  }
+
+
+  /** What is wrong with the answer; empty if nothing is. */
+  std::string
+  fault(const int          code,
+        const std::string &said,
+        const std::string &entry,
+        const std::string &value)
+  {
+    const auto holds = [&](const std::string &what) {
+      return said.find(what) != std::string::npos;
+    };
+    if (code != Biface::wrong_input)
+      return "exit code " + std::to_string(code);
+    if (std::count(said.begin(), said.end(), '\n') != 1 ||
+        said.rfind("biface: ", 0) != 0 || said.size() < 3 ||
+        said[said.size() - 2] != '.')
+      return "not one sentence";
+    if (said.size() > 1000)
+      return "not short";
+    if (!holds("every_entry.prm"))
+      return "does not name the file";
+    const std::string section = entry.substr(0, entry.find_last_of('/'));
+    // a file that an entry names is named in its place
+    const bool names_file    = holds("the file '");
+    const bool names_section = holds("the section '" + section + "'");
+    if (!holds("'" + entry + "'") && !names_section && !names_file)
+      return "does not name the entry";
+    // the value, or the part of it that is wrong
+    const auto        is   = said.find(" is '");
+    const std::string part = said.substr(is + 5, said.find("', but ") - is - 5);
+    const bool        names_part =
+      is != std::string::npos &&
+      (part.empty() ? value.empty() : value.find(part) != std::string::npos);
+    if (!names_part && !names_file && !names_section &&
+        !holds(value.substr(0, 100)))
+      return "does not name the value";
+    if (!holds(", but "))
+      return "does not say what is allowed";
+    for (const char *word : {"[", "MAX", "xception", "pattern", "Pattern"})
+      if (holds(word))
+        return "not plain";
+    return {};
+  }
+
+
+  unsigned int n_runs   = 0;
+  unsigned int n_faults = 0;
+
+  void
+  try_settings(Settings           settings,
+               const std::string &entry,
+               const std::string &value,
+               const Settings    &others)
+  {
+    for (const auto &other : others)
+      settings[other.first] = other.second;
+    settings[entry]    = value;
+    const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (is_root)
+      std::ofstream("every_entry.prm") << as_file(settings);
+    MPI_Barrier(MPI_COMM_WORLD);
+
+    std::vector<std::string> words{"biface", "--check", "every_entry.prm"};
+    std::vector<char *>      arguments;
+    for (std::string &word : words)
+      arguments.push_back(&word[0]);
+    arguments.push_back(nullptr);
+    std::ostringstream out, err;
+    int                code = -1;
+    try
+      {
+        code = Biface::run_program(
+          words.size(), arguments.data(), MPI_COMM_WORLD, out, err);
+      }
+    catch (const std::exception &exception)
+      {
+        err << exception.what();
+      }
+    ++n_runs;
+    if (!is_root)
+      return;
+    const std::string what = fault(code, err.str(), entry, value);
+    if (what.empty())
+      return;
+    ++n_faults;
+    std::cout << "FAILED, " << entry << " = '" << value.substr(0, 100)
+              << "': " << what << ": " << err.str().substr(0, 500) << std::endl;
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::vector<Entry> entries = all_entries();
+  std::set<std::string>    names;
+  for (const Entry &entry : entries)
+    {
+      names.insert(entry.name);
+      for (const std::string &value : wrong_values(entry.pattern))
+        try_settings(sound, entry.name, value, {});
+
+      const auto wrong = by_name.find(entry.name);
+      if (wrong != by_name.end())
+        for (const Wrong &w : wrong->second)
+          for (const std::string &value : w.values)
+            try_settings(sound, entry.name, value, w.others);
+      else if (entry.name.rfind("Supports/alpha_", 0) == 0)
+        for (const char *value : {"",
+                                  "soft",
+                                  "v_4 both",
+                                  "v_1",
+                                  "v_1 left",
+                                  "v_1 both = x",
+                                  "v_1 both = nan",
+                                  "v_1 both = 1e999",
+                                  "fixed; hinged"})
+          try_settings(sound, entry.name, value, {});
+      else if (entry.pattern == "[Anything]" && any_text.count(entry.name) == 0)
+        check_true("what is wrong for the entry " + entry.name + " is known",
+                   false);
+    }
+  for (const auto &wrong : by_name)
+    if (names.count(wrong.first) == 0)
+      check_true("there is an entry " + wrong.first, false);
+
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      check_true("every entry has been tried", n_runs > 5 * entries.size());
+      check_true("all wrong values are refused with a sentence", n_faults == 0);
+    }
+  return 0;
+}
