@@ -409,13 +409,20 @@ namespace Biface
           parse(names_only, source.first, source.second, true);
         }
 
+      if (materials.size() > 1000)
+        throw InputError(file_name + ": the entry 'Materials' has " +
+                         std::to_string(materials.size()) +
+                         " names, but at most 1000 are allowed.");
       for (unsigned int i = 0; i < materials.size(); ++i)
-        if (materials[i].find_first_of(":/@") != std::string::npos ||
+        if (materials[i].empty() ||
+            materials[i].find_first_of(":/@") != std::string::npos ||
             std::count(materials.begin(), materials.end(), materials[i]) > 1)
           throw InputError(
-            "Materials",
-            materials[i],
-            "each name must be there once, without ':', '/', '@'");
+            file_name + ": " +
+            InputError("Materials",
+                       materials[i].empty() ? "," : materials[i],
+                       "each name must be there once, without ':', '/', '@'")
+              .what());
 
       parameters.add_parameters(prm, materials, n_stages);
       for (const auto &source : sources)
@@ -423,9 +430,13 @@ namespace Biface
 
       // absolute, so that the parameters as written find the files, too
       const auto absolute = [&](const std::string &name) {
-        return std::filesystem::absolute(
-                 std::filesystem::path(file_name).parent_path() / name)
-          .string();
+        std::error_code   error;
+        const std::string result =
+          std::filesystem::absolute(
+            std::filesystem::path(file_name).parent_path() / name, error)
+            .string();
+        // the reader of the file says what is wrong
+        return error ? name : result;
       };
       std::string &points_file = parameters.surface.points_file;
       if (!points_file.empty())

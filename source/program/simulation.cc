@@ -8,23 +8,17 @@
 #include <utility>
 
 #include <biface/base/input_error.h>
-<<<<<<< HEAD
-=======
 #include <biface/base/parameter_tools.h>
-  >>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
 #include <biface/program/simulation.h>
 
 #include <unistd.h>
 
-  namespace Biface
+namespace Biface
 {
   using namespace dealii;
 
   namespace
   {
-<<<<<<< HEAD
-    /** @param grid of the mesh; null for that of the parameters. */
-=======
     /** Refuse a mesh that cannot fit, before the system stops the program
      * without a word. */
     void
@@ -63,7 +57,7 @@
     }
 
 
->>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
+    /** @param grid of the mesh; null for that of the parameters. */
     std::unique_ptr<const Discretization>
     make_discretization(const Parameters &parameters,
                         const MPI_Comm    communicator,
@@ -71,13 +65,9 @@
     {
       std::unique_ptr<const ReferenceSurface> surface =
         make_surface(parameters.surface, communicator);
-<<<<<<< HEAD
       const ChartGrid given =
         (grid ? *grid : ChartGrid(parameters.mesh, *surface));
-=======
-      const ChartGrid grid(parameters.mesh, *surface);
-      check_memory(grid, communicator);
->>>>>>> 22f4b8a (Readers bound what they take: lengths, sizes, numbers; every entry is tried with wrong values)
+      check_memory(given, communicator);
       const Layup layup(
         parameters.laminate, parameters.materials, communicator);
       const std::vector<NamedPoint> points = parameters.points.parse(*surface);
@@ -150,7 +140,8 @@
   }
 
 
-  ChartGrid Simulation::coarser_grid(const ChartGrid &grid) const
+  ChartGrid
+  Simulation::coarser_grid(const ChartGrid &grid) const
   {
     std::array<std::vector<double>, 2> kept;
     for (const NamedPoint &point : discretization->points)
@@ -164,8 +155,8 @@
   }
 
 
-  std::unique_ptr<const NestedPredictor> Simulation::run_coarser(
-    const Newton::Stop &stop)
+  std::unique_ptr<const NestedPredictor>
+  Simulation::run_coarser(const Newton::Stop &stop)
   {
     if (parameters.mesh.n_coarse == 0)
       return nullptr;
@@ -196,9 +187,10 @@
   }
 
 
-  void Simulation::restore(const ShellEquations::History &history,
-                           const State                   &state,
-                           const Progress                &progress)
+  void
+  Simulation::restore(const ShellEquations::History &history,
+                      const State                   &state,
+                      const Progress                &progress)
   {
     equations.restore(history);
     this->state    = state;
@@ -206,8 +198,9 @@
   }
 
 
-  LoadSteppingResult Simulation::run(const LoadStepping::Observer &observer,
-                                     const Newton::Stop           &stop)
+  LoadSteppingResult
+  Simulation::run(const LoadStepping::Observer &observer,
+                  const Newton::Stop           &stop)
   {
     const std::unique_ptr<const NestedPredictor> nested = run_coarser(stop);
     if (nested)
