@@ -75,15 +75,21 @@ namespace Biface
 
 
   unsigned int
-  ShellEquations::update_active_set(State &state, const Loads &loads) const
+  ShellEquations::update_active_set(
+    State                              &state,
+    const Loads                        &loads,
+    const ContactConditions::ActiveSet &held) const
   {
+    Assert(held.empty() || held.size() == discretization.nodes.size(),
+           ExcDimensionMismatch(held.size(), discretization.nodes.size()));
     unsigned int n_changes = 0;
     for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
       {
         const Node &node = discretization.nodes[n];
         const bool  active =
           loads.foundation && node.outer_face_free &&
-          ContactConditions::should_be_active(clearance(state, loads, node));
+          ((!held.empty() && held[n]) ||
+           ContactConditions::should_be_active(clearance(state, loads, node)));
         if (active != static_cast<bool>(state.active[n]))
           {
             state.active[n] = active;

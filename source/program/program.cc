@@ -16,6 +16,7 @@
 #include <biface/program/checkpoint.h>
 #include <biface/program/command_line.h>
 #include <biface/program/continuation.h>
+#include <biface/program/messages.h>
 #include <biface/program/program.h>
 #include <biface/program/run_log.h>
 #include <biface/program/signal_watch.h>
@@ -27,93 +28,6 @@ namespace Biface
 
   namespace
   {
-    void
-    print_header(const Simulation &simulation, ConditionalOStream &out)
-    {
-      const Discretization &discretization =
-        simulation.get_equations().discretization;
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(discretization.communicator);
-      const std::string blas = blas_library();
-
-      out << "biface " << version() << ", " << n_ranks
-          << (n_ranks == 1 ? " rank" : " ranks") << ", "
-          << discretization.n_cells() << " cells, "
-          << discretization.n_unknowns() << " unknowns\n"
-          << "BLAS: " << blas << '\n';
-      if (blas.find("openblas") == std::string::npos &&
-          blas.find("mkl") == std::string::npos)
-        out << "  (not OpenBLAS: linear solves may take several times as long; "
-               "on Debian, install libopenblas0-pthread)\n";
-
-      const std::vector<std::string> motions =
-        free_rigid_motions(discretization);
-      if (!motions.empty())
-        {
-          out << "The supports leave rigid motions free: ";
-          for (unsigned int i = 0; i < motions.size(); ++i)
-            out << (i > 0 ? ", " : "") << motions[i];
-          out << ". Loads or contact alone must hold them.\n";
-        }
-      out << std::endl;
-    }
-
-
-    /** The most memory that all ranks had together, as far as Linux tells. */
-    void
-    print_memory(const MPI_Comm communicator, ConditionalOStream &out)
-    {
-      Utilities::System::MemoryStats stats{};
-      Utilities::System::get_memory_stats(stats);
-      const double kilobytes =
-        Utilities::MPI::sum(static_cast<double>(stats.VmHWM), communicator);
-      char line[64];
-      std::snprintf(
-        line, sizeof(line), "Peak memory: %.3f GiB", kilobytes / (1024 * 1024));
-      out << line << "\n\n";
-    }
-
-
-    /** Approach and force of all steps with contact. */
-    void
-    print_load_deflection(const std::vector<LoadDeflection> &curve,
-                          ConditionalOStream                &out)
-    {
-      out << "\n  approach        force   nodes         area  greatest "
-             "pressure\n";
-      for (const LoadDeflection &step : curve)
-        {
-          char line[128];
-          std::snprintf(line,
-                        sizeof(line),
-                        "%10.4g %12.6g %7u %12.6g %18.4g\n",
-                        step.approach,
-                        step.contact.force,
-                        step.contact.n_nodes,
-                        step.contact.area,
-                        step.contact.max_pressure);
-          out << line;
-        }
-      out << std::flush;
-    }
-
-
-    /** Where the results are. */
-    void
-    print_files(const Parameters &parameters, ConditionalOStream &out)
-    {
-      const bool points = !parameters.points.list.empty();
-      out << " in " << parameters.output.directory
-          << ": history.csv, contact-*.csv, profile-*.csv, "
-          << (points ? "probes.csv, " : "")
-          << (points && parameters.output.points_per_ply > 0 ? "plies-*.csv, "
-                                                             : "")
-          << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
-          << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
-          << "parameters.prm, run.log" << std::endl;
-    }
-
-
     /** The checkpoint to continue from, if that is asked for, and fits. */
     std::unique_ptr<const Checkpoint>
     find_checkpoint(const Parameters &parameters,
@@ -226,32 +140,27 @@ namespace Biface
         print_load_deflection(record.curve, out);
       simulation.get_timer().print_summary();
       if (parameters.mesh.n_coarse > 0)
-        {
-          char line[96];
-          std::snprintf(line,
-                        sizeof(line),
-                        "Factorizations and solutions on coarser meshes: "
-                        "%.3g s\n",
-                        simulation.get_coarse_solver_seconds());
-          out << line;
-        }
+        print_coarse_solver_time(simulation.get_coarse_solver_seconds(), out);
       print_memory(communicator, out);
       out << (result.success ? "Results" : "What was reached");
       print_files(parameters, out);
       if (result.success)
         return done;
 
-      const std::string kept =
-        std::to_string(simulation.get_progress().n_steps) +
-        " converged steps are kept.";
+      const unsigned int n_steps = simulation.get_progress().n_steps;
+      const int          signal  = signals.caught(communicator);
+      const std::string  message =
+        "biface: " +
+        (result.stopped ? "stopped by " + signal_name(signal)
+                        : result.message) +
+        "; " + std::to_string(n_steps) +
+        (n_steps == 1 ? " converged step is kept.\n"
+                      : " converged steps are kept.\n") +
+        (result.stopped ? "" : failure_paragraph(result));
+      err << message << std::flush;
+      log.note(message);
       if (result.stopped)
-        {
-          const int signal = signals.caught(communicator);
-          err << "biface: stopped by " << signal_name(signal) << "; " << kept
-              << std::endl;
-          return signal == SIGINT ? interrupted : terminated;
-        }
-      err << "biface: " << result.message << "; " << kept << std::endl;
+        return signal == SIGINT ? interrupted : terminated;
       return no_convergence;
     }
   } // namespace

@@ -29,6 +29,14 @@ namespace Biface
   }
 
 
+  void
+  RunLog::note(const std::string &text)
+  {
+    if (file.is_open())
+      file << text << std::flush;
+  }
+
+
   RunLog::int_type
   RunLog::overflow(const int_type c)
   {

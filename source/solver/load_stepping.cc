@@ -144,10 +144,17 @@ namespace Biface
     const bool by_arc = (stage.control == Stage::Control::arc_length);
     if (by_arc && progress.n_arc_steps > 0 &&
         progress.n_arc_steps >= parameters.max_arc_steps)
-      return {false,
-              "the loads of the stage '" + stage.name +
-                "' were not reached in " +
-                std::to_string(progress.n_arc_steps) + " steps"};
+      {
+        LoadSteppingResult result;
+        result.success = false;
+        result.cause   = FailureCause::too_many_steps;
+        result.message = "the loads of the stage '" + stage.name +
+                         "' were not reached in " +
+                         std::to_string(progress.n_arc_steps) + " steps";
+        result.reached = result.tried = progress.reached;
+        result.in_contact             = stage.contact;
+        return result;
+      }
 
     // attempts that come to nothing leave no trace
     const StepSize first_size = progress.size;
@@ -164,13 +171,22 @@ namespace Biface
           continue;
 
         progress.size = first_size;
-        if (attempt == Attempt::stopped)
-          return {false, last_message, true};
-        return {false,
-                "step " + std::to_string(progress.n_steps + 1) + " (" +
-                  stage.name + ") did not converge, though cut in half " +
-                  std::to_string(parameters.max_cuts) +
-                  " times: " + last_message};
+        LoadSteppingResult result;
+        result.success    = false;
+        result.stopped    = (attempt == Attempt::stopped);
+        result.cause      = last_failure.cause;
+        result.in_contact = stage.contact;
+        result.reached    = progress.reached;
+        result.tried      = last_tried;
+        result.message =
+          (result.stopped
+             ? last_failure.message
+             : "step " + std::to_string(progress.n_steps + 1) + " (" +
+                 stage.name + ") did not converge, though cut in half " +
+                 std::to_string(parameters.max_cuts) +
+                 (parameters.max_cuts == 1 ? " time: " : " times: ") +
+                 last_failure.message);
+        return result;
       }
   }
 
@@ -246,7 +262,8 @@ namespace Biface
       }
     if (!result.converged)
       {
-        last_message = result.message;
+        last_failure = result;
+        last_tried   = first;
         if (result.stopped)
           return Attempt::stopped;
         out << "  not converged: " << result.message << std::endl;

@@ -209,6 +209,7 @@ namespace Biface
                 << " of the right hand side, but " << tolerance
                 << " was asked for";
         result.message = message.str();
+        result.cause   = FailureCause::linear_iterations;
       }
     result.relative_residual = control.last_value() / norm;
     to_faces(x);

@@ -235,7 +235,10 @@ namespace Biface
       if (status == -10)
         result.message += ": the tangent is singular";
       else if (status == -9 || status == -13)
-        result.message += ": out of memory";
+        {
+          result.message += ": out of memory";
+          result.cause = FailureCause::out_of_memory;
+        }
       return result;
     }
   } // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <biface/base/parameter_tools.h>
+#include <biface/solver/active_set_iteration.h>
 #include <biface/solver/newton.h>
 
 namespace Biface
@@ -98,14 +99,19 @@ namespace Biface
   {
     const Discretization &discretization = equations.discretization;
 
-    NewtonResult result;
-    Loads        loads = path.loads(number);
-    unsigned int n_changes =
-      (zone_given ? 0 : equations.update_active_set(state, loads));
-    double     last_update = std::numeric_limits<double>::infinity();
-    LA::Vector increment   = discretization.owned_vector();
-    LA::Vector total       = discretization.owned_vector();
+    NewtonResult       result;
+    ActiveSetIteration zone(equations, out);
+    Loads              loads     = path.loads(number);
+    unsigned int       n_changes = (zone_given ? 0 : zone.update(state, loads));
+    double             last_update = std::numeric_limits<double>::infinity();
+    LA::Vector         increment   = discretization.owned_vector();
+    LA::Vector         total       = discretization.owned_vector();
 
+    const auto fail = [&](const FailureCause cause, const std::string &why) {
+      result.cause   = cause;
+      result.message = why;
+      return result;
+    };
     const auto print = [&](const std::string &update) {
       char line[128];
       std::snprintf(line,
@@ -134,10 +140,7 @@ namespace Biface
         }
         result.residuals.push_back(equations.relative_residual());
         if (!std::isfinite(result.residuals.back()))
-          {
-            result.message = "the residual is not a number";
-            return result;
-          }
+          return fail(FailureCause::divergence, "the residual is not a number");
 
         // a condition on the path needs an iteration to be satisfied
         const bool at_rest =
@@ -152,15 +155,19 @@ namespace Biface
              last_update <= small ||
              result.residuals.back() <= equations.relative_roundoff(state)))
           {
+            n_changes = zone.release(state, loads);
+            if (n_changes > 0)
+              {
+                result.residuals.pop_back();
+                continue;
+              }
             result.converged = true;
             break;
           }
         if (result.iterations == parameters.max_iterations)
-          {
-            result.message = "no convergence in " +
-                             std::to_string(result.iterations) + " iterations";
-            return result;
-          }
+          return fail(FailureCause::too_many_iterations,
+                      "no convergence in " + std::to_string(result.iterations) +
+                        " iterations");
 
         LinearSolverResult linear = linear_solver.factorize(
           equations.tangent(), equations.is_symmetric());
@@ -182,33 +189,27 @@ namespace Biface
             const double change =
               path.control->load_change(here, increment, per_load);
             if (linear.success && !std::isfinite(change))
-              {
-                result.message = "what is controlled does not depend on the "
-                                 "loads";
-                return result;
-              }
+              return fail(FailureCause::control,
+                          "what is controlled does not depend on the loads");
             increment.add(change, per_load);
             number += change;
             loads = path.loads(number);
           }
         if (!linear.success)
-          {
-            result.message = linear.message;
-            return result;
-          }
+          return fail(linear.cause, linear.message);
 
         TimerOutput::Scope scope(timer, "Update of the state");
         total += increment;
         equations.update(state, increment, iteration);
-        n_changes   = equations.update_active_set(state, loads);
+        n_changes   = zone.update(state, loads);
         last_update = increment.linfty_norm();
         ++result.iterations;
         if (!(last_update <= 1e3 * discretization.size()))
-          {
-            result.message = "the iteration diverged: an update exceeded 1000 "
-                             "times the size of the shell";
-            return result;
-          }
+          return fail(FailureCause::divergence,
+                      "the iteration diverged: an update exceeded 1000 times "
+                      "the size of the shell");
+        if (!zone.failure().empty())
+          return fail(FailureCause::contact_cycle, zone.failure());
 
         char update[16];
         std::snprintf(update, sizeof(update), "%9.3e", last_update);

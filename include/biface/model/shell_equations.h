@@ -164,9 +164,13 @@ namespace Biface
     settle_resultants(State &state) const;
 
     /** Decide anew which nodes are in contact.
+     * @param held nodes that remain in contact, whatever the state; empty for
+     * none.
      * @return the number of changes, on all ranks. */
     unsigned int
-    update_active_set(State &state, const Loads &loads) const;
+    update_active_set(State                              &state,
+                      const Loads                        &loads,
+                      const ContactConditions::ActiveSet &held = {}) const;
 
     /** Nodes in contact, on all ranks. */
     unsigned int

@@ -41,6 +41,10 @@ namespace Biface
     void
     open(const std::string &file_name, const bool append);
 
+    /** Write to the file what the screen has from elsewhere, such as errors. */
+    void
+    note(const std::string &text);
+
   private:
     int_type
     overflow(int_type c) override;

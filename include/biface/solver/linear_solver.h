@@ -6,6 +6,7 @@
 #include <string>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/solver/failure.h>
 
 namespace Biface
 {
@@ -14,7 +15,8 @@ namespace Biface
   {
     bool success = false;
     /** Where it failed: a sentence that says why. */
-    std::string message;
+    std::string  message;
+    FailureCause cause = FailureCause::singular_tangent;
     /** Norm of the residual over that of the right hand side. */
     double relative_residual = 0;
   };

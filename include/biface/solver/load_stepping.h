@@ -12,6 +12,7 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
+#include <biface/solver/failure.h>
 #include <biface/solver/nested_predictor.h>
 #include <biface/solver/newton.h>
 #include <biface/solver/progress.h>
@@ -46,8 +47,15 @@ namespace Biface
     bool success = true;
     /** Where a step failed for good: what happened. */
     std::string message;
-    /** Whether the run was asked to stop; then it is no success. */
+    /** Whether it was asked to stop; then it is no success. */
     bool stopped = false;
+    /** Of a step that failed for good. */
+    FailureCause cause      = FailureCause::too_many_iterations;
+    bool         in_contact = false;
+    /** The loads of the last converged step, and those with which the last
+     * attempt beyond it began. */
+    LoadPoint reached;
+    LoadPoint tried;
   };
 
 
@@ -200,8 +208,10 @@ namespace Biface
 
     /** Of the last converged step. */
     StepReport report;
-    /** Of the last step that did not converge. */
-    std::string last_message;
+    /** Of the last attempt that did not converge: how its iteration ended, and
+     * with which loads it began. */
+    NewtonResult last_failure;
+    LoadPoint    last_tried;
   };
 } // namespace Biface
 

@@ -13,6 +13,7 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
+#include <biface/solver/failure.h>
 #include <biface/solver/linear_solver.h>
 #include <biface/solver/path_control.h>
 
@@ -24,7 +25,8 @@ namespace Biface
     bool         converged  = false;
     unsigned int iterations = 0;
     /** Where it did not converge: why. */
-    std::string message;
+    std::string  message;
+    FailureCause cause = FailureCause::too_many_iterations;
     /** Whether it was asked to stop. */
     bool stopped = false;
     /** Relative residuals before each iteration, and after the last. */
@@ -37,7 +39,9 @@ namespace Biface
    * resultants of every element @cite GrigolyukKulikovPlotnikova2004, with the
    * primal-dual active set of the contact inside: the set is decided anew after
    * every iteration, and the iteration ends when it is at rest and the residual
-   * or the update is small.
+   * or the update is small. Where the set goes round in a circle, the nodes
+   * that toggle are held in contact until all is at rest, and then released,
+   * once in a step.
    */
   class Newton
   {

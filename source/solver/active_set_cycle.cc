@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include <biface/base/parameter_tools.h>
+#include <biface/solver/active_set_cycle.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  bool
+  ActiveSetCycle::closes_with(const ActiveSet &active)
+  {
+    sets.push_front(active);
+    if (sets.size() > 2 * longest + 1)
+      sets.pop_back();
+
+    // differs[p-1]: the newest sets and those p before them, one turn and one
+    // set long
+    std::vector<unsigned int> differs(longest, 1);
+    for (unsigned int p = 1; p <= longest && 2 * p < sets.size(); ++p)
+      {
+        differs[p - 1] = 0;
+        for (unsigned int j = 0; j <= p; ++j)
+          if (sets[j] != sets[j + p])
+            differs[p - 1] = 1;
+      }
+    Utilities::MPI::max(differs, communicator, differs);
+
+    // a set that stays is at rest
+    const auto period =
+      1 + (std::find(differs.begin(), differs.end(), 0u) - differs.begin());
+    if (period == 1 || period > longest)
+      return false;
+
+    toggling.assign(active.size(), 0);
+    for (unsigned int j = 1; j < period; ++j)
+      for (unsigned int n = 0; n < active.size(); ++n)
+        if (sets[j][n] != active[n])
+          toggling[n] = 1;
+    return true;
+  }
+
+
+  std::string
+  name_nodes(const Discretization               &discretization,
+             const ContactConditions::ActiveSet &marked)
+  {
+    constexpr unsigned int most = 5;
+
+    AssertDimension(marked.size(), discretization.nodes.size());
+    using Named = std::tuple<types::global_cell_index, double, double>;
+    std::vector<Named> mine;
+    for (unsigned int n = 0; n < marked.size(); ++n)
+      {
+        const Node &node = discretization.nodes[n];
+        if (marked[n] && node.locally_owned)
+          mine.emplace_back(node.number, node.alpha[0], node.alpha[1]);
+      }
+    std::vector<Named> all;
+    for (const auto &part :
+         Utilities::MPI::all_gather(discretization.communicator, mine))
+      all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end());
+
+    const ReferenceSurface &surface = discretization.get_surface();
+    std::string             text    = std::to_string(all.size()) +
+                       (all.size() == 1 ? " node at " : " nodes at ");
+    for (unsigned int i = 0; i < std::min<std::size_t>(all.size(), most); ++i)
+      text +=
+        (i > 0 ? ", (" : "(") +
+        number_to_string(std::get<1>(all[i]) / surface.coordinate_unit(0)) +
+        ", " +
+        number_to_string(std::get<2>(all[i]) / surface.coordinate_unit(1)) +
+        ")";
+    return text + (all.size() > most ? ", ..." : "");
+  }
+} // namespace Biface
