@@ -151,7 +151,7 @@ namespace Biface
       const int          signal  = signals.caught(communicator);
       const std::string  message =
         "biface: " +
-        (result.stopped ? "stopped by " + signal_name(signal)
+        (result.stopped ? std::string("stopped by ") + signal_name(signal)
                         : result.message) +
         "; " + std::to_string(n_steps) +
         (n_steps == 1 ? " converged step is kept.\n"

@@ -28,12 +28,12 @@ namespace Biface
     cycle.restart();
     if (was_held)
       {
-        message = "the contact zone goes round in a circle: " + nodes +
-                  " touch the foundation and leave it in turn, and again after "
-                  "they were held";
+        message = "the contact zone goes round in a circle, also after it was "
+                  "broken once; in turn in contact and apart: " +
+                  nodes;
         return n_changes;
       }
-    out << "    the contact zone goes round in a circle: held in contact are "
+    out << "    the contact zone goes round in a circle; held in contact: "
         << nodes << std::endl;
     was_held = true;
     held     = cycle.toggling_nodes();

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Nodes that touch a foundation and leave it in turn are held in contact until
+// they are released; where they toggle again, the failure names them.
+
+#include <iostream>
+
+#include <biface/solver/active_set_iteration.h>
+
+#include "../model/coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  ConditionalOStream               out(std::cout,
+                         Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+
+  const Layup             layup(Layup::Parameters(), cord_ply());
+  const auto              discretization = coarse_torus(layup);
+  const ContactConditions contact(ContactConditions::Parameters{});
+  ShellEquations          equations(*discretization, contact);
+  State                   state = equations.initial_state();
+
+  // the foundation goes to and fro, and the shell stands still
+  Loads near, far;
+  near.foundation = equations.foundation(equations.touching_travel(state) + 3);
+  far.foundation  = equations.foundation(equations.touching_travel(state) + 1);
+
+  ActiveSetIteration zone(equations, out);
+  const auto         print = [&](const std::string &what) {
+    const unsigned int n_active = equations.count_active(state);
+    out << what << ": " << n_active << " in contact" << std::endl;
+  };
+  zone.update(state, near);
+  print("near");
+  zone.update(state, far);
+  print("far");
+  for (unsigned int k = 0; k < 3; ++k)
+    zone.update(state, k % 2 == 0 ? near : far);
+  print("near, held");
+  const unsigned int n_changes = zone.update(state, far);
+  out << n_changes << " changes" << std::endl;
+  print("far, held");
+  const unsigned int n_released = zone.release(state, far);
+  out << n_released << " changes" << std::endl;
+  print("far, released");
+  for (unsigned int k = 0; k < 5; ++k)
+    zone.update(state, k % 2 == 0 ? near : far);
+  out << zone.failure() << std::endl;
+}
