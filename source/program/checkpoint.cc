@@ -220,12 +220,20 @@ namespace Biface
     const auto            vector    = [&](const std::string &name) {
       return vector_from(reader->rows(name, nodes), mesh);
     };
+    // to be read at all nodes of this rank; a temporary would be moved, and
+    // bring along that it has the owned ones only
+    const auto ghosted = [&](const std::string &name) {
+      const LA::Vector owned  = vector(name);
+      LA::Vector       result = mesh.ghosted_vector();
+      result                  = owned;
+      return result;
+    };
     const auto modes = [&](const std::string &name) {
       return modes_from(reader->rows(name, cells));
     };
 
     State state        = equations.initial_state();
-    state.displacement = vector("displacement");
+    state.displacement = ghosted("displacement");
     state.resultants   = modes("resultants");
     state.active = active_from(reader->rows("active", numbers_of_nodes(mesh)));
 
@@ -235,7 +243,7 @@ namespace Biface
     if (reader->has("linearization displacement"))
       {
         State point                 = equations.initial_state();
-        point.displacement          = vector("linearization displacement");
+        point.displacement          = ghosted("linearization displacement");
         point.resultants            = modes("linearization resultants");
         history.linearization_point = point;
       }
