@@ -12,8 +12,8 @@ packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
 case ${1-} in
   "") ;;
-  tests) packages="$packages numdiff clang-format-14 doxygen texlive-binaries
-    python3" ;;
+  tests) packages="$packages numdiff clang clang-format-14 doxygen
+    texlive-binaries python3" ;;
   report)
     packages="$packages python3-matplotlib xvfb xauth"
     # ParaView has a VTK of its own and would have to go for Debian's

@@ -38,6 +38,9 @@ cmake --build build-tests --target documentation
 step "Debug and Release"
 cmake --build build-tests --target all build_tests
 
+step "Arbitrary input"
+cmake --build build-tests --target fuzz
+
 # each test takes a guard file that stands there for the trace of an
 # interruption and builds its program again: put the guards where a test that
 # ended leaves them
