@@ -13,6 +13,7 @@
 #include <numeric>
 #include <sstream>
 
+#include <biface/base/gather.h>
 #include <biface/base/input_error.h>
 #include <biface/base/output_error.h>
 #include <biface/output/atomic_file.h>
@@ -91,32 +92,29 @@ namespace Biface
         const auto before = [&](const std::size_t i, const std::uint64_t n) {
           return rows.numbers[i] < n;
         };
-        std::pair<std::vector<std::uint64_t>, std::vector<double>> mine;
+        std::vector<std::uint64_t> numbers;
+        std::vector<double>        values;
         for (auto i =
                std::lower_bound(order.begin(), order.end(), begin, before);
              i != order.end() && rows.numbers[*i] < end;
              ++i)
           {
-            mine.first.push_back(rows.numbers[*i]);
+            numbers.push_back(rows.numbers[*i]);
             const auto row = rows.values.begin() + *i * rows.width;
-            mine.second.insert(mine.second.end(), row, row + rows.width);
+            values.insert(values.end(), row, row + rows.width);
           }
 
-        std::vector<double> all((end - begin) * rows.width);
-        std::uint64_t       n_found = 0;
-        for (const auto &part : Utilities::MPI::gather(communicator, mine))
-          {
-            n_found += part.first.size();
-            for (std::size_t i = 0; i < part.first.size(); ++i)
-              std::copy_n(part.second.begin() + i * rows.width,
-                          rows.width,
-                          all.begin() + (part.first[i] - begin) * rows.width);
-          }
-        (void) n_found;
+        numbers = gather_numbers(communicator, numbers);
+        values  = gather_numbers(communicator, values);
         Assert(Utilities::MPI::this_mpi_process(communicator) != 0 ||
-                 n_found == end - begin,
+                 numbers.size() == end - begin,
                ExcInternalError());
-        return all;
+        std::vector<double> ordered(values.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+          std::copy_n(values.begin() + i * rows.width,
+                      rows.width,
+                      ordered.begin() + (numbers[i] - begin) * rows.width);
+        return ordered;
       }
     } // namespace
 

@@ -40,6 +40,9 @@ namespace Biface
       icntl(4)  = 0;
       icntl(14) = 40; // per cent of workspace beyond the estimate
       icntl(18) = 3;  // each rank brings its own entries
+      // ScaLAPACK takes longer for the last front where few ranks share it
+      if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
+        icntl(13) = 1;
 
       collect_pattern(A);
       mumps.n       = A.m();

@@ -29,7 +29,7 @@ main(int argc, char *argv[])
 
   // the foundation goes to and fro, and the shell stands still
   Loads near, far;
-  near.foundation = equations.foundation(equations.touching_travel(state) + 3);
+  near.foundation = equations.foundation(equations.touching_travel(state) + 12);
   far.foundation  = equations.foundation(equations.touching_travel(state) + 1);
 
   ActiveSetIteration zone(equations, out);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_base_gather_h
+#define biface_base_gather_h
+
+#include <deal.II/base/mpi.h>
+
+#include <numeric>
+#include <vector>
+
+namespace Biface
+{
+  /**
+   * The numbers of all ranks, those of the first rank first; empty on the
+   * others. All together must be fewer than an int counts.
+   *
+   * deal.II's gather() compresses what it sends, which takes longer than to
+   * send it.
+   */
+  template <typename Number>
+  std::vector<Number>
+  gather_numbers(const MPI_Comm communicator, const std::vector<Number> &mine)
+  {
+    namespace MPI      = dealii::Utilities::MPI;
+    const bool is_root = (MPI::this_mpi_process(communicator) == 0);
+
+    const int        n_mine = mine.size();
+    std::vector<int> counts(is_root ? MPI::n_mpi_processes(communicator) : 0);
+    MPI_Gather(&n_mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
+
+    std::vector<int> begins(counts.size());
+    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    std::vector<Number> all(is_root ? begins.back() + counts.back() : 0);
+    const MPI_Datatype  type = MPI::mpi_type_id_for_type<Number>;
+    MPI_Gatherv(mine.data(),
+                n_mine,
+                type,
+                all.data(),
+                counts.data(),
+                begins.data(),
+                type,
+                0,
+                communicator);
+    return all;
+  }
+} // namespace Biface
+
+#endif
