@@ -40,9 +40,11 @@ namespace Biface
                            "must have a positive radius, since a meridian "
                            "must not meet the axis.");
         const double step = (i == 0 ? 0. : points[i].distance(points[i - 1]));
-        if (i > 0 && !(step > 0))
+        const double way  = (i == 0 ? 0. : knots.back() + step);
+        // not lost in the round-off of the way so far, either
+        if (i > 0 && !(way > knots.back()))
           throw InputError(where + "must differ from the one before it.");
-        knots.push_back(i == 0 ? 0. : knots.back() + step);
+        knots.push_back(way);
         r.push_back(points[i][0]);
         y.push_back(points[i][1]);
       }
