@@ -82,6 +82,13 @@ namespace Biface
                                  text,
                                  "the ratio of neighboring cells must lie "
                                  "between 0.01 and 100");
+              constexpr double longest = 1e10;
+              if (std::abs(std::log(interval.ratio)) * (n - 1) >
+                  std::log(longest))
+                throw InputError(entry,
+                                 text,
+                                 "the longest cell of an interval must not "
+                                 "exceed the shortest more than 1e10 times");
             }
         }
       return interval;
