@@ -42,6 +42,10 @@ namespace Biface
       return 6 * vertex + 2 * component + face;
     }
 
+    /** @f$h\,\partial\beta/\partial v^\mp@f$: the share of each face in the
+     * director's change. */
+    static constexpr std::array<double, 2> beta_sign{{-1, 1}};
+
     using NodalVector = dealii::Tensor<1, n_dofs>;
 
     /** `K[i][j]`, row by row. */
