@@ -22,6 +22,8 @@ find source include tests \( -name '*.h' -o -name '*.cc' \) \
 
 # ranks and threads would compete for the same cores
 export OPENBLAS_NUM_THREADS=1
+# ranks that wait leave their core to others
+export OMPI_MCA_mpi_yield_when_idle=1
 # where there is no /sys, hwloc would tell so among what the tests print
 export HWLOC_HIDE_ERRORS=2
 if [ "$(id -u)" -eq 0 ]; then

@@ -20,6 +20,8 @@
 
 #include <biface/program/program.h>
 
+#include "../tests.h"
+
 /** How a run of the program ended, and what it printed. */
 struct Ended
 {
@@ -184,6 +186,67 @@ with(std::vector<std::string> words, const std::vector<std::string> &settings)
   for (const std::string &setting : settings)
     words.insert(words.end() - 1, {"--set", setting});
   return words;
+}
+
+
+inline bool
+is_root()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
+
+
+/** Run on the first rank alone, or on all of them. */
+template <typename Function>
+int
+on(const bool all, const Function &function)
+{
+  int code = 0;
+  if (all)
+    code = function(MPI_COMM_WORLD).code;
+  else if (is_root())
+    code = function(MPI_COMM_SELF).code;
+  MPI_Barrier(MPI_COMM_WORLD);
+  return code;
+}
+
+
+/** Stop before a step, first on one rank, then on all; continue on the
+ * others. */
+inline void
+check_restart(const std::string              &name,
+              const std::vector<std::string> &words,
+              const unsigned int              step)
+{
+  const std::string whole = "whole", cut = "cut";
+  const std::string stop_at = "Step " + std::to_string(step) + ",";
+  on(false, [&](const MPI_Comm communicator) {
+    std::filesystem::remove_all(whole);
+    return run(words, whole, communicator);
+  });
+  for (const bool all_ranks : {false, true})
+    {
+      if (is_root())
+        std::filesystem::remove_all(cut);
+      MPI_Barrier(MPI_COMM_WORLD);
+      const int stopped = on(all_ranks, [&](const MPI_Comm communicator) {
+        return run(words, cut, communicator, stop_at);
+      });
+      const unsigned int n_before = read_table(cut + "/history.csv").size();
+      MPI_Barrier(MPI_COMM_WORLD);
+      const int continued = on(!all_ranks, [&](const MPI_Comm communicator) {
+        return restart(words, cut, communicator);
+      });
+      if (!is_root())
+        continue;
+      std::cout << name
+                << (all_ranks ? ", 2 ranks, then 1" : ", 1 rank, then 2")
+                << ": " << stopped << ", " << n_before - 1 << " steps, "
+                << continued << '\n';
+      check_small("  history", difference("history.csv", whole, cut), 1e-9);
+      if (std::filesystem::exists(whole + "/probes.csv"))
+        check_small("  probes", difference("probes.csv", whole, cut), 1e-9);
+    }
 }
 
 #endif

@@ -15,6 +15,7 @@ export ASAN_OPTIONS="detect_container_overflow=0:${ASAN_OPTIONS-}"
 export LSAN_OPTIONS="suppressions=$here/leaks.supp:print_suppressions=0:${LSAN_OPTIONS-}"
 export UBSAN_OPTIONS="suppressions=$here/undefined.supp:print_stacktrace=1:halt_on_error=1:${UBSAN_OPTIONS-}"
 export OPENBLAS_NUM_THREADS=1 HWLOC_HIDE_ERRORS=2
+export OMPI_MCA_mpi_yield_when_idle=1
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A run that was stopped while the size of its steps was being found, and is
+// continued on another number of ranks, ends with the history of one that was
+// not.
+
+#include "restart.h"
+
+using namespace dealii;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::string no_vtu = "Output/Write VTU=false";
+
+  // a foundation that is less stiff than the default: round-off in clearances
+  // is smaller in the forces, and ranks agree in more digits
+  const auto tire = with(coarse_tire, {"Contact/Regularization=1e3"});
+  check_restart(
+    "loads in steps that are cut",
+    with(tire, {"Newton/Maximum iterations=4", "Stage 2/Steps=1", no_vtu}),
+    4);
+  check_restart("loads in steps that adapt",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:10:8",
+                 "--set",
+                 "Stage 1/Adaptive steps=true",
+                 "--set",
+                 "Step control/Greatest growth=4",
+                 DATA_DIR "/../verification/cantilever_end_shear.prm"},
+                5);
+  check_restart("force on the foundation",
+                with(tire,
+                     {"Stage 2/Control=foundation force",
+                      "Stage 2/Travel=0",
+                      "Stage 2/Force=1500",
+                      no_vtu}),
+                4);
+  check_restart("arc length",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:254:4",
+                 "--set",
+                 "Mesh/Intervals alpha_2=0:5.729577951308232:4",
+                 PRM_DIR "/snap_through_roof.prm"},
+                20);
+}
