@@ -41,6 +41,7 @@ CASES = [
     Case(8, 1, 2, "refined", []),
     Case(1, 1, 1, "iterative", ITERATIVE),
     Case(2, 1, 1, "iterative", ITERATIVE),
+    Case(4, 1, 1, "iterative", ITERATIVE),
 ]
 
 # The sections of the program's table that are the linear solver's own work

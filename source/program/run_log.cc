@@ -127,6 +127,9 @@ namespace Biface
       report.seconds,
       seconds);
     text += part;
+    if (const unsigned int n = report.n_negative_pivots.value_or(0); n > 0)
+      text += ", " + std::to_string(n) +
+              (n == 1 ? " negative pivot" : " negative pivots");
     if (predictable && now > at_begin && planned > now)
       {
         std::snprintf(part,

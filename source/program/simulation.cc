@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -80,6 +81,20 @@ namespace Biface
     }
 
 
+    /** The conditions of contact; where no stage has any, those that keep the
+     * tangent symmetric, of which the solver needs to know one half. */
+    ContactConditions::Parameters
+    make_contact(const Parameters &parameters)
+    {
+      ContactConditions::Parameters contact = parameters.contact;
+      if (std::none_of(parameters.stages.begin(),
+                       parameters.stages.end(),
+                       [](const Stage &stage) { return stage.contact; }))
+        contact.mass = MultiplierMass::lumped;
+      return contact;
+    }
+
+
     /** Seconds in factorizations and solutions. */
     double
     linear_seconds(const TimerOutput &timer)
@@ -114,7 +129,7 @@ namespace Biface
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , discretization(std::move(mesh))
-    , contact(parameters.contact)
+    , contact(make_contact(parameters))
     , equations(*discretization, contact, parameters.loads, parameters.pressure)
     , linear_solver(
         make_linear_solver(parameters.linear_solver, *discretization, timer))

@@ -21,17 +21,17 @@ namespace Biface
     // thin shell is much more than eps |b|. A singular matrix leaves one of the
     // size of b.
     LinearSolverResult result;
-    result.relative_residual    = (norm_b > 0 ? norm_r / norm_b : norm_r);
+    const double       relative = (norm_b > 0 ? norm_r / norm_b : norm_r);
     const double backward_error = norm_r / (A.linfty_norm() * norm_x + norm_b);
-    result.success              = std::isfinite(norm_x) &&
-                     (norm_r == 0 || (result.relative_residual <= 1e-3 &&
-                                      backward_error <= 1e-10));
+    result.success =
+      std::isfinite(norm_x) &&
+      (norm_r == 0 || (relative <= 1e-3 && backward_error <= 1e-10));
     if (!result.success)
       {
         std::ostringstream message;
         message << "the linear system was not solved (relative residual "
-                << result.relative_residual << ", norm of the solution "
-                << norm_x << "): the tangent is singular or nearly so";
+                << relative << ", norm of the solution " << norm_x
+                << "): the tangent is singular or nearly so";
         result.message = message.str();
       }
     return result;

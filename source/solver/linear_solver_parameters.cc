@@ -22,7 +22,7 @@ namespace Biface
       "'direct' (MUMPS: LDL^T where the tangent is symmetric, LU where not), "
       "'Amesos' (the direct solver UMFPACK or KLU on the first rank: slower; "
       "also what 'direct' means where the program was built without MUMPS) or "
-      "'iterative' (conjugate gradients or GMRES with algebraic multigrid: "
+      "'iterative' (GMRES with algebraic multigrid: "
       "less memory, more time).");
     multigrid.add_parameters(prm);
   }

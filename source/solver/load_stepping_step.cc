@@ -67,15 +67,16 @@ namespace Biface
     progress.reached = point(number);
     ++progress.n_steps;
 
-    report.step       = progress.n_steps;
-    report.stage      = stage.name;
-    report.in_contact = stage.contact;
-    report.loads      = loads_at(progress.reached, stage, progress);
-    report.approach   = (stage.contact ? progress.reached.travel : 0.);
-    report.contact    = equations.summarize_contact(state, report.loads);
-    report.iterations = result.iterations;
-    report.residuals  = result.residuals;
-    report.seconds    = timer.wall_time();
+    report.step              = progress.n_steps;
+    report.stage             = stage.name;
+    report.in_contact        = stage.contact;
+    report.loads             = loads_at(progress.reached, stage, progress);
+    report.approach          = (stage.contact ? progress.reached.travel : 0.);
+    report.contact           = equations.summarize_contact(state, report.loads);
+    report.iterations        = result.iterations;
+    report.residuals         = result.residuals;
+    report.n_negative_pivots = result.n_negative_pivots;
+    report.seconds           = timer.wall_time();
     return Attempt::converged;
   }
 

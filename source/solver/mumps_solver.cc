@@ -93,6 +93,13 @@ namespace Biface
       return status;
     }
 
+    /** Of the last factorization. */
+    unsigned int
+    n_negative_pivots() const
+    {
+      return mumps.infog[11];
+    }
+
     int
     solve(LA::Vector &x, const LA::Vector &b)
     {
@@ -267,6 +274,8 @@ namespace Biface
       return failure("factorization", status);
     LinearSolverResult result;
     result.success = true;
+    if (symmetric)
+      result.n_negative_pivots = instance->n_negative_pivots();
     return result;
   }
 

@@ -68,16 +68,15 @@ namespace Biface
   namespace
   {
     /**
-     * How exactly to solve the next linear system, as a fraction of its right
-     * hand side @cite EisenstatWalker1996: as the residual has fallen, squared,
-     * but no further than the last iteration needs. The upper bound is small,
-     * since the stiff contact makes most of the right hand side while nodes
-     * penetrate, and the shell's own forces would be lost in it.
+     * How exactly to solve the next linear system, in the solver's own norm
+     * @cite EisenstatWalker1996: as the residual has fallen, squared, but no
+     * further than the last iteration needs. The upper bound is small, so that
+     * the contact zone does not wander.
      */
     double
     forcing_term(const std::vector<double> &residuals, const double tolerance)
     {
-      constexpr double greatest = 1e-6, gamma = 0.9;
+      constexpr double greatest = 1e-3, gamma = 0.9;
 
       const double now = residuals.back();
       if (residuals.size() < 2 || now == 0)
@@ -171,6 +170,7 @@ namespace Biface
 
         LinearSolverResult linear = linear_solver.factorize(
           equations.tangent(), equations.is_symmetric());
+        result.n_negative_pivots = linear.n_negative_pivots;
         const double exactness =
           forcing_term(result.residuals, parameters.residual_tolerance);
         if (linear.success)

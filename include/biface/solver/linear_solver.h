@@ -3,6 +3,7 @@
 #ifndef biface_solver_linear_solver_h
 #define biface_solver_linear_solver_h
 
+#include <optional>
 #include <string>
 
 #include <biface/base/linear_algebra.h>
@@ -17,8 +18,8 @@ namespace Biface
     /** Where it failed: a sentence that says why. */
     std::string  message;
     FailureCause cause = FailureCause::singular_tangent;
-    /** Norm of the residual over that of the right hand side. */
-    double relative_residual = 0;
+    /** Of a symmetric matrix, where the solver counts them. */
+    std::optional<unsigned int> n_negative_pivots;
   };
 
 
@@ -44,8 +45,8 @@ namespace Biface
     /**
      * Solve @f$A x = b@f$ with the matrix last given to factorize().
      *
-     * @param tolerance the residual that will do, as a fraction of the right
-     * hand side; a direct solver goes as far as it can.
+     * @param tolerance the fraction to which an iteration reduces its own norm
+     * of the residual; a direct solver goes as far as it can.
      */
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;

@@ -37,7 +37,9 @@ namespace Biface
     unsigned int   iterations = 0;
     /** Relative residuals before each iteration, and after the last. */
     std::vector<double> residuals;
-    double              seconds = 0;
+    /** See NewtonResult. */
+    std::optional<unsigned int> n_negative_pivots;
+    double                      seconds = 0;
   };
 
 

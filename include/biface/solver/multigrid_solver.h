@@ -16,7 +16,13 @@ namespace Biface
 {
   /**
    * Krylov's method with algebraic multigrid by smoothed aggregation (Trilinos
-   * ML): conjugate gradients where the matrix is symmetric, GMRES where not.
+   * ML). The method is GMRES for symmetric matrices, too: on fine meshes, the
+   * tangent of a shell pressed flat has negative eigenvalues, since short waves
+   * across compressed cords are unstable, and conjugate gradients fail.
+   *
+   * The preconditioned residual is what is reduced. It is close to the error:
+   * in the residual itself, stiff contact and stiff thickness outweigh all
+   * else.
    *
    * Two things make multigrid work for a shell with two faces. The unknowns are
    * changed to the mean and half the difference of both faces, of which the
@@ -32,6 +38,7 @@ namespace Biface
     struct Parameters
     {
       unsigned int max_iterations = 1000;
+      unsigned int restart_length = 500;
       unsigned int sweeps         = 2;
 
       void
@@ -64,7 +71,6 @@ namespace Biface
     const Parameters      parameters;
     const Discretization &discretization;
     dealii::TimerOutput  &timer;
-    bool                  symmetric = true;
 
     LA::SparseMatrix                          matrix;
     dealii::TrilinosWrappers::PreconditionAMG preconditioner;

@@ -8,6 +8,7 @@
 #include <deal.II/base/timer.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ namespace Biface
     bool stopped = false;
     /** Relative residuals before each iteration, and after the last. */
     std::vector<double> residuals;
+    /** Of the last tangent, where the linear solver counts them: how many ways
+     * there are to leave this equilibrium. */
+    std::optional<unsigned int> n_negative_pivots;
   };
 
 
