@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// An iteration whose linear solver gives no update has not converged while the
+// forces are far from balance.
+
+#include <deal.II/base/timer.h>
+
+#include <iostream>
+
+#include <biface/solver/newton.h>
+
+#include "../model/coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  /** Takes zero for the solution of any system. */
+  class IdleSolver : public LinearSolver
+  {
+  public:
+    LinearSolverResult
+    factorize(const LA::SparseMatrix &, const bool) override
+    {
+      return done();
+    }
+
+    LinearSolverResult
+    solve(LA::Vector &x, const LA::Vector &, const double) override
+    {
+      x = 0;
+      return done();
+    }
+
+  private:
+    static LinearSolverResult
+    done()
+    {
+      LinearSolverResult result;
+      result.success = true;
+      return result;
+    }
+  };
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  ConditionalOStream               out(std::cout, false);
+  TimerOutput timer(out, TimerOutput::never, TimerOutput::wall_times);
+
+  const Layup             layup(Layup::Parameters(), cord_ply());
+  const auto              discretization = coarse_torus(layup);
+  const ContactConditions contact(ContactConditions::Parameters{});
+  ShellEquations          equations(*discretization, contact);
+  State                   state = equations.initial_state();
+
+  Newton::Parameters parameters;
+  IdleSolver         solver;
+  Newton newton(parameters, equations, solver, out, timer, Newton::Stop());
+
+  Newton::Path path;
+  path.loads = [](const double factor) {
+    Loads loads;
+    loads.pressure = 0.15 * factor;
+    return loads;
+  };
+  double             factor = 1;
+  const NewtonResult result =
+    newton.solve(state, path, factor, NewtonIteration::mixed, false);
+  std::cout << (result.converged ? "converged" : result.message) << std::endl;
+}
