@@ -189,6 +189,14 @@ with(std::vector<std::string> words, const std::vector<std::string> &settings)
 }
 
 
+inline const std::string no_vtu = "Output/Write VTU=false";
+
+/** coarse_tire on a foundation that is less stiff than the default: round-off
+ * in clearances is smaller in the forces, and ranks agree in more digits. */
+inline const std::vector<std::string> soft_tire =
+  with(coarse_tire, {"Contact/Regularization=1e3"});
+
+
 inline bool
 is_root()
 {

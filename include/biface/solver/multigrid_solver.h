@@ -17,8 +17,8 @@ namespace Biface
   /**
    * Krylov's method with algebraic multigrid by smoothed aggregation (Trilinos
    * ML). The method is GMRES for symmetric matrices, too: on fine meshes, the
-   * tangent of a shell pressed flat has negative eigenvalues, since short waves
-   * across compressed cords are unstable, and conjugate gradients fail.
+   * tangent of a shell pressed flat has negative eigenvalues, and conjugate
+   * gradients fail.
    *
    * The preconditioned residual is what is reduced. It is close to the error:
    * in the residual itself, stiff contact and stiff thickness outweigh all
