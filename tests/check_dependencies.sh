@@ -12,12 +12,15 @@ may_include()
 {
   case $1 in
     base) echo ;;
-    surface | laminate | contact) echo base ;;
-    element) echo base surface laminate ;;
-    model) echo base surface laminate contact element ;;
+    input) echo base ;;
+    surface | laminate | contact) echo base input ;;
+    element) echo base input surface laminate ;;
+    model) echo base input surface laminate contact element ;;
     solver) echo "$(may_include model) model" ;;
-    output) echo "$(may_include solver) solver" ;;
-    program) echo "$(may_include output) output" ;;
+    stepping) echo "$(may_include solver) solver" ;;
+    output) echo "$(may_include stepping) stepping" ;;
+    restart) echo "$(may_include output) output" ;;
+    program) echo "$(may_include restart) restart" ;;
     *) return 1 ;;
   esac
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/parameter_tools.h>
 #include <biface/contact/foundation_parameters.h>
 #include <biface/contact/rigid_plane.h>
+#include <biface/input/parameter_tools.h>
 
 namespace Biface
 {

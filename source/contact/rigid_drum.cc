@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/parameter_tools.h>
 #include <biface/contact/rigid_drum.h>
+#include <biface/input/parameter_tools.h>
 
 namespace Biface
 {

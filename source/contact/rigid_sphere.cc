@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/base/parameter_tools.h>
 #include <biface/contact/rigid_sphere.h>
+#include <biface/input/parameter_tools.h>
 
 namespace Biface
 {

@@ -170,4 +170,229 @@ namespace Biface
       }
     return force;
   }
+
+
+  void
+  MixedElement::strain_matrix(StrainMatrix &B) const
+  {
+    using namespace Resultants;
+
+    for (auto &row : B)
+      row.fill(0);
+
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+        const DisplacementGradient    &u      = gradients[q];
+
+        // the share of vertex q in the modes of a strain
+        const auto add_to_modes = [&](const unsigned int strain,
+                                      const unsigned int j,
+                                      const double       value) {
+          for (unsigned int m = 0; m < Modes::groups.size(); ++m)
+            if (Modes::mode_of[m][strain] != Modes::n)
+              B[Modes::mode_of[m][strain]][j] +=
+                Modes::groups[m].value_at_vertex(q) / 4 * value;
+        };
+
+        // d(strain) = p . d(beta)
+        const auto add_beta = [&](const unsigned int  strain,
+                                  const Tensor<1, 3> &p) {
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int face = 0; face < 2; ++face)
+              add_to_modes(strain,
+                           dof(q, i, face),
+                           beta_sign[face] / vertex.thickness * p[i]);
+        };
+
+        // d(strain) = p . d(g_a)
+        const auto add_g = [&](const unsigned int  strain,
+                               const unsigned int  face,
+                               const unsigned int  a,
+                               const Tensor<1, 3> &p) {
+          const Tensor<1, 3> own =
+            vertex.slope[a] * p + p * vertex.connection[a];
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              add_to_modes(strain, dof(q, i, face), own[i]);
+              add_to_modes(
+                strain, dof(q ^ (1 << a), i, face), -vertex.slope[a] * p[i]);
+            }
+          if (vertex.face_slope[face][a] != 0)
+            add_beta(strain, -vertex.face_slope[face][a] * p);
+        };
+
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const auto &zeta = vertex.metric.zeta[face];
+            const auto &g    = u.g[face];
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                const unsigned int c = 1 - a;
+
+                Tensor<1, 3> p = g[a] / (zeta[a] * zeta[a]);
+                p[a] += 1 / zeta[a];
+                add_g(tangential(a, face), face, a, p);
+
+                p = g[c] / (zeta[0] * zeta[1]);
+                p[c] += 1 / zeta[a];
+                add_g(tangential(2, face), face, a, p);
+
+                const double zeta_bar = vertex.metric.zeta_bar[a];
+                p                     = u.beta / zeta_bar;
+                p[2] += 1 / zeta_bar;
+                add_g(transverse(a, face), face, a, p);
+
+                p = g[a] / zeta_bar;
+                p[a] += zeta[a] / zeta_bar;
+                add_beta(transverse(a, face), p);
+              }
+          }
+        Tensor<1, 3> p = u.beta;
+        p[2] += 1;
+        add_beta(thickness, p);
+      }
+  }
+
+
+  void
+  MixedElement::add_geometric_stiffness(const Modes::Vector &H,
+                                        NodalMatrix         &K) const
+  {
+    const auto resultants = Modes::to_vertices(geometry.weight * H);
+
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+        const GeometricCoupling        coupling =
+          GeometricCoupling(resultants[q], vertex.metric)
+            .along_faces(vertex.face_slope);
+
+        const auto add = [&](const unsigned int  node_i,
+                             const unsigned int  face_i,
+                             const unsigned int  node_j,
+                             const unsigned int  face_j,
+                             const Tensor<2, 3> &block) {
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              K[dof(node_i, i, face_i)][dof(node_j, j, face_j)] += block[i][j];
+        };
+        const auto add_with_transpose = [&](const unsigned int  node_i,
+                                            const unsigned int  face_i,
+                                            const unsigned int  node_j,
+                                            const unsigned int  face_j,
+                                            const Tensor<2, 3> &block) {
+          add(node_i, face_i, node_j, face_j, block);
+          add(node_j, face_j, node_i, face_i, transpose(block));
+        };
+        const auto add_scalar = [&](const unsigned int node_i,
+                                    const unsigned int face_i,
+                                    const unsigned int node_j,
+                                    const unsigned int face_j,
+                                    const double       value) {
+          for (unsigned int i = 0; i < 3; ++i)
+            K[dof(node_i, i, face_i)][dof(node_j, i, face_j)] += value;
+        };
+
+        const std::array<unsigned int, 2> neighbor{{q ^ 1, q ^ 2}};
+        const std::array<double, 2>      &slope = vertex.slope;
+        const std::array<double, 2>       d_beta{
+          {beta_sign[0] / vertex.thickness, beta_sign[1] / vertex.thickness}};
+
+        // g_a = own_a v_q - slope_a v_neighbor
+        std::array<Tensor<2, 3>, 2> own;
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            own[a] = vertex.connection[a];
+            for (unsigned int i = 0; i < 3; ++i)
+              own[a][i][i] += slope[a];
+          }
+
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const auto &gg = coupling.gg[face];
+
+            // coupled[a] = sum_c gg_ac own_c
+            const std::array<Tensor<2, 3>, 2> coupled{
+              {gg[0] * own[0] + gg[2] * own[1],
+               gg[1] * own[1] + gg[2] * own[0]}};
+
+            add(q,
+                face,
+                q,
+                face,
+                transpose(own[0]) * coupled[0] +
+                  transpose(own[1]) * coupled[1]);
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                add_with_transpose(
+                  neighbor[a], face, q, face, -slope[a] * coupled[a]);
+                for (unsigned int c = 0; c < 2; ++c)
+                  add_scalar(neighbor[a],
+                             face,
+                             neighbor[c],
+                             face,
+                             slope[a] * slope[c] * gg[a == c ? a : 2]);
+              }
+
+            const Tensor<2, 3> own_beta =
+              coupling.gb[face][0] * own[0] + coupling.gb[face][1] * own[1];
+            for (unsigned int other = 0; other < 2; ++other)
+              {
+                add_with_transpose(q, other, q, face, d_beta[other] * own_beta);
+                for (unsigned int a = 0; a < 2; ++a)
+                  {
+                    const double value =
+                      -slope[a] * d_beta[other] * coupling.gb[face][a];
+                    add_scalar(q, other, neighbor[a], face, value);
+                    add_scalar(neighbor[a], face, q, other, value);
+                  }
+                add_scalar(q,
+                           face,
+                           q,
+                           other,
+                           d_beta[face] * d_beta[other] * coupling.bb);
+              }
+          }
+      }
+  }
+
+
+  void
+  MixedElement::tangent(const ModeStiffness &stiffness,
+                        const Modes::Vector &H,
+                        NodalMatrix         &K) const
+  {
+    alignas(64) StrainMatrix B;
+    strain_matrix(B);
+
+    for (auto &row : K)
+      row.fill(0);
+
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < group.size; ++i)
+        {
+          // row i of D B
+          alignas(64) std::array<double, n_dofs> DB;
+          DB.fill(0);
+          for (unsigned int j = 0; j < group.size; ++j)
+            {
+              const double d = geometry.weight * group.weight() *
+                               stiffness(group.strains[i], group.strains[j]);
+              const auto &row = B[group.first_mode + j];
+              for (unsigned int k = 0; k < n_dofs; ++k)
+                DB[k] += d * row[k];
+            }
+
+          const auto &row = B[group.first_mode + i];
+          for (unsigned int k = 0; k < n_dofs; ++k)
+            {
+              const double b = row[k];
+              for (unsigned int l = 0; l < n_dofs; ++l)
+                K[k][l] += b * DB[l];
+            }
+        }
+
+    add_geometric_stiffness(H, K);
+  }
 } // namespace Biface

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/laminate/material_parameters.h>
 
 namespace Biface

@@ -5,10 +5,10 @@
 #include <array>
 #include <vector>
 
-#include <biface/base/formula.h>
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
-#include <biface/base/read_file.h>
+#include <biface/base/errors.h>
+#include <biface/input/formula.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/meridional_tables.h>
 
 namespace Biface

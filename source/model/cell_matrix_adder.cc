@@ -13,27 +13,27 @@ namespace Biface
 {
   using namespace dealii;
 
-  CellMatrixAdder::CellMatrixAdder(const Discretization &discretization,
+  CellMatrixAdder::CellMatrixAdder(const ShellMesh                 &mesh,
                                    const AffineConstraints<double> &constraints,
                                    LA::SparseMatrix                &matrix)
-    : discretization(discretization)
+    : mesh(mesh)
     , constraints(constraints)
-    , fast_cell(discretization.cells.size(), numbers::invalid_unsigned_int)
+    , fast_cell(mesh.cells.size(), numbers::invalid_unsigned_int)
     , scratch_matrix(MixedElement::n_dofs, MixedElement::n_dofs)
     , scratch_vector(MixedElement::n_dofs)
     , scratch_dofs(MixedElement::n_dofs)
   {
-    TrilinosWrappers::SparsityPattern pattern(discretization.locally_owned,
-                                              discretization.locally_owned,
-                                              discretization.locally_relevant,
-                                              discretization.communicator,
+    TrilinosWrappers::SparsityPattern pattern(mesh.locally_owned,
+                                              mesh.locally_owned,
+                                              mesh.locally_relevant,
+                                              mesh.communicator,
                                               54);
     DoFTools::make_sparsity_pattern(
-      discretization.get_dof_handler(),
+      mesh.get_dof_handler(),
       pattern,
       constraints,
       false,
-      Utilities::MPI::this_mpi_process(discretization.communicator));
+      Utilities::MPI::this_mpi_process(mesh.communicator));
     pattern.compress();
     matrix.reinit(pattern);
 
@@ -43,12 +43,12 @@ namespace Biface
     if (epetra.ExtractCrsDataPointers(row_starts, columns, values) != 0)
       return; // not stored in one piece: no fast path
 
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell &cell = discretization.cells[c];
+        const Cell &cell = mesh.cells[c];
         bool        fast = true;
         for (const auto dof : cell.dofs)
-          fast = fast && discretization.locally_owned.is_element(dof) &&
+          fast = fast && mesh.locally_owned.is_element(dof) &&
                  !constraints.is_constrained(dof);
 
         Places cell_places;
@@ -85,7 +85,7 @@ namespace Biface
                        LA::SparseMatrix                &matrix,
                        LA::Vector                      &vector)
   {
-    const Cell &data = discretization.cells[cell];
+    const Cell &data = mesh.cells[cell];
     if (fast_cell[cell] != numbers::invalid_unsigned_int)
       {
         const Places &cell_places = places[fast_cell[cell]];

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/edge_moments.h>
 
@@ -105,18 +105,18 @@ namespace Biface
 
     /** Add a share of a force to the nodal forces. */
     void
-    add_nodal_force(const Discretization &discretization,
-                    const Node           &node,
-                    const Force          &force,
-                    const double          share,
-                    LA::Vector           &nodal_forces)
+    add_nodal_force(const ShellMesh &mesh,
+                    const Node      &node,
+                    const Force     &force,
+                    const double     share,
+                    LA::Vector      &nodal_forces)
     {
       const Tensor<1, 3> f =
         (force.local ? force.components
                      : node.surface.to_frame(force.components));
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int face = 0; face < 2; ++face)
-          discretization.constraints.distribute_local_to_global(
+          mesh.constraints.distribute_local_to_global(
             Vector<double>({share * force.faces[face] * f[i]}),
             {node.dofs[2 * i + face]},
             nodal_forces);
@@ -125,23 +125,20 @@ namespace Biface
 
     /** Add a force per area of the surface midway between the faces. */
     void
-    add_area_force(const Discretization &discretization,
-                   const Force          &force,
-                   LA::Vector           &nodal_forces)
+    add_area_force(const ShellMesh &mesh,
+                   const Force     &force,
+                   LA::Vector      &nodal_forces)
     {
-      for (const Cell &cell : discretization.cells)
+      for (const Cell &cell : mesh.cells)
         for (const unsigned int n : cell.nodes)
-          add_nodal_force(discretization,
-                          discretization.nodes[n],
-                          force,
-                          cell.geometry.weight / 4,
-                          nodal_forces);
+          add_nodal_force(
+            mesh, mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
     }
 
 
     /** Add a force per area of a face that depends on the place. */
     void
-    add_traction(const Discretization  &discretization,
+    add_traction(const ShellMesh       &mesh,
                  const Resultants::Face face,
                  const std::string     &text,
                  const AreaMeasure      area,
@@ -161,18 +158,18 @@ namespace Biface
                          "it must be three formulas, separated by semicolons, "
                          "and may end with '; local'");
 
-      const auto traction = evaluate_at_nodes(entry, formulas, discretization);
+      const auto traction = evaluate_at_nodes(entry, formulas, mesh);
       Force      force;
       force.local       = local;
       force.faces       = {{0, 0}};
       force.faces[face] = 1;
-      for (const Cell &cell : discretization.cells)
+      for (const Cell &cell : mesh.cells)
         for (unsigned int v = 0; v < 4; ++v)
           {
             for (unsigned int i = 0; i < 3; ++i)
               force.components[i] = traction[cell.nodes[v]][i];
-            add_nodal_force(discretization,
-                            discretization.nodes[cell.nodes[v]],
+            add_nodal_force(mesh,
+                            mesh.nodes[cell.nodes[v]],
                             force,
                             vertex_area(cell, v, area, face),
                             nodal_forces);
@@ -182,10 +179,9 @@ namespace Biface
 
 
   LA::Vector
-  DeadLoads::assemble(const Discretization &discretization,
-                      const AreaMeasure     area) const
+  DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
   {
-    LA::Vector nodal_forces = discretization.owned_vector();
+    LA::Vector nodal_forces = mesh.owned_vector();
     check_list_length("Loads/Point forces", point_forces, 10000);
 
     for (const std::string &text :
@@ -195,11 +191,9 @@ namespace Biface
         const auto        item =
           split_named(entry, text, "it must be written 'name: F_1 F_2 F_3'");
         const Force        force(entry, text, item.second);
-        const unsigned int n = discretization.node_of_point(entry, item.first);
-        if (n < discretization.nodes.size() &&
-            discretization.nodes[n].locally_owned)
-          add_nodal_force(
-            discretization, discretization.nodes[n], force, 1, nodal_forces);
+        const unsigned int n = mesh.node_of_point(entry, item.first);
+        if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
+          add_nodal_force(mesh, mesh.nodes[n], force, 1, nodal_forces);
       }
 
     for (const std::string &text :
@@ -209,21 +203,18 @@ namespace Biface
         const auto        item =
           split_named(entry, text, "it must be written 'edge: F_1 F_2 F_3'");
         const Force force(entry, text, item.second);
-        const Edge  edge = find_edge(entry, text, item.first, discretization);
-        for (const BoundarySegment &segment : discretization.boundary)
+        const Edge  edge = find_edge(entry, text, item.first, mesh);
+        for (const BoundarySegment &segment : mesh.boundary)
           if (segment.edge == edge)
             for (const unsigned int n : segment.nodes)
-              add_nodal_force(discretization,
-                              discretization.nodes[n],
-                              force,
-                              segment.length / 2,
-                              nodal_forces);
+              add_nodal_force(
+                mesh, mesh.nodes[n], force, segment.length / 2, nodal_forces);
       }
 
     for (const VertexMoment &moment :
-         parse_edge_moments(edge_moments, false, discretization))
+         parse_edge_moments(edge_moments, false, mesh))
       {
-        const Cell  &cell = discretization.cells[moment.cell];
+        const Cell  &cell = mesh.cells[moment.cell];
         Tensor<1, 3> director;
         director[2] = cell.geometry.vertices[moment.vertex].thickness;
         const FollowerCouple      couple(moment.moment, moment.axis, director);
@@ -235,18 +226,18 @@ namespace Biface
             force[MixedElement::dof(moment.vertex, i, Resultants::inner)] =
               -couple.force[i];
           }
-        discretization.add_nodal_forces(cell, force, nodal_forces);
+        mesh.add_nodal_forces(cell, force, nodal_forces);
       }
 
     for (const auto face : {Resultants::inner, Resultants::outer})
       if (!tractions[face].empty())
-        add_traction(discretization, face, tractions[face], area, nodal_forces);
+        add_traction(mesh, face, tractions[face], area, nodal_forces);
 
     if (area_force.norm() > 0)
       {
         Force weight;
         weight.components = area_force;
-        add_area_force(discretization, weight, nodal_forces);
+        add_area_force(mesh, weight, nodal_forces);
       }
 
     nodal_forces.compress(VectorOperation::add);

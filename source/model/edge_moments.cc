@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/edge_moments.h>
 
 namespace Biface
@@ -14,10 +14,10 @@ namespace Biface
   using namespace dealii;
 
   Edge
-  find_edge(const std::string    &entry,
-            const std::string    &text,
-            const std::string    &name,
-            const Discretization &discretization)
+  find_edge(const std::string &entry,
+            const std::string &text,
+            const std::string &name,
+            const ShellMesh   &mesh)
   {
     const auto found = std::find(edge_names.begin(), edge_names.end(), name);
     if (found == edge_names.end())
@@ -27,9 +27,9 @@ namespace Biface
                        "min', 'alpha_2 max'");
     const Edge   edge       = static_cast<Edge>(found - edge_names.begin());
     unsigned int n_segments = 0;
-    for (const BoundarySegment &segment : discretization.boundary)
+    for (const BoundarySegment &segment : mesh.boundary)
       n_segments += (segment.edge == edge);
-    if (Utilities::MPI::sum(n_segments, discretization.communicator) == 0)
+    if (Utilities::MPI::sum(n_segments, mesh.communicator) == 0)
       throw InputError(
         entry, text, "the coordinate is closed and has no such edge");
     return edge;
@@ -37,9 +37,9 @@ namespace Biface
 
 
   std::vector<VertexMoment>
-  parse_edge_moments(const std::string    &text,
-                     const bool            follower,
-                     const Discretization &discretization)
+  parse_edge_moments(const std::string &text,
+                     const bool         follower,
+                     const ShellMesh   &mesh)
   {
     const std::string entry = "Loads/Edge moments";
     const std::string form  = "each is written 'edge: M dead' or 'edge: M "
@@ -53,7 +53,7 @@ namespace Biface
         if (words.size() != 2 || (words[1] != "dead" && words[1] != "follower"))
           throw InputError(entry, item, form);
         const double moment = parse_number(entry, words[0], form);
-        const Edge   edge = find_edge(entry, item, named.first, discretization);
+        const Edge   edge   = find_edge(entry, item, named.first, mesh);
         if ((words[1] == "follower") != follower)
           continue;
 
@@ -74,7 +74,7 @@ namespace Biface
               axis[0] = -1;
               break;
           }
-        for (const BoundarySegment &segment : discretization.boundary)
+        for (const BoundarySegment &segment : mesh.boundary)
           if (segment.edge == edge)
             for (const unsigned int vertex : segment.vertices)
               result.push_back(

@@ -55,12 +55,12 @@ namespace Biface
   }
 
 
-  GridState::GridState(const Discretization &discretization, const State &state)
-    : GridState(discretization.grid)
+  GridState::GridState(const ShellMesh &mesh, const State &state)
+    : GridState(mesh.grid)
   {
-    for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        const Node &node = discretization.nodes[n];
+        const Node &node = mesh.nodes[n];
         if (!node.locally_owned)
           continue;
         const Place        at = place(node.alpha);
@@ -70,18 +70,17 @@ namespace Biface
           displacements[k][i] = state.displacement(node.dofs[i]);
         contacts[k] = state.active[n];
       }
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const std::array<unsigned int, 2> at =
-          place(discretization.nodes[discretization.cells[c].nodes[0]].alpha)
-            .cell;
+          place(mesh.nodes[mesh.cells[c].nodes[0]].alpha).cell;
         cell_resultants[at[0] + (lines[0].size() - 1) * at[1]] =
           state.resultants[c];
       }
 
-    sum(displacements, discretization.communicator);
-    sum(cell_resultants, discretization.communicator);
-    Utilities::MPI::sum(contacts, discretization.communicator, contacts);
+    sum(displacements, mesh.communicator);
+    sum(cell_resultants, mesh.communicator);
+    Utilities::MPI::sum(contacts, mesh.communicator, contacts);
   }
 
 

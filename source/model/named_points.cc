@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/named_points.h>
 
 namespace Biface

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/formula.h>
-#include <biface/base/parameter_tools.h>
 #include <biface/element/follower_pressure.h>
+#include <biface/input/formula.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/pressure_load.h>
 
 namespace Biface
@@ -46,18 +46,18 @@ namespace Biface
   std::vector<std::vector<double>>
   evaluate_at_nodes(const std::string              &entry,
                     const std::vector<std::string> &formulas,
-                    const Discretization           &discretization)
+                    const ShellMesh                &mesh)
   {
-    const ReferenceSurface          &surface = discretization.get_surface();
+    const ReferenceSurface          &surface = mesh.get_surface();
     std::vector<std::vector<double>> values;
-    agree_on_errors(discretization.communicator, [&]() {
+    agree_on_errors(mesh.communicator, [&]() {
       std::vector<Formula> parsed;
       for (const std::string &text : formulas)
         parsed.emplace_back(
           entry,
           text,
           std::vector<std::string>{"x", "y", "z", "alpha_1", "alpha_2"});
-      for (const Node &node : discretization.nodes)
+      for (const Node &node : mesh.nodes)
         {
           const Point<3> &p = node.surface.position;
           values.emplace_back();
@@ -75,11 +75,11 @@ namespace Biface
 
 
   std::vector<double>
-  PressureLoad::values(const Discretization &discretization) const
+  PressureLoad::values(const ShellMesh &mesh) const
   {
     std::vector<double> result;
-    for (const auto &value : evaluate_at_nodes(
-           "Loads/Pressure distribution", {distribution}, discretization))
+    for (const auto &value :
+         evaluate_at_nodes("Loads/Pressure distribution", {distribution}, mesh))
       result.push_back(value[0]);
     return result;
   }
@@ -99,11 +99,11 @@ namespace Biface
 
 
   LA::Vector
-  PressureLoad::assemble_dead(const Discretization &discretization) const
+  PressureLoad::assemble_dead(const ShellMesh &mesh) const
   {
-    const std::vector<double> p            = values(discretization);
-    LA::Vector                nodal_forces = discretization.owned_vector();
-    for (const Cell &cell : discretization.cells)
+    const std::vector<double> p            = values(mesh);
+    LA::Vector                nodal_forces = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
       {
         std::array<double, 4> p_v;
         for (unsigned int v = 0; v < 4; ++v)
@@ -119,7 +119,7 @@ namespace Biface
             force[MixedElement::dof(v, 2, face)] =
               (face == Resultants::inner ? 1 : -1) * p_v[v] *
               vertex_area(cell, v, area, face);
-        discretization.add_nodal_forces(cell, force, nodal_forces);
+        mesh.add_nodal_forces(cell, force, nodal_forces);
       }
     nodal_forces.compress(VectorOperation::add);
     return nodal_forces;

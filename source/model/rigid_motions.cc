@@ -39,29 +39,29 @@ namespace Biface
 
 
     Point<3>
-    mean_of_nodes(const Discretization &discretization)
+    mean_of_nodes(const ShellMesh &mesh)
     {
       Tensor<1, 3> sum;
-      for (const Node &node : discretization.nodes)
+      for (const Node &node : mesh.nodes)
         if (node.locally_owned)
           sum += node.surface.position;
-      return Point<3>(Utilities::MPI::sum(sum, discretization.communicator) /
-                      static_cast<double>(discretization.n_nodes()));
+      return Point<3>(Utilities::MPI::sum(sum, mesh.communicator) /
+                      static_cast<double>(mesh.n_nodes()));
     }
 
 
     /** The displacement of a node by a motion, by the node's degree of freedom.
      */
     double
-    nodal_value(const Discretization &discretization,
-                const Node           &node,
-                const Point<3>       &center,
-                const unsigned int    motion,
-                const unsigned int    dof)
+    nodal_value(const ShellMesh   &mesh,
+                const Node        &node,
+                const Point<3>    &center,
+                const unsigned int motion,
+                const unsigned int dof)
     {
       const Tensor<1, 3> x = (node.surface.position - center +
                               node.faces[dof % 2] * node.surface.frame[2]) /
-                             discretization.size();
+                             mesh.size();
       return displacement(motion, x) * node.surface.frame[dof / 2];
     }
 
@@ -69,20 +69,20 @@ namespace Biface
     /** The matrix of the sum of squares by which a combination of motions
      * violates the supports. */
     LAPACKFullMatrix<double>
-    violation_matrix(const Discretization &discretization)
+    violation_matrix(const ShellMesh &mesh)
     {
-      const Point<3> center = mean_of_nodes(discretization);
+      const Point<3> center = mean_of_nodes(mesh);
 
       std::vector<double> squares(n_motions * n_motions);
-      for (const Node &node : discretization.nodes)
+      for (const Node &node : mesh.nodes)
         if (node.locally_owned)
           for (unsigned int d = 0; d < 6; ++d)
             {
-              if (!discretization.constraints.is_constrained(node.dofs[d]))
+              if (!mesh.constraints.is_constrained(node.dofs[d]))
                 continue;
               const auto value = [&](const unsigned int motion,
                                      const unsigned int dof) {
-                return nodal_value(discretization, node, center, motion, dof);
+                return nodal_value(mesh, node, center, motion, dof);
               };
 
               // supports couple the two faces of a node only
@@ -91,8 +91,7 @@ namespace Biface
                 {
                   violation[m] = value(m, d);
                   for (const auto &entry :
-                       *discretization.constraints.get_constraint_entries(
-                         node.dofs[d]))
+                       *mesh.constraints.get_constraint_entries(node.dofs[d]))
                     for (unsigned int other = 0; other < 6; ++other)
                       if (node.dofs[other] == entry.first)
                         violation[m] -= entry.second * value(m, other);
@@ -101,7 +100,7 @@ namespace Biface
                 for (unsigned int j = 0; j < n_motions; ++j)
                   squares[n_motions * i + j] += violation[i] * violation[j];
             }
-      Utilities::MPI::sum(squares, discretization.communicator, squares);
+      Utilities::MPI::sum(squares, mesh.communicator, squares);
 
       LAPACKFullMatrix<double> matrix(n_motions, n_motions);
       for (unsigned int i = 0; i < n_motions; ++i)
@@ -145,12 +144,12 @@ namespace Biface
 
 
   std::vector<std::string>
-  free_rigid_motions(const Discretization &discretization)
+  free_rigid_motions(const ShellMesh &mesh)
   {
     // squares of violations, of the order of the number of nodes held
     const double tolerance = 1e-10;
 
-    LAPACKFullMatrix<double> matrix = violation_matrix(discretization);
+    LAPACKFullMatrix<double> matrix = violation_matrix(mesh);
     Vector<double>           eigenvalues;
     FullMatrix<double>       eigenvectors;
     matrix.compute_eigenvalues_symmetric(
@@ -177,20 +176,18 @@ namespace Biface
 
 
   std::vector<std::vector<double>>
-  rigid_motions(const Discretization &discretization)
+  rigid_motions(const ShellMesh &mesh)
   {
-    const Point<3>                   center = mean_of_nodes(discretization);
+    const Point<3>                   center = mean_of_nodes(mesh);
     std::vector<std::vector<double>> motions(
-      n_motions,
-      std::vector<double>(discretization.locally_owned.n_elements()));
-    for (const Node &node : discretization.nodes)
+      n_motions, std::vector<double>(mesh.locally_owned.n_elements()));
+    for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int d = 0; d < 6; ++d)
           {
-            const auto i =
-              discretization.locally_owned.index_within_set(node.dofs[d]);
+            const auto i = mesh.locally_owned.index_within_set(node.dofs[d]);
             for (unsigned int m = 0; m < n_motions; ++m)
-              motions[m][i] = nodal_value(discretization, node, center, m, d);
+              motions[m][i] = nodal_value(mesh, node, center, m, d);
           }
     return motions;
   }

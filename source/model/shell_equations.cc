@@ -13,32 +13,32 @@ namespace Biface
 {
   using namespace dealii;
 
-  ShellEquations::ShellEquations(const Discretization    &discretization,
+  ShellEquations::ShellEquations(const ShellMesh         &mesh,
                                  const ContactConditions &contact,
                                  const DeadLoads         &dead_loads,
                                  const PressureLoad      &pressure)
-    : discretization(discretization)
+    : mesh(mesh)
     , pressure_kind(pressure.kind)
     , pressure_face(pressure.face)
-    , pressure_distribution(pressure.values(discretization))
+    , pressure_distribution(pressure.values(mesh))
     , contact(contact)
-    , constraints(discretization.constraints)
-    , dead_load(dead_loads.assemble(discretization, pressure.area))
+    , constraints(mesh.constraints)
+    , dead_load(dead_loads.assemble(mesh, pressure.area))
     , unit_load(dead_load)
-    , unit_pressure(pressure.assemble_dead(discretization))
-    , rhs(discretization.owned_vector())
-    , adder(discretization, constraints, matrix)
+    , unit_pressure(pressure.assemble_dead(mesh))
+    , rhs(mesh.owned_vector())
+    , adder(mesh, constraints, matrix)
   {
-    for (const Strip &strip : discretization.strips)
+    for (const Strip &strip : mesh.strips)
       stiffness.emplace_back(strip.laminate.stiffness());
-    initial_strains.resize(discretization.cells.size());
+    initial_strains.resize(mesh.cells.size());
     for (const VertexMoment &moment :
-         parse_edge_moments(dead_loads.edge_moments, true, discretization))
+         parse_edge_moments(dead_loads.edge_moments, true, mesh))
       moments[moment.cell].push_back(moment);
-    symmetric_stiffness = discretization.strips[0].laminate.is_symmetric();
-    for (const Cell &cell : discretization.cells)
-      initial_resultants.push_back(Modes::constant(
-        discretization.strips[cell.strip].laminate.initial_resultants()));
+    symmetric_stiffness = mesh.strips[0].laminate.is_symmetric();
+    for (const Cell &cell : mesh.cells)
+      initial_resultants.push_back(
+        Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
   }
 
 
@@ -48,9 +48,9 @@ namespace Biface
                                  const unsigned int c,
                                  CellEquations     &equations) const
   {
-    const Cell  &cell = discretization.cells[c];
+    const Cell  &cell = mesh.cells[c];
     const State &base = linearization_point ? *linearization_point : state;
-    const auto   V    = discretization.cell_values(base.displacement, cell);
+    const auto   V    = mesh.cell_values(base.displacement, cell);
     const MixedElement element(cell.geometry, V);
 
     // the residual is that of the displacements, the tangent that of the
@@ -66,8 +66,7 @@ namespace Biface
 
     if (linearization_point)
       {
-        const auto dV =
-          discretization.cell_values(state.displacement, cell) - V;
+        const auto dV = mesh.cell_values(state.displacement, cell) - V;
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             force[i] += equations.tangent[i][j] * dV[j];
@@ -87,7 +86,7 @@ namespace Biface
                                      const MixedElement::NodalVector &V,
                                      CellEquations &equations) const
   {
-    const Cell &cell = discretization.cells[c];
+    const Cell &cell = mesh.cells[c];
     if (pressure_kind == PressureKind::follower)
       {
         std::array<double, 4> distribution;
@@ -146,17 +145,16 @@ namespace Biface
     unit_load = dead_load;
     if (pressure_kind == PressureKind::follower)
       unit_pressure = 0;
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         cell_equations(state, loads, c, equations);
         force_square += equations.force_square;
         adder.add(c, equations.tangent, equations.residual, matrix, rhs);
         if (pressure_kind == PressureKind::follower)
-          discretization.add_nodal_forces(
-            discretization.cells[c], equations.unit_pressure, unit_pressure);
+          mesh.add_nodal_forces(
+            mesh.cells[c], equations.unit_pressure, unit_pressure);
         if (moments.count(c) > 0)
-          discretization.add_nodal_forces(
-            discretization.cells[c], equations.moments, unit_load);
+          mesh.add_nodal_forces(mesh.cells[c], equations.moments, unit_load);
       }
     matrix.compress(VectorOperation::add);
     rhs.compress(VectorOperation::add);
@@ -165,9 +163,8 @@ namespace Biface
 
     const LA::Vector load = load_direction(loads);
     rhs += load;
-    force_scale =
-      std::sqrt(Utilities::MPI::sum(force_square, discretization.communicator) +
-                load.norm_sqr());
+    force_scale = std::sqrt(
+      Utilities::MPI::sum(force_square, mesh.communicator) + load.norm_sqr());
   }
 
 
@@ -184,7 +181,7 @@ namespace Biface
   ShellEquations::update_constraints(const State &state, const Loads &loads)
   {
     double violation = 0;
-    for (const PrescribedDisplacement &p : discretization.prescribed)
+    for (const PrescribedDisplacement &p : mesh.prescribed)
       {
         double missing = loads.factor * p.value - state.displacement(p.dof);
         if (p.other != numbers::invalid_dof_index)
@@ -192,8 +189,7 @@ namespace Biface
         constraints.set_inhomogeneity(p.dof, missing);
         violation = std::max(violation, std::abs(missing));
       }
-    largest_violation =
-      Utilities::MPI::max(violation, discretization.communicator);
+    largest_violation = Utilities::MPI::max(violation, mesh.communicator);
   }
 
 
@@ -214,15 +210,15 @@ namespace Biface
     if (force_scale == 0)
       return 0;
     double square = 0;
-    for (const auto dof : discretization.locally_owned)
-      if (!discretization.constraints.is_constrained(dof))
+    for (const auto dof : mesh.locally_owned)
+      if (!mesh.constraints.is_constrained(dof))
         {
           const double force =
             matrix.diag_element(dof) * state.displacement(dof);
           square += force * force;
         }
     return std::numeric_limits<double>::epsilon() *
-           std::sqrt(Utilities::MPI::sum(square, discretization.communicator)) /
+           std::sqrt(Utilities::MPI::sum(square, mesh.communicator)) /
            force_scale;
   }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/base/input_error.h>
+#include <biface/base/errors.h>
 #include <biface/model/shell_equations.h>
 
 namespace Biface
@@ -18,9 +18,8 @@ namespace Biface
                                    const Loads &loads,
                                    const Node  &node) const
   {
-    const FoundationPoint at =
-      loads.foundation->evaluate(discretization.deformed_position(
-        state.displacement, node, Resultants::outer));
+    const FoundationPoint at = loads.foundation->evaluate(
+      mesh.deformed_position(state.displacement, node, Resultants::outer));
     const double lambda = contact.multiplier(at.clearance);
     return {lambda * at.normal,
             contact.multiplier_stiffness() *
@@ -44,7 +43,7 @@ namespace Biface
     const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
     const auto frame =
       [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
-      return discretization.nodes[cell.nodes[v]].surface.frame;
+      return mesh.nodes[cell.nodes[v]].surface.frame;
     };
     for (unsigned int s = 0; s < 4; ++s)
       {
@@ -52,7 +51,7 @@ namespace Biface
         if (!state.active[node])
           continue;
         const ContactTraction traction =
-          contact_traction(state, loads, discretization.nodes[node]);
+          contact_traction(state, loads, mesh.nodes[node]);
         std::array<Tensor<1, 3>, 3> columns;
         for (unsigned int j = 0; j < 3; ++j)
           columns[j] = traction.stiffness * frame(s)[j];
@@ -80,12 +79,12 @@ namespace Biface
     const Loads                        &loads,
     const ContactConditions::ActiveSet &held) const
   {
-    Assert(held.empty() || held.size() == discretization.nodes.size(),
-           ExcDimensionMismatch(held.size(), discretization.nodes.size()));
+    Assert(held.empty() || held.size() == mesh.nodes.size(),
+           ExcDimensionMismatch(held.size(), mesh.nodes.size()));
     unsigned int n_changes = 0;
-    for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        const Node &node = discretization.nodes[n];
+        const Node &node = mesh.nodes[n];
         const bool  active =
           loads.foundation && node.outer_face_free &&
           ((!held.empty() && held[n]) ||
@@ -97,7 +96,7 @@ namespace Biface
               ++n_changes;
           }
       }
-    return Utilities::MPI::sum(n_changes, discretization.communicator);
+    return Utilities::MPI::sum(n_changes, mesh.communicator);
   }
 
 
@@ -106,9 +105,9 @@ namespace Biface
   {
     unsigned int n = 0;
     for (unsigned int i = 0; i < state.active.size(); ++i)
-      if (state.active[i] && discretization.nodes[i].locally_owned)
+      if (state.active[i] && mesh.nodes[i].locally_owned)
         ++n;
-    return Utilities::MPI::sum(n, discretization.communicator);
+    return Utilities::MPI::sum(n, mesh.communicator);
   }
 
 
@@ -117,16 +116,16 @@ namespace Biface
                             const Loads &loads,
                             const Node  &node) const
   {
-    return loads.foundation->clearance(discretization.deformed_position(
-      state.displacement, node, Resultants::outer));
+    return loads.foundation->clearance(
+      mesh.deformed_position(state.displacement, node, Resultants::outer));
   }
 
 
   LA::Vector
   ShellEquations::travel_direction(const State &state, const Loads &loads) const
   {
-    LA::Vector direction = discretization.owned_vector();
-    for (const Cell &cell : discretization.cells)
+    LA::Vector direction = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
       {
         const auto M = multiplier_mass(contact.mass(), cell.geometry.weight);
         MixedElement::NodalVector force;
@@ -137,20 +136,18 @@ namespace Biface
               continue;
             // the foundation's travel is as good as the node's the other way
             const Tensor<1, 3> per_travel =
-              -(contact_traction(state, loads, discretization.nodes[node])
-                  .stiffness *
+              -(contact_traction(state, loads, mesh.nodes[node]).stiffness *
                 loads.foundation->direction());
             for (unsigned int r = 0; r < 4; ++r)
               {
                 const Tensor<1, 3> m =
-                  discretization.nodes[cell.nodes[r]].surface.to_frame(
-                    per_travel);
+                  mesh.nodes[cell.nodes[r]].surface.to_frame(per_travel);
                 for (unsigned int i = 0; i < 3; ++i)
                   force[MixedElement::dof(r, i, Resultants::outer)] +=
                     M[r][s] * m[i];
               }
           }
-        discretization.add_nodal_forces(cell, force, direction);
+        mesh.add_nodal_forces(cell, force, direction);
       }
     direction.compress(VectorOperation::add);
     return direction;
@@ -162,8 +159,8 @@ namespace Biface
   {
     const Tensor<1, 3> d     = loads.foundation->direction();
     double             value = 0, per_travel = 0;
-    LA::Vector         gradient = discretization.owned_vector();
-    for (const Cell &cell : discretization.cells)
+    LA::Vector         gradient = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
       {
         MixedElement::NodalVector per_displacement;
         for (unsigned int v = 0; v < 4; ++v)
@@ -172,22 +169,22 @@ namespace Biface
             if (!state.active[node])
               continue;
             const ContactTraction traction =
-              contact_traction(state, loads, discretization.nodes[node]);
+              contact_traction(state, loads, mesh.nodes[node]);
             const Tensor<1, 3> per_motion = traction.stiffness * d;
             // the columns of both masses add up to a quarter each
             const double area = cell.geometry.weight / 4;
             value -= area * (traction.value * d);
             per_travel += area * (per_motion * d);
             const Tensor<1, 3> m =
-              discretization.nodes[node].surface.to_frame(per_motion);
+              mesh.nodes[node].surface.to_frame(per_motion);
             for (unsigned int i = 0; i < 3; ++i)
               per_displacement[MixedElement::dof(v, i, Resultants::outer)] +=
                 area * m[i];
           }
-        discretization.add_nodal_forces(cell, per_displacement, gradient);
+        mesh.add_nodal_forces(cell, per_displacement, gradient);
       }
     gradient.compress(VectorOperation::add);
-    const MPI_Comm communicator = discretization.communicator;
+    const MPI_Comm communicator = mesh.communicator;
     return {Utilities::MPI::sum(value, communicator),
             gradient,
             Utilities::MPI::sum(per_travel, communicator)};
@@ -198,13 +195,12 @@ namespace Biface
   ShellEquations::travel_to_touch(const State &state, const Loads &loads) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (const Node &node : discretization.nodes)
+    for (const Node &node : mesh.nodes)
       if (node.outer_face_free)
-        least =
-          std::min(least,
-                   loads.foundation->travel_to(discretization.deformed_position(
-                     state.displacement, node, Resultants::outer)));
-    return Utilities::MPI::min(least, discretization.communicator);
+        least = std::min(least,
+                         loads.foundation->travel_to(mesh.deformed_position(
+                           state.displacement, node, Resultants::outer)));
+    return Utilities::MPI::min(least, mesh.communicator);
   }
 
 
@@ -215,8 +211,7 @@ namespace Biface
   {
     if (!state.active[node])
       return 0;
-    return -contact.multiplier(
-      clearance(state, loads, discretization.nodes[node]));
+    return -contact.multiplier(clearance(state, loads, mesh.nodes[node]));
   }
 
 
@@ -228,16 +223,16 @@ namespace Biface
     if (loads.foundation)
       {
         force = contact_force(state, loads).value;
-        for (const Cell &cell : discretization.cells)
+        for (const Cell &cell : mesh.cells)
           for (const unsigned int node : cell.nodes)
             if (state.active[node])
               area += cell.geometry.weight / 4;
-        for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
-          if (discretization.nodes[n].locally_owned && state.active[n])
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (mesh.nodes[n].locally_owned && state.active[n])
             max_pressure = std::max(max_pressure, pressure(state, loads, n));
       }
 
-    const MPI_Comm communicator = discretization.communicator;
+    const MPI_Comm communicator = mesh.communicator;
     ContactSummary summary;
     summary.force        = force;
     summary.area         = Utilities::MPI::sum(area, communicator);
@@ -260,11 +255,11 @@ namespace Biface
     const MovedFoundation at_rest = foundation(0);
 
     double travel = std::numeric_limits<double>::infinity();
-    for (const Node &node : discretization.nodes)
+    for (const Node &node : mesh.nodes)
       travel = std::min(travel,
-                        at_rest.travel_to(discretization.deformed_position(
+                        at_rest.travel_to(mesh.deformed_position(
                           state.displacement, node, Resultants::outer)));
-    travel = Utilities::MPI::min(travel, discretization.communicator);
+    travel = Utilities::MPI::min(travel, mesh.communicator);
     if (travel == std::numeric_limits<double>::infinity())
       throw InputError("the foundation of the section 'Contact' passes by the "
                        "shell, but on its path it must meet a node of it.");
@@ -272,12 +267,12 @@ namespace Biface
     // the shell may be too large for a hollow foundation
     const MovedFoundation touching = at_rest.moved(travel);
     bool                  fits     = std::isfinite(travel);
-    for (const Node &node : discretization.nodes)
-      fits = fits && touching.clearance(discretization.deformed_position(
+    for (const Node &node : mesh.nodes)
+      fits = fits && touching.clearance(mesh.deformed_position(
                        state.displacement, node, Resultants::outer)) >
-                       -1e-9 * discretization.size();
+                       -1e-9 * mesh.size();
     if (Utilities::MPI::max(static_cast<unsigned int>(!fits),
-                            discretization.communicator) > 0)
+                            mesh.communicator) > 0)
       throw InputError("the shell does not fit into the hollow foundation of "
                        "the section 'Contact', but it must.");
     return travel;

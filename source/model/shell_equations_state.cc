@@ -12,9 +12,9 @@ namespace Biface
   ShellEquations::initial_state() const
   {
     State state;
-    state.displacement = discretization.ghosted_vector();
-    state.resultants.resize(discretization.cells.size());
-    state.active.resize(discretization.nodes.size(), 0);
+    state.displacement = mesh.ghosted_vector();
+    state.resultants.resize(mesh.cells.size());
+    state.active.resize(mesh.nodes.size(), 0);
     return state;
   }
 
@@ -32,7 +32,7 @@ namespace Biface
   void
   ShellEquations::take_as_prestress(State &state)
   {
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         initial_resultants[c] += state.resultants[c];
         initial_strains[c] = total_strains(state, c);
@@ -57,22 +57,20 @@ namespace Biface
   {
     if (iteration == NewtonIteration::mixed && !linearization_point)
       {
-        LA::Vector ghosted_increment = discretization.ghosted_vector();
+        LA::Vector ghosted_increment = mesh.ghosted_vector();
         ghosted_increment            = increment;
-        for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           {
-            const Cell        &cell = discretization.cells[c];
+            const Cell        &cell = mesh.cells[c];
             const MixedElement element(
-              cell.geometry,
-              discretization.cell_values(state.displacement, cell));
+              cell.geometry, mesh.cell_values(state.displacement, cell));
             state.resultants[c] = stiffness_of(cell).resultants(
-              element.strain() +
-              element.strain_variation(
-                discretization.cell_values(ghosted_increment, cell)));
+              element.strain() + element.strain_variation(
+                                   mesh.cell_values(ghosted_increment, cell)));
           }
       }
 
-    LA::Vector displacement = discretization.owned_vector();
+    LA::Vector displacement = mesh.owned_vector();
     displacement            = state.displacement;
     displacement += increment;
     state.displacement = displacement;
@@ -85,12 +83,11 @@ namespace Biface
   Modes::Vector
   ShellEquations::strains(const State &state, const Cell &cell) const
   {
-    const auto V = discretization.cell_values(state.displacement, cell);
+    const auto V = mesh.cell_values(state.displacement, cell);
     if (!linearization_point)
       return MixedElement(cell.geometry, V).strain();
 
-    const auto V_0 =
-      discretization.cell_values(linearization_point->displacement, cell);
+    const auto V_0 = mesh.cell_values(linearization_point->displacement, cell);
     const MixedElement element(cell.geometry, V_0);
     return element.strain() + element.strain_variation(V - V_0);
   }
@@ -99,16 +96,16 @@ namespace Biface
   Modes::Vector
   ShellEquations::total_strains(const State &state, const unsigned int c) const
   {
-    return strains(state, discretization.cells[c]) + initial_strains[c];
+    return strains(state, mesh.cells[c]) + initial_strains[c];
   }
 
 
   void
   ShellEquations::settle_resultants(State &state) const
   {
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell &cell = discretization.cells[c];
+        const Cell &cell = mesh.cells[c];
         state.resultants[c] =
           stiffness_of(cell).resultants(strains(state, cell));
       }
@@ -119,11 +116,11 @@ namespace Biface
   ShellEquations::strain_energy(const State &state) const
   {
     double energy = 0;
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell        &cell = discretization.cells[c];
-        const MixedElement element(
-          cell.geometry, discretization.cell_values(state.displacement, cell));
+        const Cell         &cell = mesh.cells[c];
+        const MixedElement  element(cell.geometry,
+                                   mesh.cell_values(state.displacement, cell));
         const Modes::Vector E = element.strain();
         energy +=
           cell.geometry.weight *
@@ -131,6 +128,6 @@ namespace Biface
            Modes::mean_product(initial_resultants[c],
                                element.nonlinear_strain()));
       }
-    return Utilities::MPI::sum(energy, discretization.communicator);
+    return Utilities::MPI::sum(energy, mesh.communicator);
   }
 } // namespace Biface

@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/supports.h>
 #include <biface/surface/chart_grid.h>
 

@@ -12,9 +12,8 @@
 #include <fstream>
 #include <sstream>
 
-#include <biface/base/input_error.h>
-#include <biface/base/output_error.h>
-#include <biface/base/read_file.h>
+#include <biface/base/errors.h>
+#include <biface/input/read_file.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 

@@ -31,11 +31,11 @@ namespace Biface
   {
     using namespace Resultants;
 
-    const Discretization &discretization = equations.discretization;
-    patches.resize(2 * discretization.cells.size());
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    const ShellMesh &mesh = equations.mesh;
+    patches.resize(2 * mesh.cells.size());
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell &cell = discretization.cells[c];
+        const Cell &cell = mesh.cells[c];
         const auto H = Modes::at_vertices(equations.total_resultants(state, c));
 
         for (unsigned int face = 0; face < 2; ++face)
@@ -47,11 +47,11 @@ namespace Biface
             patch.data.reinit(dataset_names.size(), 4);
             for (unsigned int v = 0; v < 4; ++v)
               {
-                const Node &node  = discretization.nodes[cell.nodes[v]];
-                patch.vertices[v] = discretization.deformed_position(
-                  state.displacement, node, face);
+                const Node &node = mesh.nodes[cell.nodes[v]];
+                patch.vertices[v] =
+                  mesh.deformed_position(state.displacement, node, face);
                 const Tensor<1, 3> u = node.surface.from_frame(
-                  discretization.displacement(state.displacement, node, face));
+                  mesh.displacement(state.displacement, node, face));
 
                 unsigned int d = 0;
                 for (unsigned int i = 0; i < 3; ++i)

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/laminate/failure.h>
+#include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
 #include <biface/output/ply_results.h>
 
@@ -121,11 +121,11 @@ namespace Biface
     const std::vector<std::string> value_names = ply_value_names(criteria);
     names.insert(names.end(), value_names.begin(), value_names.end());
 
-    const Discretization &discretization = equations.discretization;
-    for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+    const ShellMesh &mesh = equations.mesh;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell  &cell  = discretization.cells[c];
-        const Strip &strip = discretization.strips[cell.strip];
+        const Cell  &cell  = mesh.cells[c];
+        const Strip &strip = mesh.strips[cell.strip];
         const auto   E = Modes::at_vertices(equations.total_strains(state, c));
 
         // at each vertex, how far up the ply at hand begins
@@ -139,7 +139,7 @@ namespace Biface
             patch.data.reinit(names.size(), 8);
             for (unsigned int v = 0; v < 4; ++v)
               {
-                const Node     &node     = discretization.nodes[cell.nodes[v]];
+                const Node     &node     = mesh.nodes[cell.nodes[v]];
                 const Laminate &laminate = strip.at_lines[v & 1];
                 const Ply      &ply      = laminate.get_plies()[p];
 
@@ -147,11 +147,10 @@ namespace Biface
                 std::array<Tensor<1, 3>, 2> u;
                 for (unsigned int face = 0; face < 2; ++face)
                   {
-                    x[face] = discretization.deformed_position(
-                      state.displacement, node, face);
-                    u[face] =
-                      node.surface.from_frame(discretization.displacement(
-                        state.displacement, node, face));
+                    x[face] =
+                      mesh.deformed_position(state.displacement, node, face);
+                    u[face] = node.surface.from_frame(
+                      mesh.displacement(state.displacement, node, face));
                   }
                 for (unsigned int side = 0; side < 2; ++side)
                   {
@@ -165,11 +164,11 @@ namespace Biface
                       patch.data(d, i) = u_z[d];
                     unsigned int d     = 6; // see set_fibers()
                     patch.data(d++, i) = ply.number + 1;
-                    for (const double value : ply_values(
-                           PlyState(laminate, p, side, E[v]),
-                           ply.angle,
-                           discretization.layup.get_plies()[ply.number],
-                           criteria))
+                    for (const double value :
+                         ply_values(PlyState(laminate, p, side, E[v]),
+                                    ply.angle,
+                                    mesh.layup.get_plies()[ply.number],
+                                    criteria))
                       patch.data(d++, i) = value;
                   }
                 height[v] += ply.thickness;

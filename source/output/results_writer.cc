@@ -7,8 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include <biface/base/input_error.h>
-#include <biface/base/output_error.h>
+#include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
@@ -70,7 +69,7 @@ namespace Biface
                                const std::optional<Written> &continued)
     : parameters(parameters), equations(equations)
   {
-    const MPI_Comm communicator = equations.discretization.communicator;
+    const MPI_Comm communicator = equations.mesh.communicator;
 
     std::string reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -91,7 +90,7 @@ namespace Biface
       "max_pressure,iterations,seconds,pressure,load_factor\n";
     const std::string probes_header =
       "step,stage,load_factor,name,face,u_x,u_y,u_z,u_1,u_2,u_3\n";
-    const unsigned int n_points = equations.discretization.points.size();
+    const unsigned int n_points = equations.mesh.points.size();
     if (continued)
       {
         written = *continued;
@@ -129,8 +128,7 @@ namespace Biface
   ResultsWriter::sync()
   {
     std::string file, reason;
-    if (Utilities::MPI::this_mpi_process(
-          equations.discretization.communicator) == 0)
+    if (Utilities::MPI::this_mpi_process(equations.mesh.communicator) == 0)
       for (const std::string &name : unsynced)
         if (reason.empty())
           {
@@ -139,7 +137,7 @@ namespace Biface
           }
     unsynced.clear();
     const std::pair<std::string, std::string> problem =
-      Utilities::MPI::broadcast(equations.discretization.communicator,
+      Utilities::MPI::broadcast(equations.mesh.communicator,
                                 std::make_pair(file, reason));
     if (!problem.second.empty())
       throw OutputError(problem.first, problem.second);
@@ -153,7 +151,7 @@ namespace Biface
     if (!parameters.criteria.maximum_stress && !parameters.criteria.tsai_wu)
       return sentences;
     std::set<std::string> bare;
-    for (const PlyDescription &ply : equations.discretization.layup.get_plies())
+    for (const PlyDescription &ply : equations.mesh.layup.get_plies())
       if (!ply.strengths && bare.insert(ply.material).second)
         sentences.push_back("The material '" + ply.material +
                             "' has no strengths (X_t to S), so that its plies "
@@ -169,7 +167,7 @@ namespace Biface
     write_text(path("parameters.prm"),
                "# biface " + version() + ", from " + file_name + '\n' + text,
                false,
-               equations.discretization.communicator);
+               equations.mesh.communicator);
   }
 
 
@@ -188,7 +186,7 @@ namespace Biface
         PlyPatches patches(equations, state, parameters.criteria);
         write_vtu(report, patches, "plies", written.plies);
       }
-    if (!equations.discretization.points.empty())
+    if (!equations.mesh.points.empty())
       {
         append_probes(report, state);
         if (parameters.points_per_ply > 0)
@@ -211,10 +209,8 @@ namespace Biface
          << ',' << csv_number(report.seconds) << ','
          << csv_number(report.loads.pressure) << ','
          << csv_number(report.loads.factor) << '\n';
-    write_text(path("history.csv"),
-               line.str(),
-               true,
-               equations.discretization.communicator);
+    write_text(
+      path("history.csv"), line.str(), true, equations.mesh.communicator);
   }
 
 
@@ -225,7 +221,7 @@ namespace Biface
                            const std::string         &series,
                            std::vector<unsigned int> &steps)
   {
-    const MPI_Comm communicator = equations.discretization.communicator;
+    const MPI_Comm communicator = equations.mesh.communicator;
 
     DataOutBase::VtkFlags flags;
     flags.time              = report.step;
@@ -263,10 +259,8 @@ namespace Biface
         step, series + "-" + Utilities::int_to_string(step, 4) + ".vtu");
     std::ostringstream record;
     DataOutBase::write_pvd_record(record, times_and_names);
-    write_text(path(series + ".pvd"),
-               record.str(),
-               false,
-               equations.discretization.communicator);
+    write_text(
+      path(series + ".pvd"), record.str(), false, equations.mesh.communicator);
   }
 
 

@@ -32,22 +32,22 @@ namespace Biface
   ResultsWriter::write_contact(const StepReport &report,
                                const State      &state) const
   {
-    const Discretization   &discretization = equations.discretization;
-    const ReferenceSurface &surface        = discretization.get_surface();
+    const ShellMesh        &mesh    = equations.mesh;
+    const ReferenceSurface &surface = mesh.get_surface();
 
     Rows rows;
     if (report.loads.foundation)
-      for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         {
-          const Node &node = discretization.nodes[n];
+          const Node &node = mesh.nodes[n];
           bool        near = false;
-          for (const unsigned int neighbor : discretization.neighbors[n])
+          for (const unsigned int neighbor : mesh.neighbors[n])
             near = near || state.active[neighbor];
           if (!node.locally_owned || !near)
             continue;
 
-          const Point<3> x = discretization.deformed_position(
-            state.displacement, node, Resultants::outer);
+          const Point<3> x =
+            mesh.deformed_position(state.displacement, node, Resultants::outer);
           const double pressure = equations.pressure(state, report.loads, n);
           const ThicknessMetric metric(node.surface.curvature, node.faces);
           rows.push_back({chart_coordinate(surface, node, 0),
@@ -64,7 +64,7 @@ namespace Biface
       path("contact-" + Utilities::int_to_string(report.step, 4) + ".csv"),
       "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure",
       rows,
-      discretization.communicator);
+      mesh.communicator);
   }
 
 
@@ -72,8 +72,8 @@ namespace Biface
   ResultsWriter::write_profile(const StepReport &report,
                                const State      &state) const
   {
-    const Discretization   &discretization = equations.discretization;
-    const ReferenceSurface &surface        = discretization.get_surface();
+    const ShellMesh        &mesh    = equations.mesh;
+    const ReferenceSurface &surface = mesh.get_surface();
 
     const double period   = surface.get_periodicity()[1];
     const auto   distance = [&](const Node &node) {
@@ -82,21 +82,21 @@ namespace Biface
       return std::abs(period > 0 ? std::remainder(d, period) : d);
     };
     double nearest = std::numeric_limits<double>::max();
-    for (const Node &node : discretization.nodes)
+    for (const Node &node : mesh.nodes)
       nearest = std::min(nearest, distance(node));
-    nearest = Utilities::MPI::min(nearest, discretization.communicator);
+    nearest = Utilities::MPI::min(nearest, mesh.communicator);
 
     // of two lines equally near, the one with the lesser coordinate
     double line = std::numeric_limits<double>::max();
-    for (const Node &node : discretization.nodes)
+    for (const Node &node : mesh.nodes)
       if (distance(node) <= nearest + 1e-9)
         line = std::min(line, node.alpha[1]);
-    line = Utilities::MPI::min(line, discretization.communicator);
+    line = Utilities::MPI::min(line, mesh.communicator);
 
     Rows rows;
-    for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        const Node &node = discretization.nodes[n];
+        const Node &node = mesh.nodes[n];
         if (!node.locally_owned || node.alpha[1] != line)
           continue;
 
@@ -105,7 +105,7 @@ namespace Biface
         for (const unsigned int face : {Resultants::outer, Resultants::inner})
           {
             const Point<3> x =
-              discretization.deformed_position(state.displacement, node, face);
+              mesh.deformed_position(state.displacement, node, face);
             row.insert(row.end(), {x[0], x[1], x[2]});
           }
         row.push_back(report.loads.foundation
@@ -118,6 +118,6 @@ namespace Biface
       "alpha_1,alpha_2,outer_x,outer_y,outer_z,inner_x,inner_y,"
       "inner_z,pressure",
       rows,
-      discretization.communicator);
+      mesh.communicator);
   }
 } // namespace Biface

@@ -33,23 +33,21 @@ namespace Biface
   ResultsWriter::append_probes(const StepReport &report,
                                const State      &state) const
   {
-    const Discretization &discretization = equations.discretization;
+    const ShellMesh &mesh = equations.mesh;
 
     std::string text;
-    for (const NamedPoint &point : discretization.points)
+    for (const NamedPoint &point : mesh.points)
       {
         // x, y, z, then 1, 2, 3 of both faces, from the rank that owns the node
         std::array<std::vector<double>, 2> u{
           {std::vector<double>(6), std::vector<double>(6)}};
-        const unsigned int n =
-          discretization.node_of_point("Points", point.name);
-        if (n != numbers::invalid_unsigned_int &&
-            discretization.nodes[n].locally_owned)
+        const unsigned int n = mesh.node_of_point("Points", point.name);
+        if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
           for (unsigned int face = 0; face < 2; ++face)
             {
-              const Node        &node = discretization.nodes[n];
+              const Node        &node = mesh.nodes[n];
               const Tensor<1, 3> local =
-                discretization.displacement(state.displacement, node, face);
+                mesh.displacement(state.displacement, node, face);
               const Tensor<1, 3> global = node.surface.from_frame(local);
               for (unsigned int i = 0; i < 3; ++i)
                 {
@@ -58,7 +56,7 @@ namespace Biface
                 }
             }
         for (auto &values : u)
-          Utilities::MPI::sum(values, discretization.communicator, values);
+          Utilities::MPI::sum(values, mesh.communicator, values);
 
         const auto append = [&](const std::string &face,
                                 const double       share_of_inner) {
@@ -74,17 +72,17 @@ namespace Biface
         append("outer", 0);
         append("middle", 0.5);
       }
-    write_text(path("probes.csv"), text, true, discretization.communicator);
+    write_text(path("probes.csv"), text, true, mesh.communicator);
   }
 
 
   void
   ResultsWriter::write_plies(const StepReport &report, const State &state) const
   {
-    const Discretization &discretization = equations.discretization;
-    const auto           &all_plies      = discretization.layup.get_plies();
-    const unsigned int    n_heights      = parameters.points_per_ply;
-    const auto            names          = ply_value_names(parameters.criteria);
+    const ShellMesh   &mesh      = equations.mesh;
+    const auto        &all_plies = mesh.layup.get_plies();
+    const unsigned int n_heights = parameters.points_per_ply;
+    const auto         names     = ply_value_names(parameters.criteria);
 
     // of each height: angle, height over the reference surface, tension along
     // the fibers, then the values; in front, how many cells gave them
@@ -94,21 +92,19 @@ namespace Biface
       text += ',' + name;
     text += '\n';
 
-    for (const NamedPoint &point : discretization.points)
+    for (const NamedPoint &point : mesh.points)
       {
-        const unsigned int n =
-          discretization.node_of_point("Points", point.name);
+        const unsigned int  n = mesh.node_of_point("Points", point.name);
         std::vector<double> sums(all_plies.size() *
                                  (1 + n_heights * n_columns));
-        for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           {
-            const Cell &cell = discretization.cells[c];
+            const Cell &cell = mesh.cells[c];
             const auto  v = std::find(cell.nodes.begin(), cell.nodes.end(), n) -
                            cell.nodes.begin();
             if (v == 4)
               continue;
-            const Laminate &laminate =
-              discretization.strips[cell.strip].at_lines[v & 1];
+            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
             const Resultants::Vector E =
               Modes::at_vertices(equations.total_strains(state, c))[v];
 
@@ -139,7 +135,7 @@ namespace Biface
                 height += ply.thickness;
               }
           }
-        Utilities::MPI::sum(sums, discretization.communicator, sums);
+        Utilities::MPI::sum(sums, mesh.communicator, sums);
 
         for (unsigned int p = 0; p < all_plies.size(); ++p)
           {
@@ -161,6 +157,6 @@ namespace Biface
       path("plies-" + Utilities::int_to_string(report.step, 4) + ".csv"),
       text,
       false,
-      discretization.communicator);
+      mesh.communicator);
   }
 } // namespace Biface

@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/program/checkpoint.h>
 #include <biface/program/simulation.h>
 
@@ -68,7 +68,7 @@ namespace Biface
     tables_of(const Simulation &simulation)
     {
       const ShellEquations         &equations = simulation.get_equations();
-      const Discretization         &mesh      = equations.discretization;
+      const ShellMesh              &mesh      = equations.mesh;
       const State                  &state     = simulation.get_state();
       const Progress               &progress  = simulation.get_progress();
       const ShellEquations::History history   = equations.get_history();
@@ -130,9 +130,9 @@ namespace Biface
   {
     const unsigned int n_steps = simulation.get_progress().n_steps - last_step;
     // the clock of one rank counts
-    const double minutes = Utilities::MPI::broadcast(
-      simulation.get_equations().discretization.communicator,
-      since_last.wall_time() / 60);
+    const double minutes =
+      Utilities::MPI::broadcast(simulation.get_equations().mesh.communicator,
+                                since_last.wall_time() / 60);
     if ((parameters.every_steps > 0 && n_steps >= parameters.every_steps) ||
         (parameters.every_minutes > 0 && minutes >= parameters.every_minutes))
       write(record);
@@ -153,12 +153,11 @@ namespace Biface
     if (const auto &step = record.progress.predictor.get_last())
       record.predictor_size = step->size;
     const std::vector<char> header = Utilities::pack(record, false);
-    CheckpointFile::write(
-      newest(directory),
-      previous(directory),
-      std::string(header.begin(), header.end()),
-      tables_of(simulation),
-      simulation.get_equations().discretization.communicator);
+    CheckpointFile::write(newest(directory),
+                          previous(directory),
+                          std::string(header.begin(), header.end()),
+                          tables_of(simulation),
+                          simulation.get_equations().mesh.communicator);
     any_written = true;
     last_step   = n_steps;
     since_last.restart();
@@ -214,7 +213,7 @@ namespace Biface
                       const std::vector<Stage> &now) const
   {
     const ShellEquations &equations = simulation.get_equations();
-    const Discretization &mesh      = equations.discretization;
+    const ShellMesh      &mesh      = equations.mesh;
     const auto            nodes     = numbers_of_owned_nodes(mesh);
     const auto            cells     = numbers_of_cells(mesh);
     const auto            vector    = [&](const std::string &name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/input_error.h>
+#include <biface/base/errors.h>
 #include <biface/program/command_line.h>
 
 #include <getopt.h>

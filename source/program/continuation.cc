@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
-#include <biface/base/read_file.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/program/continuation.h>
 
 namespace Biface

@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include <biface/base/parameter_tools.h>
 #include <biface/base/version.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/rigid_motions.h>
 #include <biface/program/messages.h>
 
@@ -17,23 +17,21 @@ namespace Biface
   void
   print_header(const Simulation &simulation, ConditionalOStream &out)
   {
-    const Discretization &discretization =
-      simulation.get_equations().discretization;
+    const ShellMesh   &mesh = simulation.get_equations().mesh;
     const unsigned int n_ranks =
-      Utilities::MPI::n_mpi_processes(discretization.communicator);
+      Utilities::MPI::n_mpi_processes(mesh.communicator);
     const std::string blas = blas_library();
 
     out << "biface " << version() << ", " << n_ranks
-        << (n_ranks == 1 ? " rank" : " ranks") << ", "
-        << discretization.n_cells() << " cells, " << discretization.n_unknowns()
-        << " unknowns\n"
+        << (n_ranks == 1 ? " rank" : " ranks") << ", " << mesh.n_cells()
+        << " cells, " << mesh.n_unknowns() << " unknowns\n"
         << "BLAS: " << blas << '\n';
     if (blas.find("openblas") == std::string::npos &&
         blas.find("mkl") == std::string::npos)
       out << "  (not OpenBLAS: linear solves may take several times as long; "
              "on Debian, install libopenblas0-pthread)\n";
 
-    const std::vector<std::string> motions = free_rigid_motions(discretization);
+    const std::vector<std::string> motions = free_rigid_motions(mesh);
     if (!motions.empty())
       {
         out << "The supports leave rigid motions free: ";
@@ -112,7 +110,7 @@ namespace Biface
   std::string
   failure_paragraph(const LoadSteppingResult &result)
   {
-    const auto loads = [&](const LoadPoint &point) {
+    const auto loads = [&](const LoadLevel &point) {
       return "pressure " + number_to_string(point.pressure) + ", load factor " +
              number_to_string(point.factor) +
              (result.in_contact ? ", approach " + number_to_string(point.travel)

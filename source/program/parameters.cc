@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/parameter_tools.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/program/parameters.h>
 
 namespace Biface

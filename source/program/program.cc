@@ -8,8 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include <biface/base/input_error.h>
-#include <biface/base/output_error.h>
+#include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/model/rigid_motions.h>
 #include <biface/output/results_writer.h>

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_sentence.h>
-#include <biface/base/parameter_text.h>
-#include <biface/base/read_file.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_sentence.h>
+#include <biface/input/parameter_text.h>
+#include <biface/input/read_file.h>
 #include <biface/program/parameters.h>
 
 namespace Biface

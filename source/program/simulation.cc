@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/program/simulation.h>
 
 #include <unistd.h>
@@ -59,10 +59,10 @@ namespace Biface
 
 
     /** @param grid of the mesh; null for that of the parameters. */
-    std::unique_ptr<const Discretization>
-    make_discretization(const Parameters &parameters,
-                        const MPI_Comm    communicator,
-                        const ChartGrid  *grid = nullptr)
+    std::unique_ptr<const ShellMesh>
+    make_shell_mesh(const Parameters &parameters,
+                    const MPI_Comm    communicator,
+                    const ChartGrid  *grid = nullptr)
     {
       std::unique_ptr<const ReferenceSurface> surface =
         make_surface(parameters.surface, communicator);
@@ -72,12 +72,12 @@ namespace Biface
       const Layup layup(
         parameters.laminate, parameters.materials, communicator);
       const std::vector<NamedPoint> points = parameters.points.parse(*surface);
-      return std::make_unique<const Discretization>(communicator,
-                                                    std::move(surface),
-                                                    given,
-                                                    layup,
-                                                    parameters.supports,
-                                                    points);
+      return std::make_unique<const ShellMesh>(communicator,
+                                               std::move(surface),
+                                               given,
+                                               layup,
+                                               parameters.supports,
+                                               points);
     }
 
 
@@ -116,32 +116,30 @@ namespace Biface
     : Simulation(parameters,
                  communicator,
                  stream,
-                 make_discretization(parameters, communicator))
+                 make_shell_mesh(parameters, communicator))
   {}
 
 
-  Simulation::Simulation(const Parameters                     &parameters,
-                         const MPI_Comm                        communicator,
-                         std::ostream                         &stream,
-                         std::unique_ptr<const Discretization> mesh)
+  Simulation::Simulation(const Parameters                &parameters,
+                         const MPI_Comm                   communicator,
+                         std::ostream                    &stream,
+                         std::unique_ptr<const ShellMesh> shell_mesh)
     : parameters(parameters)
     , stream(stream)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
-    , discretization(std::move(mesh))
+    , mesh(std::move(shell_mesh))
     , contact(make_contact(parameters))
-    , equations(*discretization, contact, parameters.loads, parameters.pressure)
-    , linear_solver(
-        make_linear_solver(parameters.linear_solver, *discretization, timer))
+    , equations(*mesh, contact, parameters.loads, parameters.pressure)
+    , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
     , state(equations.initial_state())
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
       if (parameters.stages[i].control == Stage::Control::displacement)
-        discretization->node_of_point("Stage " + std::to_string(i + 1) +
-                                        "/Control point",
-                                      parameters.stages[i].control_point);
+        mesh->node_of_point("Stage " + std::to_string(i + 1) + "/Control point",
+                            parameters.stages[i].control_point);
 
-    ChartGrid grid = discretization->grid;
+    ChartGrid grid = mesh->grid;
     for (unsigned int i = 0; i < parameters.mesh.n_coarse; ++i)
       {
         const ChartGrid coarser = coarser_grid(grid);
@@ -159,13 +157,12 @@ namespace Biface
   Simulation::coarser_grid(const ChartGrid &grid) const
   {
     std::array<std::vector<double>, 2> kept;
-    for (const NamedPoint &point : discretization->points)
+    for (const NamedPoint &point : mesh->points)
       for (unsigned int a = 0; a < 2; ++a)
         kept[a].push_back(point.alpha[a]);
-    for (const PlyDescription &ply : discretization->layup.get_plies())
+    for (const PlyDescription &ply : mesh->layup.get_plies())
       for (const double end : {ply.begin, ply.end})
-        kept[0].push_back(end *
-                          discretization->get_surface().coordinate_unit(0));
+        kept[0].push_back(end * mesh->get_surface().coordinate_unit(0));
     return grid.coarsened(kept);
   }
 
@@ -179,19 +176,18 @@ namespace Biface
 
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
-    const ChartGrid grid         = coarser_grid(discretization->grid);
-    const MPI_Comm  communicator = discretization->communicator;
+    const ChartGrid grid         = coarser_grid(mesh->grid);
+    const MPI_Comm  communicator = mesh->communicator;
     Simulation      coarse(coarse_parameters,
                       communicator,
                       stream,
-                      make_discretization(parameters, communicator, &grid));
+                      make_shell_mesh(parameters, communicator, &grid));
 
     auto nested = std::make_unique<NestedPredictor>(grid, parameters.stages);
     const LoadSteppingResult result = coarse.run(
       [&](const StepReport &report, const State &state) {
-        if (report.moment)
-          nested->learn(*report.moment,
-                        GridState(*coarse.discretization, state));
+        if (report.instant)
+          nested->learn(*report.instant, GridState(*coarse.mesh, state));
       },
       stop);
     if (!result.success)
@@ -219,8 +215,8 @@ namespace Biface
   {
     const std::unique_ptr<const NestedPredictor> nested = run_coarser(stop);
     if (nested)
-      out << "\nFiner mesh of " << discretization->n_cells() << " cells, "
-          << discretization->n_unknowns() << " unknowns" << std::endl;
+      out << "\nFiner mesh of " << mesh->n_cells() << " cells, "
+          << mesh->n_unknowns() << " unknowns" << std::endl;
 
     Newton newton(
       parameters.newton, equations, *linear_solver, out, timer, stop);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include <biface/base/parameter_tools.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_cycle.h>
 
 namespace Biface
@@ -49,27 +49,25 @@ namespace Biface
 
 
   std::string
-  name_nodes(const Discretization               &discretization,
-             const ContactConditions::ActiveSet &marked)
+  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked)
   {
     constexpr unsigned int most = 5;
 
-    AssertDimension(marked.size(), discretization.nodes.size());
+    AssertDimension(marked.size(), mesh.nodes.size());
     using Named = std::tuple<types::global_cell_index, double, double>;
     std::vector<Named> mine;
     for (unsigned int n = 0; n < marked.size(); ++n)
       {
-        const Node &node = discretization.nodes[n];
+        const Node &node = mesh.nodes[n];
         if (marked[n] && node.locally_owned)
           mine.emplace_back(node.number, node.alpha[0], node.alpha[1]);
       }
     std::vector<Named> all;
-    for (const auto &part :
-         Utilities::MPI::all_gather(discretization.communicator, mine))
+    for (const auto &part : Utilities::MPI::all_gather(mesh.communicator, mine))
       all.insert(all.end(), part.begin(), part.end());
     std::sort(all.begin(), all.end());
 
-    const ReferenceSurface &surface = discretization.get_surface();
+    const ReferenceSurface &surface = mesh.get_surface();
     std::string             text    = std::to_string(all.size()) +
                        (all.size() == 1 ? " node at " : " nodes at ");
     for (unsigned int i = 0; i < std::min<std::size_t>(all.size(), most); ++i)

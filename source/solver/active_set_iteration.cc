@@ -8,9 +8,7 @@ namespace Biface
 
   ActiveSetIteration::ActiveSetIteration(const ShellEquations &equations,
                                          ConditionalOStream   &out)
-    : equations(equations)
-    , out(out)
-    , cycle(equations.discretization.communicator)
+    : equations(equations), out(out), cycle(equations.mesh.communicator)
   {}
 
 
@@ -24,7 +22,7 @@ namespace Biface
       return n_changes;
 
     const std::string nodes =
-      name_nodes(equations.discretization, cycle.toggling_nodes());
+      name_nodes(equations.mesh, cycle.toggling_nodes());
     cycle.restart();
     if (was_held)
       {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-#include <biface/base/parameter_tools.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/newton.h>
 
@@ -97,15 +97,15 @@ namespace Biface
                 const NewtonIteration iteration,
                 const bool            zone_given)
   {
-    const Discretization &discretization = equations.discretization;
+    const ShellMesh &mesh = equations.mesh;
 
     NewtonResult       result;
     ActiveSetIteration zone(equations, out);
     Loads              loads     = path.loads(number);
     unsigned int       n_changes = (zone_given ? 0 : zone.update(state, loads));
     double             last_update = std::numeric_limits<double>::infinity();
-    LA::Vector         increment   = discretization.owned_vector();
-    LA::Vector         total       = discretization.owned_vector();
+    LA::Vector         increment   = mesh.owned_vector();
+    LA::Vector         total       = mesh.owned_vector();
 
     const auto fail = [&](const FailureCause cause, const std::string &why) {
       result.cause   = cause;
@@ -146,11 +146,10 @@ namespace Biface
         const bool at_rest =
           (result.iterations == 0 ? path.control == nullptr && !zone_given
                                   : n_changes == 0);
-        const double small =
-          parameters.update_tolerance * discretization.thickness();
+        const double small = parameters.update_tolerance * mesh.thickness();
         if (at_rest &&
             equations.support_violation() <=
-              std::max(small, 1e-12 * discretization.size()) &&
+              std::max(small, 1e-12 * mesh.size()) &&
             (result.residuals.back() <= parameters.residual_tolerance ||
              // with forces far from balance, no update means no solution
              (last_update <= small && result.residuals.back() <= 1e-3) ||
@@ -186,11 +185,11 @@ namespace Biface
         if (linear.success && path.control != nullptr)
           {
             const PathControl::Iteration here{equations, state, loads, total};
-            LA::Vector per_load = discretization.owned_vector();
-            linear              = linear_solver.solve(
+            LA::Vector                   per_load = mesh.owned_vector();
+            linear                                = linear_solver.solve(
               per_load, path.control->load_direction(here), exactness);
             // supports hold still while the load grows
-            discretization.constraints.distribute(per_load);
+            mesh.constraints.distribute(per_load);
             const double change =
               path.control->load_change(here, increment, per_load);
             if (linear.success && !std::isfinite(change))
@@ -209,7 +208,7 @@ namespace Biface
         n_changes   = zone.update(state, loads);
         last_update = increment.linfty_norm();
         ++result.iterations;
-        if (!(last_update <= 1e3 * discretization.size()))
+        if (!(last_update <= 1e3 * mesh.size()))
           return fail(FailureCause::divergence,
                       "the iteration diverged: an update exceeded 1000 times "
                       "the size of the shell");

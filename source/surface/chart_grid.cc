@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/intervals.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/surface/circular_arc.h>
 
 namespace Biface

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/surface/intervals.h>
 
 #include <boost/math/tools/roots.hpp>

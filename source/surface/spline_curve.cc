@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/surface/spline_curve.h>
 
 namespace Biface

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/surface/straight_line.h>
 
 namespace Biface

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/base/input_error.h>
-#include <biface/base/parameter_tools.h>
-#include <biface/base/read_file.h>
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/surface/plane.h>
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>

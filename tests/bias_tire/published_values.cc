@@ -79,14 +79,14 @@ main(int argc, char *argv[])
     [&](const ShellEquations &equations,
         const StepReport     &report,
         const State          &state) {
-      const auto &discretization = equations.discretization;
-      for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+      const auto &mesh = equations.mesh;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         {
-          const Node &node  = discretization.nodes[n];
+          const Node &node  = mesh.nodes[n];
           const Place place = place_of(node);
           if (report.step == 1 && place == Place(0, 0))
-            equator = discretization.displacement(
-              state.displacement, node, Resultants::outer)[2];
+            equator =
+              mesh.displacement(state.displacement, node, Resultants::outer)[2];
           if (report.approach == 20 && state.active[n])
             pressures[place] = equations.pressure(state, report.loads, n);
         }

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <string>
 
-#include <biface/base/input_error.h>
+#include <biface/base/errors.h>
 
 /** What libFuzzer, and replay.cc in its place, call for each input. */
 extern "C" int

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include <biface/base/read_file.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/meridional_tables.h>
 #include <biface/surface/intervals.h>
 #include <biface/surface/spline_curve.h>

@@ -2,7 +2,7 @@
 
 // Any text is a formula with finite values, or is refused with one sentence.
 
-#include <biface/base/formula.h>
+#include <biface/input/formula.h>
 
 #include "fuzz.h"
 

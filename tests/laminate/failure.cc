@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include <biface/laminate/failure.h>
+#include <biface/laminate/failure_criteria.h>
 
 #include <tests.h>
 

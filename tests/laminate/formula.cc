@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include <biface/base/formula.h>
-#include <biface/base/input_error.h>
+#include <biface/base/errors.h>
+#include <biface/input/formula.h>
 
 #include <tests.h>
 

@@ -14,7 +14,7 @@
 
 /** A section of the bias tire's torus on a coarse, uneven grid, held at its
  * edges of the first coordinate. */
-inline std::unique_ptr<Biface::Discretization>
+inline std::unique_ptr<Biface::ShellMesh>
 coarse_torus(const Biface::Layup &layup)
 {
   using namespace Biface;
@@ -27,7 +27,7 @@ coarse_torus(const Biface::Layup &layup)
   parameters.intervals = {{"-60:50:5:1.1", "-30:30:6"}};
   parameters.closed    = false;
   const ChartGrid grid(parameters, *surface);
-  return std::make_unique<Discretization>(
+  return std::make_unique<ShellMesh>(
     MPI_COMM_WORLD, std::move(surface), grid, layup, supports);
 }
 
@@ -35,15 +35,15 @@ coarse_torus(const Biface::Layup &layup)
 /** A displacement without a pattern, the same for any number of ranks, zero
  * where the shell is held. The largest entry is about @p size. */
 inline Biface::LA::Vector
-some_displacement(const Biface::Discretization &discretization,
-                  const double                  size,
-                  const unsigned int            seed)
+some_displacement(const Biface::ShellMesh &mesh,
+                  const double             size,
+                  const unsigned int       seed)
 {
-  Biface::LA::Vector V = discretization.owned_vector();
-  for (const Biface::Node &node : discretization.nodes)
+  Biface::LA::Vector V = mesh.owned_vector();
+  for (const Biface::Node &node : mesh.nodes)
     if (node.locally_owned)
       for (unsigned int i = 0; i < 6; ++i)
-        if (!discretization.constraints.is_constrained(node.dofs[i]))
+        if (!mesh.constraints.is_constrained(node.dofs[i]))
           V(node.dofs[i]) = size * std::sin(seed + 131.7 * node.alpha[0] +
                                             77.3 * node.alpha[1] + 2.1 * i);
   V.compress(dealii::VectorOperation::insert);

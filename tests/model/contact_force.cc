@@ -22,22 +22,21 @@ namespace
        const MultiplierMass        mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
-    const auto  discretization = coarse_torus(layup);
+    const auto  mesh = coarse_torus(layup);
 
     ContactConditions::Parameters parameters;
     parameters.mass           = mass;
     parameters.regularization = 1;
     parameters.foundation     = foundation;
     const ContactConditions contact(parameters);
-    ShellEquations          equations(*discretization, contact);
+    ShellEquations          equations(*mesh, contact);
 
-    State state = at(equations,
-                     equations.initial_state(),
-                     some_displacement(*discretization, 0.2, 1));
+    State state = at(
+      equations, equations.initial_state(), some_displacement(*mesh, 0.2, 1));
     Loads loads;
     loads.foundation = equations.foundation(equations.touching_travel(state));
-    const double touching = std::abs(equations.travel_to_touch(state, loads)) /
-                            discretization->size();
+    const double touching =
+      std::abs(equations.travel_to_touch(state, loads)) / mesh->size();
     loads.foundation            = loads.foundation->moved(6);
     const unsigned int n_active = equations.update_active_set(state, loads);
 
@@ -57,7 +56,7 @@ namespace
     // it has come by as much as it lacks at the point of its path
     const double   travel = -loads.foundation->clearance(path.point);
     const Point<3> center = path.point + (radius - travel) * d;
-    for (const Node &node : discretization->nodes)
+    for (const Node &node : mesh->nodes)
       if (node.locally_owned)
         {
           const Tensor<1, 3> force =
@@ -66,7 +65,7 @@ namespace
                                                   forces(node.dofs[5])}));
           sum += force;
           moment +=
-            cross_product_3d(discretization->deformed_position(
+            cross_product_3d(mesh->deformed_position(
                                state.displacement, node, Resultants::outer) -
                                center,
                              force);
@@ -97,12 +96,12 @@ namespace
       }
 
     // and to the displacements
-    const LA::Vector dV             = some_displacement(*discretization, 1, 4);
+    const LA::Vector dV             = some_displacement(*mesh, 1, 4);
     double           gradient       = force.gradient * dV;
     const double     gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
     for (const double sign : {-1., 1.})
       {
-        LA::Vector V = discretization->owned_vector();
+        LA::Vector V = mesh->owned_vector();
         V            = state.displacement;
         V.add(sign * step, dV);
         gradient -=
@@ -111,7 +110,7 @@ namespace
       }
 
     const double       deviation = direction.l2_norm();
-    const unsigned int n_nodes   = discretization->n_nodes();
+    const unsigned int n_nodes   = mesh->n_nodes();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     std::cout << name << std::endl;

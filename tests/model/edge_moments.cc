@@ -15,23 +15,22 @@ using namespace Biface;
 namespace
 {
   void
-  check(const std::string    &what,
-        const Discretization &discretization,
-        const std::string    &edge,
-        const Tensor<1, 3>   &moment)
+  check(const std::string  &what,
+        const ShellMesh    &mesh,
+        const std::string  &edge,
+        const Tensor<1, 3> &moment)
   {
     for (const std::string kind : {"dead", "follower"})
       {
         DeadLoads loads;
         loads.edge_moments = edge + ": 3 " + kind;
         const ContactConditions contact{ContactConditions::Parameters()};
-        ShellEquations          equations(
-          discretization, contact, loads, PressureLoad());
-        Loads at;
+        ShellEquations          equations(mesh, contact, loads, PressureLoad());
+        Loads                   at;
         at.factor         = 2;
         const State state = equations.initial_state();
         equations.assemble(state, at);
-        const Total total(discretization, equations.residual());
+        const Total total(mesh, equations.residual());
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           {
             std::cout << what << ", " << edge << ", " << kind << std::endl;

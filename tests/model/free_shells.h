@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/plane.h>
 #include <biface/surface/straight_line.h>
@@ -19,7 +19,7 @@
 
 /** A shell without supports, so that no force is lost to them. With the plies
  * of the default, the inner face lies at -0.5 and the outer one at 1. */
-inline std::unique_ptr<Biface::Discretization>
+inline std::unique_ptr<Biface::ShellMesh>
 free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
            const std::array<std::string, 2>         &intervals,
            const bool                                closed = false,
@@ -34,16 +34,16 @@ free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
   Layup::Parameters layup;
   layup.plies     = plies;
   layup.reference = "0.5";
-  return std::make_unique<Discretization>(MPI_COMM_WORLD,
-                                          std::move(surface),
-                                          grid,
-                                          Layup(layup, cord_ply()),
-                                          Supports());
+  return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
+                                     std::move(surface),
+                                     grid,
+                                     Layup(layup, cord_ply()),
+                                     Supports());
 }
 
 
 /** A plate of the size 4 by 2. */
-inline std::unique_ptr<Biface::Discretization>
+inline std::unique_ptr<Biface::ShellMesh>
 plate()
 {
   return free_shell(std::make_unique<Biface::Plane>(), {{"0:4:5", "0:2:3"}});
@@ -51,7 +51,7 @@ plate()
 
 
 /** A cylinder about the y axis, of radius 10, from y = 0 to 6. */
-inline std::unique_ptr<Biface::Discretization>
+inline std::unique_ptr<Biface::ShellMesh>
 cylinder(const std::string &intervals_around, const bool closed)
 {
   using namespace Biface;
@@ -68,7 +68,7 @@ cylinder(const std::string &intervals_around, const bool closed)
 
 /** A closed section of a torus about the y axis: an arc of radius 50 about 200,
  * from -30 to 90 degrees. */
-inline std::unique_ptr<Biface::Discretization>
+inline std::unique_ptr<Biface::ShellMesh>
 torus(const unsigned int n_cells,
       const unsigned int n_around = 8,
       const std::string &plies    = "cord: 1.5 @ 30")
@@ -89,17 +89,16 @@ struct Total
 {
   dealii::Tensor<1, 3> force, moment;
 
-  Total(const Biface::Discretization &discretization,
-        const Biface::LA::Vector     &nodal_forces)
+  Total(const Biface::ShellMesh &mesh, const Biface::LA::Vector &nodal_forces)
   {
-    for (const Biface::Node &node : discretization.nodes)
+    for (const Biface::Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int face = 0; face < 2; ++face)
           {
             const dealii::Tensor<1, 3> x =
               node.surface.position + node.faces[face] * node.surface.frame[2];
             const dealii::Tensor<1, 3> f = node.surface.from_frame(
-              discretization.displacement(nodal_forces, node, face));
+              mesh.displacement(nodal_forces, node, face));
             force += f;
             moment += dealii::cross_product_3d(x, f);
           }

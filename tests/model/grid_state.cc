@@ -37,16 +37,16 @@ main(int argc, char *argv[])
     MPI_COMM_WORLD,
     parameters,
     prm);
-  std::ostringstream    screen;
-  Simulation            simulation(parameters, MPI_COMM_WORLD, screen);
-  const auto           &equations      = simulation.get_equations();
-  const Discretization &discretization = equations.discretization;
+  std::ostringstream screen;
+  Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
+  const auto        &equations = simulation.get_equations();
+  const ShellMesh   &mesh      = equations.mesh;
 
   State      state = equations.initial_state();
-  LA::Vector V     = discretization.owned_vector();
-  for (unsigned int n = 0; n < discretization.nodes.size(); ++n)
+  LA::Vector V     = mesh.owned_vector();
+  for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
     {
-      const Node &node = discretization.nodes[n];
+      const Node &node = mesh.nodes[n];
       state.active[n]  = std::abs(hat(node.alpha)) > 0.5;
       if (node.locally_owned)
         for (unsigned int i = 0; i < 6; ++i)
@@ -56,14 +56,13 @@ main(int argc, char *argv[])
   state.displacement = V;
   // a resultant that is linear over each cell: its center's alpha_1, and the
   // second strain's slope in xi_2
-  for (unsigned int c = 0; c < discretization.cells.size(); ++c)
+  for (unsigned int c = 0; c < mesh.cells.size(); ++c)
     {
-      state.resultants[c][0] =
-        discretization.nodes[discretization.cells[c].nodes[0]].alpha[0];
+      state.resultants[c][0] = mesh.nodes[mesh.cells[c].nodes[0]].alpha[0];
       state.resultants[c][Modes::mode_of[1][1]] = 8;
     }
 
-  const GridState grid_state(discretization, state);
+  const GridState grid_state(mesh, state);
   double          displacement_error = 0, largest = 0;
   for (const double alpha_1 : {-2.0, -1.7, 0., 0.3, 1.9})
     for (const double alpha_2 : {-3.14, -3.0, -2.6, -1., 0., 1.3, 2.5, 3.1})

@@ -18,14 +18,14 @@ namespace
 {
   /** The total force and moment, as a fraction of a scale. */
   void
-  check(const std::string    &what,
-        const Discretization &discretization,
-        const LA::Vector     &nodal_forces,
-        const Tensor<1, 3>   &force,
-        const Tensor<1, 3>   &moment,
-        const double          scale)
+  check(const std::string  &what,
+        const ShellMesh    &mesh,
+        const LA::Vector   &nodal_forces,
+        const Tensor<1, 3> &force,
+        const Tensor<1, 3> &moment,
+        const double        scale)
   {
-    const Total total(discretization, nodal_forces);
+    const Total total(mesh, nodal_forces);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         check_small(what, (total.force - force).norm(), 1e-12, scale);
@@ -50,14 +50,14 @@ namespace
 
 
   LA::Vector
-  tractions(const Discretization &discretization,
-            const std::string    &inner,
-            const std::string    &outer,
-            const AreaMeasure     area)
+  tractions(const ShellMesh   &mesh,
+            const std::string &inner,
+            const std::string &outer,
+            const AreaMeasure  area)
   {
     DeadLoads loads;
     loads.tractions = {{inner, outer}};
-    return loads.assemble(discretization, area);
+    return loads.assemble(mesh, area);
   }
 
 

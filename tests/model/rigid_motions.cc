@@ -41,10 +41,10 @@ namespace
     Layup::Parameters layup_parameters;
     layup_parameters.plies     = "cord: 0.2 @ 0";
     layup_parameters.reference = "middle";
-    const Layup          layup(layup_parameters, cord_ply());
-    const Discretization discretization(
+    const Layup     layup(layup_parameters, cord_ply());
+    const ShellMesh mesh(
       MPI_COMM_WORLD, std::move(surface), grid, layup, supports, parsed);
-    const auto motions = free_rigid_motions(discretization);
+    const auto motions = free_rigid_motions(mesh);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         std::cout << what << ':' << std::endl;

@@ -19,23 +19,22 @@ namespace
     parameters.law              = law;
     parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
     const Layup             layup(parameters, cord_ply());
-    const auto              discretization = coarse_torus(layup);
+    const auto              mesh = coarse_torus(layup);
     const ContactConditions contact{ContactConditions::Parameters()};
 
-    ShellEquations equations(*discretization, contact);
-    State          state = at(equations,
-                     equations.initial_state(),
-                     some_displacement(*discretization, 0.2, 1));
+    ShellEquations equations(*mesh, contact);
+    State          state = at(
+      equations, equations.initial_state(), some_displacement(*mesh, 0.2, 1));
     equations.take_as_prestress(state);
-    state = at(equations, state, some_displacement(*discretization, 0.2, 2));
+    state = at(equations, state, some_displacement(*mesh, 0.2, 2));
 
-    const LA::Vector direction = some_displacement(*discretization, 1, 3);
+    const LA::Vector direction = some_displacement(*mesh, 1, 3);
     equations.assemble(state, Loads());
     const double work  = equations.residual() * direction;
     const double scale = equations.residual().l2_norm() * direction.l2_norm();
 
     const double step   = 1e-3;
-    LA::Vector   V      = discretization->owned_vector();
+    LA::Vector   V      = mesh->owned_vector();
     double       change = 0;
     // two steps cancel the cubic part: exact, since the energy is quartic
     for (const double s : {-2., -1., 1., 2.})
@@ -49,9 +48,9 @@ namespace
 
     // the work of a unit pressure
     double     pressure_work = 0;
-    LA::Vector ghosted       = discretization->ghosted_vector();
+    LA::Vector ghosted       = mesh->ghosted_vector();
     ghosted                  = direction;
-    for (const Cell &cell : discretization->cells)
+    for (const Cell &cell : mesh->cells)
       for (unsigned int v = 0; v < 4; ++v)
         pressure_work += cell.geometry.weight / 4 *
                          ghosted(cell.dofs[MixedElement::dof(v, 2, 0)]);

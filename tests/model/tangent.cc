@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include <biface/base/parameter_tools.h>
+#include <biface/input/parameter_tools.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -31,7 +31,7 @@ namespace
     parameters.plies = plies;
     parameters.law   = law;
     const Layup layup(parameters, cord_ply());
-    const auto  discretization = coarse_torus(layup);
+    const auto  mesh = coarse_torus(layup);
 
     // a foundation as soft as the shell, so that neither hides the other
     ContactConditions::Parameters contact_parameters;
@@ -49,11 +49,10 @@ namespace
     pressure.distribution = "1 + 0.3*sin(alpha_1/20) + 0.1*x/250";
     DeadLoads dead_loads;
     dead_loads.edge_moments = "alpha_2 max: 3 follower, alpha_2 min: -2 dead";
-    ShellEquations equations(*discretization, contact, dead_loads, pressure);
-    State          state      = at(equations,
-                     equations.initial_state(),
-                     some_displacement(*discretization, 0.2, 1));
-    const auto     resultants = state.resultants;
+    ShellEquations equations(*mesh, contact, dead_loads, pressure);
+    State          state = at(
+      equations, equations.initial_state(), some_displacement(*mesh, 0.2, 1));
+    const auto resultants = state.resultants;
     equations.take_as_prestress(state);
 
     // the prestress stays, and is in equilibrium with what is not listed
@@ -71,9 +70,9 @@ namespace
     change = Utilities::MPI::max(change, MPI_COMM_WORLD);
     stress = Utilities::MPI::max(stress, MPI_COMM_WORLD);
 
-    state = at(equations, state, some_displacement(*discretization, 0.2, 2));
+    state = at(equations, state, some_displacement(*mesh, 0.2, 2));
     equations.set_theory(theory, state);
-    state = at(equations, state, some_displacement(*discretization, 0.2, 3));
+    state = at(equations, state, some_displacement(*mesh, 0.2, 3));
 
     Loads loads;
     loads.pressure = 0.1;
@@ -85,9 +84,9 @@ namespace
     equations.assemble(state, loads);
     const double force = equations.residual().l2_norm();
 
-    LA::Vector       product = discretization->owned_vector();
-    const LA::Vector x       = some_displacement(*discretization, 1, 6);
-    const LA::Vector y       = some_displacement(*discretization, 1, 7);
+    LA::Vector       product = mesh->owned_vector();
+    const LA::Vector x       = some_displacement(*mesh, 1, 6);
+    const LA::Vector y       = some_displacement(*mesh, 1, 7);
     equations.tangent().vmult(product, y);
     double skew = product * x;
     equations.tangent().vmult(product, x);
@@ -98,15 +97,14 @@ namespace
     double       deviation = 0;
     for (const unsigned int seed : {4, 5})
       {
-        const LA::Vector direction =
-          some_displacement(*discretization, 1, seed);
+        const LA::Vector direction = some_displacement(*mesh, 1, seed);
         equations.assemble(state, loads);
         equations.tangent().vmult(product, direction);
         const double scale = product.l2_norm();
 
         for (const double sign : {-1., 1.})
           {
-            LA::Vector V = discretization->owned_vector();
+            LA::Vector V = mesh->owned_vector();
             V            = state.displacement;
             V.add(sign * step, direction);
             equations.assemble(at(equations, state, V), loads);
@@ -115,7 +113,7 @@ namespace
         deviation = std::hypot(deviation, product.l2_norm() / scale);
       }
 
-    const unsigned int n_nodes = discretization->n_nodes();
+    const unsigned int n_nodes = mesh->n_nodes();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         std::cout << name << std::endl;

@@ -24,17 +24,17 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              discretization = coarse_torus(layup);
+  const auto              mesh = coarse_torus(layup);
   const ContactConditions contact{ContactConditions::Parameters()};
-  const ShellEquations    equations(*discretization, contact);
+  const ShellEquations    equations(*mesh, contact);
   State                   state = equations.initial_state();
-  state.displacement            = some_displacement(*discretization, 3, 1);
+  state.displacement            = some_displacement(*mesh, 3, 1);
 
   const FacePatches patches(equations, state, Loads());
   std::stringstream stream;
   patches.write_vtk(stream);
 
-  const unsigned int n_quadrilaterals = 2 * discretization->n_cells();
+  const unsigned int n_quadrilaterals = 2 * mesh->n_cells();
   std::string        word;
   while (stream >> word)
     {
@@ -50,12 +50,11 @@ main(int argc, char *argv[])
               Point<3> x;
               stream >> x[0] >> x[1] >> x[2];
               double nearest = std::numeric_limits<double>::max();
-              for (const Node &node : discretization->nodes)
+              for (const Node &node : mesh->nodes)
                 for (unsigned int face = 0; face < 2; ++face)
-                  nearest =
-                    std::min(nearest,
-                             x.distance(discretization->deformed_position(
-                               state.displacement, node, face)));
+                  nearest = std::min(nearest,
+                                     x.distance(mesh->deformed_position(
+                                       state.displacement, node, face)));
               deviation = std::max(deviation, nearest);
             }
           check_true("four points a quadrilateral", n == 4 * n_quadrilaterals);

@@ -62,11 +62,10 @@ namespace
 
 
   Hexahedra
-  hexahedra(const Discretization &discretization)
+  hexahedra(const ShellMesh &mesh)
   {
     const ContactConditions contact{ContactConditions::Parameters()};
-    const ShellEquations    equations(
-      discretization, contact, DeadLoads(), PressureLoad());
+    const ShellEquations equations(mesh, contact, DeadLoads(), PressureLoad());
     PlyPatches patches(equations, equations.initial_state(), FailureCriteria());
     std::stringstream stream;
     stream.precision(12);

@@ -22,9 +22,9 @@ main(int argc, char *argv[])
                          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
 
   const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              discretization = coarse_torus(layup);
+  const auto              mesh = coarse_torus(layup);
   const ContactConditions contact(ContactConditions::Parameters{});
-  ShellEquations          equations(*discretization, contact);
+  ShellEquations          equations(*mesh, contact);
   State                   state = equations.initial_state();
 
   // the foundation goes to and fro, and the shell stands still

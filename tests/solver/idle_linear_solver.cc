@@ -55,9 +55,9 @@ main(int argc, char *argv[])
   TimerOutput timer(out, TimerOutput::never, TimerOutput::wall_times);
 
   const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              discretization = coarse_torus(layup);
+  const auto              mesh = coarse_torus(layup);
   const ContactConditions contact(ContactConditions::Parameters{});
-  ShellEquations          equations(*discretization, contact);
+  ShellEquations          equations(*mesh, contact);
   State                   state = equations.initial_state();
 
   Newton::Parameters parameters;

@@ -9,7 +9,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 
@@ -35,13 +35,12 @@ main(int argc, char *argv[])
   Layup::Parameters           layup_parameters;
   layup_parameters.plies     = "cord: 6 @ 0";
   layup_parameters.reference = "1";
-  const Layup          layup(layup_parameters, cord_ply());
-  const Discretization discretization(
-    MPI_COMM_WORLD,
-    std::make_unique<SurfaceOfRevolution>(surface),
-    grid,
-    layup,
-    Supports());
+  const Layup     layup(layup_parameters, cord_ply());
+  const ShellMesh mesh(MPI_COMM_WORLD,
+                       std::make_unique<SurfaceOfRevolution>(surface),
+                       grid,
+                       layup,
+                       Supports());
 
   // the first moment tells where the section lies
   const MappingManifold<2, 3> mapping;
@@ -49,8 +48,7 @@ main(int argc, char *argv[])
   FEValues<2, 3>              values(
     mapping, fe, QGauss<2>(6), update_JxW_values | update_quadrature_points);
   double area = 0, moment = 0;
-  for (const auto &cell :
-       discretization.get_dof_handler().active_cell_iterators())
+  for (const auto &cell : mesh.get_dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
       {
         values.reinit(static_cast<Triangulation<2, 3>::cell_iterator>(cell));
@@ -61,7 +59,7 @@ main(int argc, char *argv[])
           }
       }
   double weight = 0;
-  for (const Cell &cell : discretization.cells)
+  for (const Cell &cell : mesh.cells)
     weight += cell.geometry.weight;
   area   = Utilities::MPI::sum(area, MPI_COMM_WORLD);
   moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/laminate/failure.h>
+#include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material_parameters.h>
 

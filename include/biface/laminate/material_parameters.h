@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include <biface/laminate/failure.h>
+#include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
 
 namespace Biface

@@ -11,7 +11,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -29,12 +29,12 @@ namespace Biface
     /** Set up the pattern of @p matrix and the places of the cells in it. The
      * other arguments are kept by reference; the inhomogeneities of the
      * constraints may change. */
-    CellMatrixAdder(const Discretization                    &discretization,
+    CellMatrixAdder(const ShellMesh                         &mesh,
                     const dealii::AffineConstraints<double> &constraints,
                     LA::SparseMatrix                        &matrix);
 
     /** Add the contributions of a cell, given by its position in
-     * Discretization::cells. */
+     * ShellMesh::cells. */
     void
     add(const unsigned int               cell,
         const MixedElement::NodalMatrix &cell_matrix,
@@ -47,7 +47,7 @@ namespace Biface
      * first of the node's six columns among the values of the matrix. */
     using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
 
-    const Discretization                    &discretization;
+    const ShellMesh                         &mesh;
     const dealii::AffineConstraints<double> &constraints;
     std::vector<Places>                      places;
     /** Position of the cell in @p places, or an invalid number. */

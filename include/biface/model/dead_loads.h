@@ -8,8 +8,8 @@
 #include <string>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/discretization.h>
 #include <biface/model/pressure_load.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -39,8 +39,7 @@ namespace Biface
      * that does not exist.
      */
     LA::Vector
-    assemble(const Discretization &discretization,
-             const AreaMeasure     area) const;
+    assemble(const ShellMesh &mesh, const AreaMeasure area) const;
   };
 
 } // namespace Biface

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -37,18 +37,18 @@ namespace Biface
    * Throws InputError where the text is malformed or there is no such edge.
    */
   std::vector<VertexMoment>
-  parse_edge_moments(const std::string    &text,
-                     const bool            follower,
-                     const Discretization &discretization);
+  parse_edge_moments(const std::string &text,
+                     const bool         follower,
+                     const ShellMesh   &mesh);
 
 
   /** The edge of the given name. Throws InputError, naming @p entry and
    * @p text, where there is none. */
   Edge
-  find_edge(const std::string    &entry,
-            const std::string    &text,
-            const std::string    &name,
-            const Discretization &discretization);
+  find_edge(const std::string &entry,
+            const std::string &text,
+            const std::string &name,
+            const ShellMesh   &mesh);
 
 
   /**

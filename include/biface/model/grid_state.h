@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <biface/element/modes.h>
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 #include <biface/surface/chart_grid.h>
 
@@ -29,7 +29,7 @@ namespace Biface
     explicit GridState(const ChartGrid &grid);
 
     /** To be called on all ranks alike. */
-    GridState(const Discretization &discretization, const State &state);
+    GridState(const ShellMesh &mesh, const State &state);
 
     /** The displacements @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$ at a place
      * within the grid. Unit: length. */

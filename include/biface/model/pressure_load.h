@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -53,11 +53,11 @@ namespace Biface
     /** The distribution at all nodes of this rank. Throws InputError on all
      * ranks where it is not a formula, or not finite at any node. */
     std::vector<double>
-    values(const Discretization &discretization) const;
+    values(const ShellMesh &mesh) const;
 
     /** The nodal forces of a unit of dead pressure. */
     LA::Vector
-    assemble_dead(const Discretization &discretization) const;
+    assemble_dead(const ShellMesh &mesh) const;
   };
 
 
@@ -67,7 +67,7 @@ namespace Biface
   std::vector<std::vector<double>>
   evaluate_at_nodes(const std::string              &entry,
                     const std::vector<std::string> &formulas,
-                    const Discretization           &discretization);
+                    const ShellMesh                &mesh);
 
 
   /** The area around a vertex of a cell, of which there are four. */

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -20,7 +20,7 @@ namespace Biface
    * called on all ranks.
    */
   std::vector<std::string>
-  free_rigid_motions(const Discretization &discretization);
+  free_rigid_motions(const ShellMesh &mesh);
 
   /**
    * The six rigid motions of the shell, three translations and three rotations,
@@ -28,7 +28,7 @@ namespace Biface
    * of freedom, in their order. Supports are not respected.
    */
   std::vector<std::vector<double>>
-  rigid_motions(const Discretization &discretization);
+  rigid_motions(const ShellMesh &mesh);
 } // namespace Biface
 
 #endif

@@ -12,9 +12,9 @@
 #include <biface/element/modes.h>
 #include <biface/model/cell_matrix_adder.h>
 #include <biface/model/dead_loads.h>
-#include <biface/model/discretization.h>
 #include <biface/model/edge_moments.h>
 #include <biface/model/pressure_load.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 
 namespace Biface
@@ -27,9 +27,9 @@ namespace Biface
   class ShellEquations
   {
   public:
-    /** The discretization and the contact conditions are kept by reference.
+    /** The mesh and the contact conditions are kept by reference.
      * Throws InputError where the loads are not usable. */
-    ShellEquations(const Discretization    &discretization,
+    ShellEquations(const ShellMesh         &mesh,
                    const ContactConditions &contact,
                    const DeadLoads         &dead_loads = DeadLoads(),
                    const PressureLoad      &pressure   = PressureLoad());
@@ -181,7 +181,7 @@ namespace Biface
     clearance(const State &state, const Loads &loads, const Node &node) const;
 
     /** Contact pressure at a node, given by its position in
-     * Discretization::nodes; counted on the surface midway between the faces.
+     * ShellMesh::nodes; counted on the surface midway between the faces.
      */
     double
     pressure(const State       &state,
@@ -217,7 +217,7 @@ namespace Biface
     double
     strain_energy(const State &state) const;
 
-    const Discretization &discretization;
+    const ShellMesh &mesh;
 
   private:
     /** Forces of all kinds on the nodes of a cell, and minus their derivative.
@@ -289,7 +289,7 @@ namespace Biface
       return stiffness[cell.strip];
     }
 
-    /** By Discretization::strips. */
+    /** By ShellMesh::strips. */
     std::vector<ModeStiffness> stiffness;
     bool                       symmetric_stiffness;
     const PressureKind         pressure_kind;

@@ -13,7 +13,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/output/ply_results.h>
-#include <biface/solver/load_stepping.h>
+#include <biface/stepping/load_stepping.h>
 
 namespace Biface
 {

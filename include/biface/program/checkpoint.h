@@ -12,9 +12,9 @@
 #include <vector>
 
 #include <biface/model/state.h>
-#include <biface/output/checkpoint_file.h>
 #include <biface/output/results_writer.h>
-#include <biface/solver/progress.h>
+#include <biface/restart/checkpoint_file.h>
+#include <biface/stepping/progress.h>
 
 namespace Biface
 {

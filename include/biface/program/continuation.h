@@ -9,7 +9,7 @@
 #include <string>
 
 #include <biface/program/parameters.h>
-#include <biface/solver/progress.h>
+#include <biface/stepping/progress.h>
 
 namespace Biface
 {

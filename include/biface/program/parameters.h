@@ -18,9 +18,9 @@
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
 #include <biface/program/checkpoint.h>
-#include <biface/solver/linear_solver_parameters.h>
-#include <biface/solver/load_stepping.h>
+#include <biface/solver/linear/linear_solver_parameters.h>
 #include <biface/solver/newton.h>
+#include <biface/stepping/load_stepping.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/surface_parameters.h>
 

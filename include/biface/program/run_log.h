@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include <biface/solver/load_stepping.h>
-#include <biface/solver/progress.h>
-#include <biface/solver/stage.h>
+#include <biface/stepping/load_stepping.h>
+#include <biface/stepping/progress.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -10,12 +10,12 @@
 #include <memory>
 
 #include <biface/contact/contact_conditions.h>
-#include <biface/model/discretization.h>
 #include <biface/model/shell_equations.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/program/parameters.h>
-#include <biface/solver/load_stepping.h>
-#include <biface/solver/nested_predictor.h>
 #include <biface/solver/newton.h>
+#include <biface/stepping/load_stepping.h>
+#include <biface/stepping/nested_predictor.h>
 
 namespace Biface
 {
@@ -92,11 +92,11 @@ namespace Biface
     }
 
   private:
-    /** @param discretization in place of that of the parameters. */
-    Simulation(const Parameters                     &parameters,
-               const MPI_Comm                        communicator,
-               std::ostream                         &stream,
-               std::unique_ptr<const Discretization> discretization);
+    /** @param mesh in place of that of the parameters. */
+    Simulation(const Parameters                &parameters,
+               const MPI_Comm                   communicator,
+               std::ostream                    &stream,
+               std::unique_ptr<const ShellMesh> mesh);
 
     /** Every second line of a grid, and those of points and ends of plies. */
     ChartGrid
@@ -107,17 +107,17 @@ namespace Biface
     std::unique_ptr<const NestedPredictor>
     run_coarser(const Newton::Stop &stop);
 
-    const Parameters                            parameters;
-    std::ostream                               &stream;
-    dealii::ConditionalOStream                  out;
-    dealii::TimerOutput                         timer;
-    const std::unique_ptr<const Discretization> discretization;
-    const ContactConditions                     contact;
-    ShellEquations                              equations;
-    const std::unique_ptr<LinearSolver>         linear_solver;
-    State                                       state;
-    double                                      coarse_solver_seconds = 0;
-    Progress                                    progress;
+    const Parameters                       parameters;
+    std::ostream                          &stream;
+    dealii::ConditionalOStream             out;
+    dealii::TimerOutput                    timer;
+    const std::unique_ptr<const ShellMesh> mesh;
+    const ContactConditions                contact;
+    ShellEquations                         equations;
+    const std::unique_ptr<LinearSolver>    linear_solver;
+    State                                  state;
+    double                                 coarse_solver_seconds = 0;
+    Progress                               progress;
   };
 } // namespace Biface
 

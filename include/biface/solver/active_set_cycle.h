@@ -9,7 +9,7 @@
 #include <string>
 
 #include <biface/contact/contact_conditions.h>
-#include <biface/model/discretization.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -62,8 +62,7 @@ namespace Biface
   /** How many nodes are marked, and where the first of them are on the
    * reference surface, in its coordinates: the same on any number of ranks. */
   std::string
-  name_nodes(const Discretization               &discretization,
-             const ContactConditions::ActiveSet &marked);
+  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked);
 } // namespace Biface
 
 #endif

@@ -14,8 +14,8 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
-#include <biface/solver/failure.h>
-#include <biface/solver/linear_solver.h>
+#include <biface/solver/failure_cause.h>
+#include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/path_control.h>
 
 namespace Biface

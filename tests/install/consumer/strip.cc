@@ -25,7 +25,7 @@ main(int argc, char *argv[])
   double     deflection = 0;
   const auto result =
     simulation.run([&](const StepReport &, const State &state) {
-      const Discretization &shell = simulation.get_equations().discretization;
+      const ShellMesh &shell = simulation.get_equations().mesh;
       const auto &node = shell.nodes[shell.node_of_point("Points", "middle")];
       for (unsigned int face = 0; face < 2; ++face)
         deflection += shell.displacement(state.displacement, node, face)[2] / 2;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_input_formula_h
+#define biface_input_formula_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  /**
+   * A formula of named variables, read by the muParser library: its operators
+   * and functions (`sin`, `sqrt`, `abs`, `min`, ... with angles in radians),
+   * and the constant `pi`.
+   */
+  class Formula
+  {
+  public:
+    /**
+     * @param entry the entry that holds the formula, for error messages.
+     * @param text the formula.
+     * @param variables names of the variables.
+     *
+     * Throws InputError where the text is not one formula of these variables.
+     */
+    Formula(const std::string              &entry,
+            const std::string              &text,
+            const std::vector<std::string> &variables);
+
+    /**
+     * The value for values of the variables, in their order.
+     *
+     * Throws InputError where it is not a finite number.
+     */
+    double
+    operator()(const std::vector<double> &values) const;
+
+  private:
+    struct Parser;
+
+    std::string                   entry;
+    std::string                   text;
+    std::vector<std::string>      variables;
+    std::shared_ptr<const Parser> parser;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_restart_checkpoint_file_h
+#define biface_restart_checkpoint_file_h
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/restart/numbered_rows.h>
+
+namespace Biface
+{
+  /**
+   * The form of a checkpoint on the disk: one binary file with a header, which
+   * means nothing here, tables of rows by the numbers of nodes and cells, and a
+   * checksum (CRC-64) over all of it. It does not depend on the number of
+   * ranks. The first rank writes and reads it, in pieces, so that it never
+   * holds a whole table.
+   *
+   * Numbers are those of the machine; one that stores them otherwise refuses
+   * the file.
+   */
+  namespace CheckpointFile
+  {
+    /** Of the form; files of another one are refused. */
+    constexpr std::uint32_t format = 1;
+
+    using Table = std::pair<std::string, NumberedRows>;
+
+    /** Write the file as a whole or not at all, and to the disk. The file of
+     * the same name that was there before becomes @p previous. Must be called
+     * on all ranks. Throws OutputError. */
+    void
+    write(const std::string        &path,
+          const std::string        &previous,
+          const std::string        &header,
+          const std::vector<Table> &tables,
+          const MPI_Comm            communicator);
+
+    /** A file that was checked. */
+    class Reader
+    {
+    public:
+      /** Check the file, and read its header. Throws InputError that says
+       * which file it is and why it cannot be used. Must be called on all
+       * ranks, as all functions. */
+      Reader(const std::string &path, const MPI_Comm communicator);
+
+      const std::string &
+      get_header() const
+      {
+        return header;
+      }
+
+      bool
+      has(const std::string &table) const
+      {
+        return tables.count(table) > 0;
+      }
+
+      /** The rows of the given numbers, in their order, row after row. */
+      std::vector<double>
+      rows(const std::string                &table,
+           const std::vector<std::uint64_t> &numbers) const;
+
+      const MPI_Comm communicator;
+
+    private:
+      struct Entry
+      {
+        std::uint64_t width, n_rows, offset;
+      };
+
+      const std::string            path;
+      std::string                  header;
+      std::map<std::string, Entry> tables;
+    };
+  } // namespace CheckpointFile
+} // namespace Biface
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_restart_numbered_rows_h
+#define biface_restart_numbered_rows_h
+
+#include <cstdint>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/element/modes.h>
+#include <biface/model/shell_mesh.h>
+#include <biface/model/state.h>
+
+namespace Biface
+{
+  /**
+   * Numbers of nodes or of cells, a row each, with the number that the node or
+   * cell has on any number of ranks (Node::number, Cell::number). Each rank has
+   * the rows of its own.
+   */
+  struct NumberedRows
+  {
+    /** Length of a row, and how many rows all ranks have. */
+    unsigned int  width  = 0;
+    std::uint64_t n_rows = 0;
+
+    std::vector<std::uint64_t> numbers;
+    /** Row after row. */
+    std::vector<double> values;
+  };
+
+
+  /** A row of six displacements a node. */
+  NumberedRows
+  rows_of(const LA::Vector &displacement, const ShellMesh &mesh);
+
+  /** A row of modes a cell. */
+  NumberedRows
+  rows_of(const std::vector<Modes::Vector> &modes, const ShellMesh &mesh);
+
+  /** A row of one number a node. */
+  NumberedRows
+  rows_of(const ContactConditions::ActiveSet &active, const ShellMesh &mesh);
+
+  /** Which rows the following functions need. */
+  std::vector<std::uint64_t>
+  numbers_of_owned_nodes(const ShellMesh &mesh);
+
+  std::vector<std::uint64_t>
+  numbers_of_nodes(const ShellMesh &mesh);
+
+  std::vector<std::uint64_t>
+  numbers_of_cells(const ShellMesh &mesh);
+
+  /** A vector of the locally owned entries, from rows of owned nodes. */
+  LA::Vector
+  vector_from(const std::vector<double> &values, const ShellMesh &mesh);
+
+  /** From rows of cells. */
+  std::vector<Modes::Vector>
+  modes_from(const std::vector<double> &values);
+
+  /** From rows of nodes. */
+  ContactConditions::ActiveSet
+  active_from(const std::vector<double> &values);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/input/formula.h>
+#include <biface/input/parameter_tools.h>
+
+#include <muParser.h>
+
+namespace Biface
+{
+  struct Formula::Parser
+  {
+    mu::Parser parser;
+    /** Where the parser reads the variables. */
+    mutable std::vector<double> values;
+  };
+
+
+  namespace
+  {
+    /** Whether the text holds an '=' alone, which would give a variable another
+     * value. */
+    bool
+    assigns(const std::string &text)
+    {
+      for (std::string::size_type i = 0; i < text.size(); ++i)
+        if (text[i] == '=')
+          {
+            if (i + 1 < text.size() && text[i + 1] == '=')
+              ++i;
+            else if (i == 0 ||
+                     std::string("<>!").find(text[i - 1]) == std::string::npos)
+              return true;
+          }
+      return false;
+    }
+  } // namespace
+
+
+  Formula::Formula(const std::string              &entry,
+                   const std::string              &text,
+                   const std::vector<std::string> &variables)
+    : entry(entry), text(text), variables(variables)
+  {
+    const auto new_parser = std::make_shared<Parser>();
+    new_parser->values.resize(variables.size());
+
+    std::string names;
+    for (const std::string &name : variables)
+      names += (names.empty() ? "" : ", ") + name;
+    const std::string allowed =
+      "it must be a number or a formula" +
+      (names.empty() ? std::string() : " of " + names);
+    if (assigns(text))
+      throw InputError(
+        entry, text, allowed + " without '=' (to compare, write '==')");
+    try
+      {
+        mu::Parser &p = new_parser->parser;
+        p.DefineConst("pi", dealii::numbers::PI);
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          p.DefineVar(variables[i], &new_parser->values[i]);
+        p.SetExpr(text);
+        int n_values = 0;
+        p.Eval(n_values);
+        if (n_values != 1)
+          throw InputError(entry, text, allowed);
+      }
+    catch (const mu::ParserError &error)
+      {
+        std::string reason = error.GetMsg();
+        while (!reason.empty() && reason.back() == '.')
+          reason.pop_back();
+        if (reason.size() > 200)
+          reason = reason.substr(0, 200) + "...";
+        throw InputError(entry, text, allowed + " (" + reason + ")");
+      }
+    parser = new_parser;
+  }
+
+
+  double
+  Formula::operator()(const std::vector<double> &values) const
+  {
+    Assert(values.size() == variables.size(),
+           dealii::ExcDimensionMismatch(values.size(), variables.size()));
+    std::copy(values.begin(), values.end(), parser->values.begin());
+    const double result = parser->parser.Eval();
+    if (!(std::abs(result) <= greatest_number))
+      {
+        // alpha_1 = 0 is not told apart from the sine of pi
+        double scale = 0;
+        for (const double value : values)
+          scale = std::max(scale, std::abs(value));
+        std::string where;
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          where += (where.empty() ? "" : ", ") + variables[i] + " = " +
+                   coordinate_to_string(values[i], scale);
+        throw InputError(
+          entry,
+          text,
+          std::string(std::isfinite(result)
+                        ? "its value must lie between -1e100 and 1e100"
+                        : "it must be a finite number") +
+            ", also at " + where);
+      }
+    return result;
+  }
+} // namespace Biface

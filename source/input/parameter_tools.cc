@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <sstream>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+
+namespace Biface
+{
+  void
+  check_positive(const std::string &entry, const double value)
+  {
+    if (!(std::isfinite(value) && value > 0))
+      throw InputError(
+        entry, number_to_string(value), "it must be a number above 0");
+  }
+
+
+  void
+  check_not_negative(const std::string &entry, const double value)
+  {
+    if (!(std::isfinite(value) && value >= 0))
+      throw InputError(
+        entry, number_to_string(value), "it must be a number, 0 or above");
+  }
+
+
+  void
+  check_not_zero(const std::string &entry, const double value)
+  {
+    if (!(std::isfinite(value) && value != 0))
+      throw InputError(
+        entry, number_to_string(value), "it must be a number other than 0");
+  }
+
+
+  namespace
+  {
+    std::string
+    vector_to_string(const dealii::Tensor<1, 3> &vector)
+    {
+      return number_to_string(vector[0]) + ", " + number_to_string(vector[1]) +
+             ", " + number_to_string(vector[2]);
+    }
+  } // namespace
+
+
+  void
+  check_finite(const std::string &entry, const dealii::Tensor<1, 3> &vector)
+  {
+    if (!std::isfinite(vector.norm()))
+      throw InputError(
+        entry, vector_to_string(vector), "its length must be a finite number");
+  }
+
+
+  dealii::Tensor<1, 3>
+  unit_vector(const std::string &entry, const dealii::Tensor<1, 3> &vector)
+  {
+    if (!(std::isfinite(vector.norm()) && vector.norm() > 0))
+      throw InputError(entry,
+                       vector_to_string(vector),
+                       "a direction must be finite and not the zero vector");
+    return vector / vector.norm();
+  }
+
+
+  void
+  check_not_parallel(const std::string          &entry,
+                     const dealii::Tensor<1, 3> &a,
+                     const std::string          &other,
+                     const dealii::Tensor<1, 3> &b)
+  {
+    if (dealii::cross_product_3d(a, b).norm() < 1e-6 * a.norm() * b.norm())
+      throw InputError(entry,
+                       vector_to_string(a),
+                       "it must not be parallel to '" + other + "'");
+  }
+
+
+  void
+  check_finite(const std::string &entry, const double value)
+  {
+    if (!std::isfinite(value))
+      throw InputError(
+        entry, number_to_string(value), "it must be a finite number");
+  }
+
+
+  std::string
+  number_to_string(const double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", value);
+    return text;
+  }
+
+
+  std::string
+  coordinate_to_string(const double value, const double scale)
+  {
+    return number_to_string(std::abs(value) <= 1e-12 * scale ? 0. : value);
+  }
+
+
+  double
+  parse_number(const std::string &entry,
+               const std::string &text,
+               const std::string &allowed)
+  {
+    std::string trimmed = dealii::Utilities::trim(text);
+    if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
+      trimmed.erase(0, 1);
+    double     value = 0;
+    const auto result =
+      std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
+    if (trimmed.empty() || result.ec != std::errc() ||
+        result.ptr != trimmed.data() + trimmed.size() || !std::isfinite(value))
+      throw InputError(entry, trimmed, allowed);
+    if (std::abs(value) > greatest_number)
+      throw InputError(entry, trimmed, number_too_large);
+    return value;
+  }
+
+
+  std::vector<std::string>
+  split_words(const std::string &text)
+  {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+  }
+
+
+  void
+  check_list_length(const std::string &entry,
+                    const std::string &list,
+                    const unsigned int limit)
+  {
+    const auto n = 1 + std::count(list.begin(), list.end(), ',');
+    if (n > limit)
+      throw InputError("the entry '" + entry + "' has " + std::to_string(n) +
+                       " items, but at most " + std::to_string(limit) +
+                       " are allowed.");
+  }
+
+
+  std::vector<double>
+  parse_numbers(const std::string &entry,
+                const std::string &text,
+                const unsigned int n,
+                const std::string &allowed)
+  {
+    const std::vector<std::string> words = split_words(text);
+    if (words.size() != n)
+      throw InputError(entry, text, allowed);
+    std::vector<double> numbers;
+    for (const std::string &word : words)
+      {
+        // all of them are quoted, to be found again
+        try
+          {
+            numbers.push_back(parse_number(entry, word, allowed));
+          }
+        catch (const InputError &)
+          {
+            throw InputError(entry, text, allowed);
+          }
+      }
+    return numbers;
+  }
+
+
+  void
+  agree_on_errors(const MPI_Comm               communicator,
+                  const std::function<void()> &function)
+  {
+    std::string message;
+    try
+      {
+        function();
+      }
+    catch (const InputError &error)
+      {
+        message = error.what();
+      }
+    for (const std::string &text :
+         dealii::Utilities::MPI::all_gather(communicator, message))
+      if (!text.empty())
+        throw InputError(text);
+  }
+
+
+  std::pair<std::string, std::string>
+  split_named(const std::string &entry,
+              const std::string &text,
+              const std::string &allowed)
+  {
+    const auto        colon = text.find(':');
+    const std::string name  = dealii::Utilities::trim(text.substr(0, colon));
+    if (colon == std::string::npos || name.empty())
+      throw InputError(entry, text, allowed);
+    return {name, dealii::Utilities::trim(text.substr(colon + 1))};
+  }
+} // namespace Biface

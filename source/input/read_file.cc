@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Read a file, and return what is wrong with it. */
+    std::string
+    read_bytes(const std::string &file_name, std::string &text)
+    {
+      // devices have no end
+      constexpr std::size_t limit = 64 * 1024 * 1024;
+
+      std::error_code error;
+      if (std::filesystem::is_directory(file_name, error))
+        return "cannot be read (it is a directory), but it must exist and be "
+               "readable";
+      errno = 0;
+      const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
+        std::fopen(file_name.c_str(), "rb"), &std::fclose);
+      if (file)
+        {
+          std::vector<char> buffer(1 << 16);
+          std::size_t       n;
+          while (text.size() <= limit &&
+                 (n = std::fread(buffer.data(), 1, buffer.size(), file.get())) >
+                   0)
+            text.append(buffer.data(), n);
+        }
+      if (!file || std::ferror(file.get()))
+        return std::string("cannot be read (") +
+               (errno != 0 ? std::strerror(errno) : "unknown reason") +
+               "), but it must exist and be readable";
+      if (text.size() > limit)
+        return "has more than 64 MiB, but it must not";
+      const auto nul = text.find('\0');
+      if (nul != std::string::npos)
+        return "has a zero byte in line " +
+               std::to_string(
+                 1 + std::count(text.begin(), text.begin() + nul, '\n')) +
+               ", but it must be a text, in ASCII or UTF-8";
+      return {};
+    }
+
+
+    /** Let lines end with '\n' alone, also where '\r' is before it or in its
+     * place. */
+    void
+    unify_line_ends(std::string &text)
+    {
+      std::string::size_type n = 0;
+      for (std::string::size_type i = 0; i < text.size(); ++i)
+        if (text[i] != '\r')
+          text[n++] = text[i];
+        else if (i + 1 == text.size() || text[i + 1] != '\n')
+          text[n++] = '\n';
+      text.resize(n);
+    }
+
+
+    /** Whether a cell can be the name of a column; 'nan' and 'inf' are numbers
+     * gone wrong. */
+    bool
+    is_name(const std::string &cell)
+    {
+      if (cell.empty() || !std::isalpha(static_cast<unsigned char>(cell[0])))
+        return false;
+      char *end = nullptr;
+      std::strtod(cell.c_str(), &end);
+      return *end != '\0';
+    }
+  } // namespace
+
+
+  std::string
+  read_file(const std::string &file_name, const MPI_Comm communicator)
+  {
+    std::string text, reason;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        reason = read_bytes(file_name, text);
+        if (text.rfind("\xEF\xBB\xBF", 0) == 0)
+          text.erase(0, 3);
+        unify_line_ends(text);
+      }
+    reason = Utilities::MPI::broadcast(communicator, reason);
+    if (!reason.empty())
+      throw InputError("the file " + quoted(file_name, 300) + " " + reason +
+                       ".");
+    return Utilities::MPI::broadcast(communicator, text);
+  }
+
+
+  std::vector<Point<2>>
+  parse_pairs(const std::string &text,
+              const std::string &name,
+              const std::string &meaning)
+  {
+    const std::string form =
+      "each line must hold two numbers, '" + meaning + "'";
+
+    std::vector<Point<2>> points;
+    std::istringstream    lines(text);
+    std::string           line;
+    bool                  header_allowed = true;
+    for (unsigned int number = 1; std::getline(lines, line); ++number)
+      {
+        line = Utilities::trim(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        const std::string entry = name + ", line " + std::to_string(number);
+        // splitting takes time by the square of the length
+        if (line.size() > 10000)
+          throw InputError(entry, line, form);
+        const std::vector<std::string> cells =
+          Utilities::split_string_list(line, ',');
+        if (header_allowed && cells.size() == 2 && is_name(cells[0]) &&
+            is_name(cells[1]))
+          {
+            header_allowed = false;
+            continue;
+          }
+        header_allowed = false;
+        if (cells.size() != 2)
+          throw InputError(entry, line, form);
+        points.emplace_back(parse_number(entry, cells[0], form),
+                            parse_number(entry, cells[1], form));
+      }
+    return points;
+  }
+} // namespace Biface

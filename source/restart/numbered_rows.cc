@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/restart/numbered_rows.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  NumberedRows
+  rows_of(const LA::Vector &displacement, const ShellMesh &mesh)
+  {
+    NumberedRows rows;
+    rows.width   = 6;
+    rows.n_rows  = mesh.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(mesh);
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        for (const types::global_dof_index dof : node.dofs)
+          rows.values.push_back(displacement(dof));
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of(const std::vector<Modes::Vector> &modes, const ShellMesh &mesh)
+  {
+    AssertDimension(modes.size(), mesh.cells.size());
+    NumberedRows rows;
+    rows.width   = Modes::n;
+    rows.n_rows  = mesh.n_cells();
+    rows.numbers = numbers_of_cells(mesh);
+    for (const Modes::Vector &mode : modes)
+      for (unsigned int i = 0; i < Modes::n; ++i)
+        rows.values.push_back(mode[i]);
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of(const ContactConditions::ActiveSet &active, const ShellMesh &mesh)
+  {
+    AssertDimension(active.size(), mesh.nodes.size());
+    NumberedRows rows;
+    rows.width   = 1;
+    rows.n_rows  = mesh.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(mesh);
+    for (unsigned int n = 0; n < active.size(); ++n)
+      if (mesh.nodes[n].locally_owned)
+        rows.values.push_back(active[n]);
+    return rows;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_owned_nodes(const ShellMesh &mesh)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        numbers.push_back(node.number);
+    return numbers;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_nodes(const ShellMesh &mesh)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Node &node : mesh.nodes)
+      numbers.push_back(node.number);
+    return numbers;
+  }
+
+
+  std::vector<std::uint64_t>
+  numbers_of_cells(const ShellMesh &mesh)
+  {
+    std::vector<std::uint64_t> numbers;
+    for (const Cell &cell : mesh.cells)
+      numbers.push_back(cell.number);
+    return numbers;
+  }
+
+
+  LA::Vector
+  vector_from(const std::vector<double> &values, const ShellMesh &mesh)
+  {
+    LA::Vector  vector = mesh.owned_vector();
+    std::size_t i      = 0;
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        for (const types::global_dof_index dof : node.dofs)
+          vector(dof) = values.at(i++);
+    vector.compress(VectorOperation::insert);
+    return vector;
+  }
+
+
+  std::vector<Modes::Vector>
+  modes_from(const std::vector<double> &values)
+  {
+    std::vector<Modes::Vector> modes(values.size() / Modes::n);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      modes[i / Modes::n][i % Modes::n] = values[i];
+    return modes;
+  }
+
+
+  ContactConditions::ActiveSet
+  active_from(const std::vector<double> &values)
+  {
+    ContactConditions::ActiveSet active;
+    for (const double value : values)
+      active.push_back(value != 0);
+    return active;
+  }
+} // namespace Biface

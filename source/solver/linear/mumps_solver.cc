@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <dmumps_c.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <biface/solver/linear/mumps_solver.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  /** One MUMPS object, made for one pattern. */
+  class MumpsSolver::Instance
+  {
+  public:
+    Instance(const MPI_Comm          communicator,
+             const LA::SparseMatrix &A,
+             const bool              symmetric)
+      : symmetric(symmetric)
+      , pattern_size(A.n_nonzero_elements())
+      , communicator(communicator)
+      , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      mumps.comm_fortran = MPI_Comm_c2f(communicator);
+      mumps.par          = 1;
+      mumps.sym          = (symmetric ? 2 : 0);
+      call(initialize);
+
+      // no output of its own
+      for (const int i : {1, 2, 3})
+        icntl(i) = -1;
+      icntl(4)  = 0;
+      icntl(14) = 40; // per cent of workspace beyond the estimate
+      icntl(18) = 3;  // each rank brings its own entries
+      // ScaLAPACK takes longer for the last front where few ranks share it
+      if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
+        icntl(13) = 1;
+
+      collect_pattern(A);
+      mumps.n       = A.m();
+      mumps.nnz_loc = rows.size();
+      mumps.irn_loc = rows.data();
+      mumps.jcn_loc = columns.data();
+      if (is_root)
+        rhs.resize(A.m());
+      mumps.nrhs = 1;
+      mumps.lrhs = A.m();
+    }
+
+    ~Instance()
+    {
+      // collective: where one rank alone unwinds, the others will not come
+      if (std::uncaught_exceptions() == 0)
+        call(terminate);
+    }
+
+    bool
+    is_for(const LA::SparseMatrix &A, const bool symmetric) const
+    {
+      return this->symmetric == symmetric &&
+             pattern_size == A.n_nonzero_elements();
+    }
+
+    int
+    analyze()
+    {
+      return call(analysis);
+    }
+
+    int
+    factorize(const LA::SparseMatrix &A)
+    {
+      const double *matrix_values = get_storage(A).values;
+      for (unsigned int k = 0; k < values.size(); ++k)
+        values[k] = matrix_values[places[k]];
+      mumps.a_loc = values.data();
+
+      // more fill-in than foreseen, by pivoting: give it more room
+      int status = call(factorization);
+      while ((status == -8 || status == -9) && icntl(14) < 1000)
+        {
+          icntl(14) *= 2;
+          status = call(factorization);
+        }
+      return status;
+    }
+
+    /** Of the last factorization. */
+    unsigned int
+    n_negative_pivots() const
+    {
+      return mumps.infog[11];
+    }
+
+    int
+    solve(LA::Vector &x, const LA::Vector &b)
+    {
+      gather(b);
+      mumps.rhs        = rhs.data();
+      const int status = call(solution);
+      scatter(x);
+      return status;
+    }
+
+  private:
+    enum Job
+    {
+      initialize    = -1,
+      terminate     = -2,
+      analysis      = 1,
+      factorization = 2,
+      solution      = 3
+    };
+
+    int
+    call(const Job job)
+    {
+      mumps.job = job;
+      dmumps_c(&mumps);
+      return mumps.infog[0];
+    }
+
+    /** ICNTL as the manual numbers it. */
+    MUMPS_INT &
+    icntl(const int i)
+    {
+      return mumps.icntl[i - 1];
+    }
+
+    /** The arrays in which Epetra keeps the rows of this rank. */
+    struct Storage
+    {
+      int    *row_starts;
+      int    *columns;
+      double *values;
+    };
+
+    static Storage
+    get_storage(const LA::SparseMatrix &A)
+    {
+      Storage   storage;
+      const int error = A.trilinos_matrix().ExtractCrsDataPointers(
+        storage.row_starts, storage.columns, storage.values);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      return storage;
+    }
+
+    void
+    collect_pattern(const LA::SparseMatrix &A)
+    {
+      const Epetra_CrsMatrix &epetra  = A.trilinos_matrix();
+      const Storage           storage = get_storage(A);
+
+      for (int row = 0; row < epetra.NumMyRows(); ++row)
+        for (int k = storage.row_starts[row]; k < storage.row_starts[row + 1];
+             ++k)
+          {
+            const int i = epetra.GRID(row);
+            const int j = epetra.GCID(storage.columns[k]);
+            if (symmetric && j > i)
+              continue;
+            rows.push_back(i + 1);
+            columns.push_back(j + 1);
+            places.push_back(k);
+          }
+      values.resize(places.size());
+
+      // owned ranges are contiguous and in the order of the ranks
+      counts = Utilities::MPI::all_gather(communicator, epetra.NumMyRows());
+      starts.assign(counts.size(), 0);
+      for (unsigned int r = 1; r < counts.size(); ++r)
+        starts[r] = starts[r - 1] + counts[r - 1];
+    }
+
+    void
+    gather(const LA::Vector &b)
+    {
+      MPI_Gatherv(b.begin(),
+                  b.locally_owned_size(),
+                  MPI_DOUBLE,
+                  rhs.data(),
+                  counts.data(),
+                  starts.data(),
+                  MPI_DOUBLE,
+                  0,
+                  communicator);
+    }
+
+    void
+    scatter(LA::Vector &x) const
+    {
+      MPI_Scatterv(rhs.data(),
+                   counts.data(),
+                   starts.data(),
+                   MPI_DOUBLE,
+                   x.begin(),
+                   x.locally_owned_size(),
+                   MPI_DOUBLE,
+                   0,
+                   communicator);
+    }
+
+    const bool                    symmetric;
+    const types::global_dof_index pattern_size;
+    const MPI_Comm                communicator;
+    const bool                    is_root;
+    DMUMPS_STRUC_C                mumps{};
+
+    std::vector<MUMPS_INT> rows;
+    std::vector<MUMPS_INT> columns;
+    /** Places of the entries among the values of the Epetra matrix. */
+    std::vector<int>    places;
+    std::vector<double> values;
+    /** The right hand side, then the solution, on the first rank. */
+    std::vector<double> rhs;
+    std::vector<int>    counts;
+    std::vector<int>    starts;
+  };
+
+
+  MumpsSolver::MumpsSolver(const MPI_Comm communicator, TimerOutput &timer)
+    : communicator(communicator), timer(timer)
+  {}
+
+
+  MumpsSolver::~MumpsSolver() = default;
+
+
+  namespace
+  {
+    LinearSolverResult
+    mumps_failure(const std::string &phase, const int status)
+    {
+      LinearSolverResult result;
+      result.message = "MUMPS failed in its " + phase +
+                       " with INFOG(1) = " + std::to_string(status);
+      if (status == -10)
+        result.message += ": the tangent is singular";
+      else if (status == -9 || status == -13)
+        {
+          result.message += ": out of memory";
+          result.cause = FailureCause::out_of_memory;
+        }
+      return result;
+    }
+  } // namespace
+
+
+  LinearSolverResult
+  MumpsSolver::factorize(const LA::SparseMatrix &A, const bool symmetric)
+  {
+    matrix = &A;
+    if (!instance || !instance->is_for(A, symmetric))
+      {
+        TimerOutput::Scope scope(timer, "Linear solver: analysis");
+        instance = std::make_unique<Instance>(communicator, A, symmetric);
+        if (const int status = instance->analyze(); status < 0)
+          {
+            instance.reset();
+            return mumps_failure("analysis", status);
+          }
+      }
+
+    TimerOutput::Scope scope(timer, "Linear solver: factorization");
+    if (const int status = instance->factorize(A); status < 0)
+      return mumps_failure("factorization", status);
+    LinearSolverResult result;
+    result.success = true;
+    if (symmetric)
+      result.n_negative_pivots = instance->n_negative_pivots();
+    return result;
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::solve(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double /*tolerance*/)
+  {
+    Assert(matrix != nullptr, ExcNotInitialized());
+    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    if (const int status = instance->solve(x, b); status < 0)
+      return mumps_failure("solution", status);
+    return check_solution(*matrix, x, b);
+  }
+} // namespace Biface

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <biface/stepping/nested_predictor.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  NestedPredictor::NestedPredictor(const ChartGrid          &coarse,
+                                   const std::vector<Stage> &stages)
+    : undeformed(coarse), stages(stages)
+  {}
+
+
+  void
+  NestedPredictor::learn(const Instant &instant, GridState &&state)
+  {
+    path.insert_or_assign(instant, std::move(state));
+  }
+
+
+  NestedPredictor::Mean
+  NestedPredictor::at(const Instant &instant) const
+  {
+    // round-off in fractions that were reached by other sums
+    constexpr double tolerance = 1e-9;
+
+    const auto after =
+      path.lower_bound({instant.stage, instant.fraction - tolerance});
+    const bool exact =
+      (after != path.end() && after->first.stage == instant.stage &&
+       after->first.fraction <= instant.fraction + tolerance);
+    if (exact)
+      return {&after->second, &after->second, 1};
+
+    const bool first_of_stage =
+      (after == path.begin() || std::prev(after)->first.stage != instant.stage);
+    const GridState *before = &undeformed;
+    double           begin  = 0;
+    if (!first_of_stage)
+      {
+        before = &std::prev(after)->second;
+        begin  = std::prev(after)->first.fraction;
+      }
+    else if (after != path.begin() && !stages[instant.stage].from_prestress)
+      before = &std::prev(after)->second;
+
+    if (instant.fraction <= begin + tolerance)
+      return {before, before, 1};
+    if (after == path.end() || after->first.stage != instant.stage)
+      return {nullptr, nullptr, 0};
+    return {before,
+            &after->second,
+            (instant.fraction - begin) / (after->first.fraction - begin)};
+  }
+
+
+  bool
+  NestedPredictor::predict(const ShellMesh &mesh,
+                           const Instant   &from,
+                           const Instant   &to,
+                           State           &state) const
+  {
+    const Mean begin = at(from), end = at(to);
+    if (begin.before == nullptr || end.before == nullptr)
+      return false;
+
+    const auto change = [&](const auto &value) {
+      return (1 - end.weight) * value(*end.before) +
+             end.weight * value(*end.after) -
+             (1 - begin.weight) * value(*begin.before) -
+             begin.weight * value(*begin.after);
+    };
+
+    LA::Vector displacement = mesh.owned_vector();
+    displacement            = state.displacement;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const Node &node = mesh.nodes[n];
+        // with a mean of two zones, that of the nearer one
+        const GridState &zone = (end.weight < 0.5 ? *end.before : *end.after);
+        state.active[n]       = (zone.contact(node.alpha) > 0.5);
+        if (!node.locally_owned)
+          continue;
+        const Tensor<1, 6> moved = change(
+          [&](const GridState &s) { return s.displacement(node.alpha); });
+        for (unsigned int i = 0; i < 6; ++i)
+          if (!mesh.constraints.is_constrained(node.dofs[i]))
+            displacement(node.dofs[i]) += moved[i];
+      }
+    displacement.compress(VectorOperation::add);
+    state.displacement = displacement;
+
+    const auto &lines = mesh.grid.lines;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Point<2> low = mesh.nodes[mesh.cells[c].nodes[0]].alpha;
+        Point<2>       high;
+        for (unsigned int a = 0; a < 2; ++a)
+          high[a] =
+            *std::upper_bound(lines[a].begin(), lines[a].end() - 1, low[a]);
+        const std::array<Point<2>, 4> vertices{
+          {low, Point<2>(high[0], low[1]), Point<2>(low[0], high[1]), high}};
+        state.resultants[c] +=
+          change([&](const GridState &s) { return s.resultants(vertices); });
+      }
+    return true;
+  }
+} // namespace Biface

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/stepping/secant_predictor.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The locally owned entries of a vector that can be read beyond them. */
+    LA::Vector
+    owned_part(const LA::Vector &ghosted)
+    {
+      LA::Vector owned(ghosted.locally_owned_elements(),
+                       ghosted.get_mpi_communicator());
+      owned = ghosted;
+      return owned;
+    }
+  } // namespace
+
+
+  void
+  SecantPredictor::learn(const State &before,
+                         const State &after,
+                         const double size)
+  {
+    Step step;
+    step.displacement = owned_part(after.displacement);
+    step.displacement -= owned_part(before.displacement);
+    for (unsigned int c = 0; c < after.resultants.size(); ++c)
+      step.resultants.push_back(after.resultants[c] - before.resultants[c]);
+    step.size = size;
+    last      = step;
+  }
+
+
+  bool
+  SecantPredictor::predict(State &state, const double size) const
+  {
+    if (!last)
+      return false;
+    const double ratio = size / last->size;
+
+    LA::Vector displacement = owned_part(state.displacement);
+    displacement.add(ratio, last->displacement);
+    state.displacement = displacement;
+    for (unsigned int c = 0; c < state.resultants.size(); ++c)
+      state.resultants[c] += ratio * last->resultants[c];
+    return true;
+  }
+} // namespace Biface

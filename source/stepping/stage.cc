@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
+  {
+    name = "stage " + std::to_string(number);
+    prm.add_parameter("Name",
+                      name,
+                      "What the stage is called in results.",
+                      Patterns::Anything());
+    prm.add_parameter(
+      "Pressure",
+      pressure,
+      "Pressure at the end of the stage; on which face, and what it does as the "
+      "face moves, is said in the section 'Loads'. Unit: force/area.",
+      Patterns::Double());
+    prm.add_parameter("Contact",
+                      contact,
+                      "Whether the rigid foundation of the section 'Contact' "
+                      "is there. It first touches the shell as deformed at the "
+                      "begin of the first stage with contact (or the first "
+                      "after 'Begin from prestress').",
+                      Patterns::Bool());
+    prm.add_parameter("Travel",
+                      travel,
+                      "How far the foundation has moved against 'Plane normal' "
+                      "at the end of the stage, counted from where it first "
+                      "touched. Unit: length.",
+                      Patterns::Double());
+    prm.add_parameter("Load factor",
+                      factor,
+                      "What the section 'Loads' and prescribed displacements "
+                      "of supports are multiplied by at the end of the stage. "
+                      "No unit.",
+                      Patterns::Double());
+    add_choice(prm,
+               "Control",
+               control,
+               {"load", "displacement", "arc length", "foundation force"},
+               "What is given in every step: 'load' (equal steps of all "
+               "loads), 'displacement' (equal steps of one displacement; the "
+               "loads follow on their way to those given, or beyond), 'arc "
+               "length' (steps of the displacements as a whole, which adapt "
+               "and pass turning points of the load, until the loads given are "
+               "reached; 'Steps' sets the first: 1/Steps of the loads), or "
+               "'foundation force' (equal steps of the force on the foundation "
+               "and of all loads; its travel follows).");
+    prm.add_parameter("Control point",
+                      control_point,
+                      "Name of the point whose displacement (of the middle "
+                      "surface) is given.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Control component",
+               control_component,
+               {"x", "y", "z"},
+               "Component of the displacement that is given.");
+    prm.add_parameter("Control value",
+                      control_value,
+                      "Its value at the end of the stage. Unit: length.",
+                      Patterns::Double());
+    prm.add_parameter("Force",
+                      force,
+                      "Compressive force on the foundation at the end of a "
+                      "stage with 'Control = foundation force'. Unit: force.",
+                      Patterns::Double());
+    prm.add_parameter("Steps",
+                      n_steps,
+                      "Number of steps; see 'Control'.",
+                      Patterns::Integer(1, 1000000));
+    prm.add_parameter("Adaptive steps",
+                      adaptive,
+                      "Whether steps of the loads or of the force grow after "
+                      "easy ones, beyond 1/Steps; see 'Greatest growth'. "
+                      "Without it, all states at multiples of 1/Steps are "
+                      "reached and written.",
+                      Patterns::Bool());
+    add_choice(prm,
+               "Strain theory",
+               theory,
+               {"nonlinear", "linear"},
+               "'nonlinear' (finite displacements) or 'linear' (linearized "
+               "about the state in which the stage begins, with its stresses; "
+               "contact stays one-sided). Two linear stages in a row are "
+               "linearized about different states.");
+    prm.add_parameter("Begin from prestress",
+                      from_prestress,
+                      "Whether the stage begins in the undeformed shape with "
+                      "the resultants reached so far as initial ones, in "
+                      "equilibrium with the loads so far, which are no longer "
+                      "listed: 'Pressure' then counts from 0.",
+                      Patterns::Bool());
+  }
+
+
+  void
+  Stage::check(const std::string &section) const
+  {
+    if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
+      throw InputError(section + "/Name",
+                       name,
+                       "it must not be empty nor hold a comma or a quotation "
+                       "mark");
+    if (!std::isfinite(pressure))
+      throw InputError(section + "/Pressure",
+                       number_to_string(pressure),
+                       "it must be a number");
+    if (!std::isfinite(travel))
+      throw InputError(
+        section + "/Travel", number_to_string(travel), "it must be a number");
+    if (!std::isfinite(factor))
+      throw InputError(section + "/Load factor",
+                       number_to_string(factor),
+                       "it must be a number");
+    if (control != Control::load && theory == StrainTheory::linear)
+      throw InputError(section + "/Strain theory",
+                       "linear",
+                       "a linear stage must have 'Control = load'");
+    if (control == Control::displacement && control_point.empty())
+      throw InputError(section + "/Control point",
+                       control_point,
+                       "control by a displacement needs a point");
+    if (control == Control::force)
+      {
+        if (!contact)
+          throw InputError(section + "/Control",
+                           "foundation force",
+                           "without 'Contact = true' there is no foundation");
+        if (travel != 0)
+          throw InputError(section + "/Travel",
+                           number_to_string(travel),
+                           "with 'Control = foundation force' it is found, and "
+                           "must not be given");
+        check_positive(section + "/Force", force);
+      }
+    else if (force != 0)
+      throw InputError(section + "/Force",
+                       number_to_string(force),
+                       "it needs 'Control = foundation force'");
+    if (!contact && travel != 0)
+      throw InputError(section + "/Travel",
+                       number_to_string(travel),
+                       "without 'Contact = true' there is nothing to move");
+  }
+} // namespace Biface
