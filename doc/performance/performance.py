@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long the bias tire takes, by the size of the mesh.
+"""Run times of the bias tire against the size of the mesh.
 
 Runs the shipped parameter file as it is and on meshes with two, four and eight
 times the cells in each direction, on one rank and on two, and writes
 
     performance.md   times by phase, memory, ratios, growth
 
-Times are those of the program's own table; what is compared are ratios within
-one run, since machines differ and are busy. A run is kept and not repeated
-unless the program has changed.
+Times are those of the program's own timing table. Compare ratios within one set of
+runs, since machines and their load differ. A run is repeated only if the program
+has changed.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import subprocess
 from collections import namedtuple
 from pathlib import Path
 
-# Refinement, number of steps of the contact stage, ranks, further settings
+# Refinement, number of steps of the contact stage, ranks, name, further settings
 Case = namedtuple("Case", "refinement steps ranks name settings")
 
 ITERATIVE = ["Linear solver/Type=iterative", "Contact/Multiplier mass=lumped"]
@@ -44,7 +44,7 @@ CASES = [
     Case(4, 1, 1, "iterative", ITERATIVE),
 ]
 
-# The sections of the program's table that are the linear solver's own work
+# The sections of the timing table that belong to the linear solver
 LINEAR = ("Linear solver: factorization", "Linear solver: solution",
           "Linear solver: multigrid set-up",
           "Linear solver: multigrid iterations")
@@ -64,7 +64,7 @@ def mesh(refinement):
 
 
 def run(arguments, case):
-    """What a run has shown: sections in seconds, and some numbers."""
+    """Run a case, and return the sections in seconds and some figures."""
     directory = arguments.scratch / (f"{case.name.replace(' ', '_')}-"
                                      f"{case.refinement}-{case.ranks}")
     result_file = directory / "result.json"
@@ -120,13 +120,13 @@ def run(arguments, case):
 
 
 def linear_time(result):
-    """Seconds in factorizations and solutions, on all meshes."""
+    """Seconds spent in factorizations and solutions, on all meshes."""
     return result["coarse_linear"] + sum(
         result["sections"].get(name, (0, 0))[1] for name in LINEAR)
 
 
 def own_time(result):
-    """Seconds of the run without those on coarser meshes."""
+    """Seconds of the run except those on coarser meshes."""
     return result["total"] - result["sections"].get(COARSER, (0, 0))[1]
 
 
@@ -139,7 +139,7 @@ def table(header, rows):
 
 
 def number(value):
-    """Three digits, as a person writes them."""
+    """A number with three significant digits, without an exponent."""
     if value == 0:
         return "0"
     digits = max(0, 2 - math.floor(math.log10(abs(value))))
@@ -171,13 +171,13 @@ def times_row(case, result):
 
 
 def exponent(small, large, key):
-    """The power of the unknowns with which a quantity grows."""
+    """The exponent with which a quantity grows with the number of unknowns."""
     return (math.log(key(large) / key(small))
             / math.log(large["unknowns"] / small["unknowns"]))
 
 
 def per_newton_iteration(result):
-    """Seconds an iteration, of the run on the finest mesh."""
+    """Seconds per iteration on the finest mesh of the run."""
     calls = sum(result["sections"].get(name, (0, 0))[0]
                 for name in (LINEAR[0], LINEAR[2]))
     return own_time(result) / max(1, calls)
@@ -186,8 +186,7 @@ def per_newton_iteration(result):
 def kernel_section(arguments):
     """Times and instructions of the element kernel."""
     if not arguments.kernel:
-        return ("Google's benchmark library was not there when this page was "
-                "written.\n")
+        return ("Not measured: Google's benchmark library was not installed.\n")
     done = subprocess.run(
         [arguments.kernel, "--benchmark_format=json",
          "--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],
@@ -208,22 +207,22 @@ def kernel_section(arguments):
                 check=True)
             counts.append(int(re.search(r"Collected : (\d+)", done.stderr)[1]))
         text += (f"\nAll three together take "
-                 f"**{(counts[1] - counts[0]) // 1000:,} instructions** a cell "
-                 "(callgrind; the compiler's flags are those of the build). "
-                 "This number does not depend on how busy the machine is.\n")
+                 f"**{(counts[1] - counts[0]) // 1000:,} instructions** per cell "
+                 "(callgrind; compiled with the flags of the build). "
+                 "This number does not depend on the load of the machine.\n")
     return text
 
 
 def write_page(arguments, results):
-    """The page, from all runs."""
+    """Write the page from all runs."""
     by_key = {(c.name, c.refinement, c.ranks): r for c, r in results}
     page = arguments.template.read_text(encoding="utf-8")
 
     left_out = sorted({case.refinement for case in CASES}
                       - {case.refinement for case, _ in results})
     missing = "".join(
-        f"\nThe mesh with {n} times the cells in each direction was left out of "
-        "this run.\n" for n in left_out)
+        f"\nThe mesh with {n} times the cells in each direction was left "
+        "out.\n" for n in left_out)
     rows = [times_row(case, result) for case, result in results]
     header = ["case", "unknowns", "ranks", "iterations", "assembly", "analysis",
               "factorization", "solution", "rest", "coarser", "total", "ratio", "memory"]
@@ -239,7 +238,7 @@ def write_page(arguments, results):
                  f"{exponent(small, large, per_newton_iteration):.2f}",
                  f"{exponent(small, large, lambda r: r['memory']):.2f}"])
     values["GROWTH"] = table(
-        ["unknowns", "ranks", "time an iteration", "memory"], growth)
+        ["unknowns", "ranks", "time per iteration", "memory"], growth)
     speed_up = []
     for name, n in (("as shipped", 1), ("refined", 2), ("refined", 4),
                     ("refined", 8)):
@@ -263,12 +262,12 @@ def main():
     parser.add_argument("--kernel")
     parser.add_argument("--scratch", type=Path, required=True)
     parser.add_argument("--output", type=Path, required=True)
-    parser.add_argument("--greatest", type=int, default=8,
-                        help="leave out finer meshes")
+    parser.add_argument("--max-refinement", type=int, default=8,
+                        help="skip finer meshes")
     arguments = parser.parse_args()
     arguments.template = Path(__file__).with_name("performance.md.in")
     results = [(case, run(arguments, case)) for case in CASES
-               if case.refinement <= arguments.greatest]
+               if case.refinement <= arguments.max_refinement]
     write_page(arguments, results)
 
 
