@@ -212,6 +212,9 @@ COLORS = "#1f5fa8", "#c0392b", "#2e7d32"
 # What a path is compared with, by the begin of the name of its file
 REFERENCES = {"sze": "Sze, Liu, Lo (2004)", "exact": "exact"}
 
+# Where in a ply, by the column 'fraction' of plies-NNNN.csv
+PLACES = {"0": "inner side of", "0.5": "middle of", "1": "outer side of"}
+
 # A published value: quantity and reference as written in the parameter file
 Expected = namedtuple("Expected", "quantity reference")
 
@@ -568,6 +571,10 @@ def label(quantity):
     words = what.split()
     if words[0] == "history":
         return f"`{words[1]}` at {when}"
+    if words[0] == "plies":
+        _, name, ply, fraction, column = words
+        place = PLACES.get(fraction, f"at {fraction} of the thickness of")
+        return f"`{column}` at `{name}`, {place} ply {ply}, at {when}"
     face = "" if words[1] == "middle" else f", {words[1]} face,"
     return f"`{words[2]}` of `{words[0]}`{face} at {when}"
 
