@@ -45,13 +45,11 @@ namespace Biface
   } // namespace
 
 
-  GridState::GridState(const ChartGrid &grid)
-    : lines(grid.lines), closed(grid.closed)
+  GridState::GridState(const ChartGrid &grid) : grid(grid)
   {
-    const unsigned int n_1 = lines[0].size(), n_2 = lines[1].size();
-    displacements.resize(n_1 * (closed ? n_2 - 1 : n_2));
+    displacements.resize(grid.n_nodes(0) * grid.n_nodes(1));
     contacts.resize(displacements.size());
-    cell_resultants.resize((n_1 - 1) * (n_2 - 1));
+    cell_resultants.resize(grid.n_cells(0) * grid.n_cells(1));
   }
 
 
@@ -63,20 +61,12 @@ namespace Biface
         const Node &node = mesh.nodes[n];
         if (!node.locally_owned)
           continue;
-        const Place        at = place(node.alpha);
-        const unsigned int k  = vertices(
-          at.cell)[(at.xi[0] > 0.5 ? 1 : 0) + (at.xi[1] > 0.5 ? 2 : 0)];
         for (unsigned int i = 0; i < 6; ++i)
-          displacements[k][i] = state.displacement(node.dofs[i]);
-        contacts[k] = state.active[n];
+          displacements[node.number][i] = state.displacement(node.dofs[i]);
+        contacts[node.number] = state.active[n];
       }
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        const std::array<unsigned int, 2> at =
-          place(mesh.nodes[mesh.cells[c].nodes[0]].alpha).cell;
-        cell_resultants[at[0] + (lines[0].size() - 1) * at[1]] =
-          state.resultants[c];
-      }
+      cell_resultants[mesh.cells[c].number] = state.resultants[c];
 
     sum(displacements, mesh.communicator);
     sum(cell_resultants, mesh.communicator);
@@ -104,17 +94,17 @@ namespace Biface
     Point<2> center;
     for (const Point<2> &vertex : cell)
       center += vertex / 4;
-    const std::array<unsigned int, 2> at          = place(center).cell;
-    const auto                        at_vertices = Modes::at_vertices(
-      cell_resultants[at[0] + (lines[0].size() - 1) * at[1]]);
+    const GridIndex at = place(center).cell;
+    const auto      at_vertices =
+      Modes::at_vertices(cell_resultants[grid.cell_number(at)]);
 
     std::array<Resultants::Vector, 4> values;
     for (unsigned int v = 0; v < 4; ++v)
       {
         Point<2> xi;
         for (unsigned int a = 0; a < 2; ++a)
-          xi[a] = (cell[v][a] - lines[a][at[a]]) /
-                  (lines[a][at[a] + 1] - lines[a][at[a]]);
+          xi[a] = (cell[v][a] - grid.lines[a][at[a]]) /
+                  (grid.lines[a][at[a] + 1] - grid.lines[a][at[a]]);
         for (unsigned int w = 0; w < 4; ++w)
           values[v] +=
             GeometryInfo<2>::d_linear_shape_function(xi, w) * at_vertices[w];
@@ -128,20 +118,8 @@ namespace Biface
   {
     Place place;
     for (unsigned int a = 0; a < 2; ++a)
-      std::tie(place.cell[a], place.xi[a]) = interval(lines[a], alpha[a]);
+      std::tie(place.cell[a], place.xi[a]) = interval(grid.lines[a], alpha[a]);
     return place;
-  }
-
-
-  std::array<unsigned int, 4>
-  GridState::vertices(const std::array<unsigned int, 2> &cell) const
-  {
-    const unsigned int n_1  = lines[0].size();
-    const unsigned int rows = displacements.size() / n_1;
-    const unsigned int low  = n_1 * cell[1];
-    const unsigned int high = n_1 * ((cell[1] + 1) % rows);
-    return {
-      {low + cell[0], low + cell[0] + 1, high + cell[0], high + cell[0] + 1}};
   }
 
 
@@ -149,11 +127,10 @@ namespace Biface
   T
   GridState::interpolate(const std::vector<T> &values, const Place &place) const
   {
-    const std::array<unsigned int, 4> at = vertices(place.cell);
-    T                                 value{};
+    T value{};
     for (unsigned int v = 0; v < 4; ++v)
-      value +=
-        GeometryInfo<2>::d_linear_shape_function(place.xi, v) * values[at[v]];
+      value += GeometryInfo<2>::d_linear_shape_function(place.xi, v) *
+               values[grid.node_number(grid.node_of_cell(place.cell, v))];
     return value;
   }
 } // namespace Biface

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
@@ -151,54 +152,45 @@ namespace Biface
                        const ChartGrid        &grid,
                        Triangulation<2, 3>    &triangulation)
   {
-    const unsigned int n_1 = grid.lines[0].size() - 1;
-    const unsigned int n_2 = grid.lines[1].size() - 1;
-    // lines of alpha_2 that carry vertices of their own
-    const unsigned int m_2 = grid.closed ? n_2 : n_2 + 1;
-
-    const auto vertex = [&](const unsigned int i, const unsigned int j) {
-      return i + (n_1 + 1) * (j % m_2);
-    };
-
     std::vector<Point<3>> vertices;
-    vertices.reserve((n_1 + 1) * m_2);
-    for (unsigned int j = 0; j < m_2; ++j)
-      for (unsigned int i = 0; i <= n_1; ++i)
-        vertices.push_back(
-          surface.push_forward(Point<2>(grid.lines[0][i], grid.lines[1][j])));
+    vertices.reserve(grid.n_nodes(0) * grid.n_nodes(1));
+    for (unsigned int j = 0; j < grid.n_nodes(1); ++j)
+      for (unsigned int i = 0; i < grid.n_nodes(0); ++i)
+        vertices.push_back(surface.push_forward(grid.alpha({{i, j}})));
 
     std::vector<CellData<2>> cells;
+    SubCellData              edges;
+    const unsigned int       n_1 = grid.n_cells(0), n_2 = grid.n_cells(1);
     cells.reserve(n_1 * n_2);
-    SubCellData edges;
-    const auto  add_edge =
-      [&](const unsigned int v, const unsigned int w, const Edge edge) {
-        CellData<1> line;
-        line.vertices    = {v, w};
-        line.boundary_id = static_cast<types::boundary_id>(edge);
-        line.manifold_id = 0;
-        edges.boundary_lines.push_back(line);
-      };
+    const auto add_edge = [&](const CellData<2> &cell,
+                              const unsigned int face) {
+      CellData<1> line;
+      for (unsigned int v = 0; v < 2; ++v)
+        line.vertices[v] =
+          cell.vertices[GeometryInfo<2>::face_to_cell_vertices(face, v)];
+      line.boundary_id = static_cast<types::boundary_id>(face);
+      line.manifold_id = 0;
+      edges.boundary_lines.push_back(line);
+    };
 
+    // in the order of their numbers, which become the ids of coarse cells
     for (unsigned int j = 0; j < n_2; ++j)
-      {
-        for (unsigned int i = 0; i < n_1; ++i)
-          {
-            CellData<2> cell;
-            cell.vertices    = {vertex(i, j),
-                                vertex(i + 1, j),
-                                vertex(i, j + 1),
-                                vertex(i + 1, j + 1)};
-            cell.manifold_id = 0;
-            cells.push_back(cell);
-          }
-        add_edge(vertex(0, j), vertex(0, j + 1), Edge::alpha_1_min);
-        add_edge(vertex(n_1, j), vertex(n_1, j + 1), Edge::alpha_1_max);
-      }
-    if (!grid.closed)
       for (unsigned int i = 0; i < n_1; ++i)
         {
-          add_edge(vertex(i, 0), vertex(i + 1, 0), Edge::alpha_2_min);
-          add_edge(vertex(i, n_2), vertex(i + 1, n_2), Edge::alpha_2_max);
+          CellData<2> cell;
+          for (unsigned int v = 0; v < 4; ++v)
+            cell.vertices[v] = grid.node_number(grid.node_of_cell({{i, j}}, v));
+          cell.manifold_id = 0;
+          cells.push_back(cell);
+
+          // the faces of a cell are in the order of Edge
+          const std::array<bool, 4> at_edge{{i == 0,
+                                             i + 1 == n_1,
+                                             j == 0 && !grid.closed,
+                                             j + 1 == n_2 && !grid.closed}};
+          for (unsigned int face = 0; face < 4; ++face)
+            if (at_edge[face])
+              add_edge(cell, face);
         }
 
     triangulation.set_manifold(0, surface);

@@ -51,27 +51,23 @@ namespace Biface
      */
     struct Place
     {
-      std::array<unsigned int, 2> cell;
-      dealii::Point<2>            xi;
+      GridIndex        cell;
+      dealii::Point<2> xi;
     };
 
     Place
     place(const dealii::Point<2> &alpha) const;
 
-    /** Numbers of the vertices of a cell, lexicographically. */
-    std::array<unsigned int, 4>
-    vertices(const std::array<unsigned int, 2> &cell) const;
-
     template <typename T>
     T
     interpolate(const std::vector<T> &values, const Place &place) const;
 
-    std::array<std::vector<double>, 2> lines;
-    bool                               closed;
-    /** Nodes and cells; the first coordinate runs fastest. */
+    ChartGrid grid;
+    /** By the numbers of nodes. */
     std::vector<dealii::Tensor<1, 6>> displacements;
     std::vector<double>               contacts;
-    std::vector<Modes::Vector>        cell_resultants;
+    /** By the numbers of cells. */
+    std::vector<Modes::Vector> cell_resultants;
   };
 } // namespace Biface
 

@@ -43,8 +43,7 @@ namespace Biface
     /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     std::array<dealii::types::global_dof_index, 6> dofs;
 
-    /** Counted along the lines of the mesh, the first coordinate running
-     * fastest: the same on any number of ranks. */
+    /** See ChartGrid::node_number(): the same on any number of ranks. */
     dealii::types::global_cell_index number;
 
     /** Whether the node belongs to this rank. */
@@ -64,7 +63,7 @@ namespace Biface
     /** Position in ShellMesh::strips. */
     unsigned int    strip;
     ElementGeometry geometry;
-    /** Counted as that of nodes. */
+    /** See ChartGrid::cell_number(). */
     dealii::types::global_cell_index number;
   };
 

@@ -25,10 +25,19 @@ namespace Biface
   };
 
 
+  /** A node of a grid by the lines that meet there, (i, j), or a cell by the
+   * lines below and left of it: the position of the line of each coordinate in
+   * ChartGrid::lines. */
+  using GridIndex = std::array<unsigned int, 2>;
+
+
   /**
    * A structured, graded grid in the coordinates of a surface: the rectangle
    * spanned by two lists of coordinate lines, or a ring of it where the second
    * coordinate closes.
+   *
+   * Cells and nodes are numbered lexicographically, with the first coordinate
+   * running fastest.
    */
   struct ChartGrid
   {
@@ -63,6 +72,59 @@ namespace Biface
      */
     ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
 
+    /** Cells along the coordinate @p a. */
+    unsigned int
+    n_cells(const unsigned int a) const
+    {
+      return lines[a].size() - 1;
+    }
+
+    /** Nodes along the coordinate @p a: one on each line, where the last line
+     * is not the first one. */
+    unsigned int
+    n_nodes(const unsigned int a) const
+    {
+      return (a == 1 && closed) ? n_cells(a) : lines[a].size();
+    }
+
+    dealii::types::global_cell_index
+    cell_number(const GridIndex &cell) const
+    {
+      return cell[0] +
+             static_cast<dealii::types::global_cell_index>(n_cells(0)) *
+               cell[1];
+    }
+
+    dealii::types::global_cell_index
+    node_number(const GridIndex &node) const
+    {
+      return node[0] +
+             static_cast<dealii::types::global_cell_index>(n_nodes(0)) *
+               node[1];
+    }
+
+    /** The inverse of cell_number(). */
+    GridIndex
+    cell_index(const dealii::types::global_cell_index number) const
+    {
+      return {{static_cast<unsigned int>(number % n_cells(0)),
+               static_cast<unsigned int>(number / n_cells(0))}};
+    }
+
+    /** The node at a vertex of a cell, numbered as in deal.II. */
+    GridIndex
+    node_of_cell(const GridIndex &cell, const unsigned int vertex) const
+    {
+      return {{cell[0] + (vertex & 1), (cell[1] + (vertex >> 1)) % n_nodes(1)}};
+    }
+
+    /** The coordinates of a node. */
+    dealii::Point<2>
+    alpha(const GridIndex &node) const
+    {
+      return dealii::Point<2>(lines[0][node[0]], lines[1][node[1]]);
+    }
+
     /**
      * Every second line of this grid, and those at which something is that the
      * coarser grid must have, too. A coordinate of fewer than four cells keeps
@@ -94,9 +156,10 @@ namespace Biface
   /**
    * Build the grid as a triangulation on the surface. The first reference
    * coordinate of each cell is that of @f$\alpha_1@f$, the second that of
-   * @f$\alpha_2@f$, the boundary indicators are those of Edge, and the surface
-   * is attached as the manifold of all objects: the sides of all cells are
-   * coordinate lines, as the element needs it, also after refinement.
+   * @f$\alpha_2@f$, the ids of the coarse cells are
+   * ChartGrid::cell_number(), the boundary indicators are those of Edge, and
+   * the surface is attached as the manifold of all objects: the sides of all
+   * cells are coordinate lines, as the element needs it, also after refinement.
    *
    * A parallel triangulation is partitioned by its own settings.
    */
