@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Benchmarks on three meshes each, against published values.
+"""Run the benchmarks on three meshes each and compare with published values.
 
 Runs every parameter file of tests/verification as it is, with half and with
-double the cells, and writes
+twice the cells in each direction, and writes
 
     verification.md      the page: problems, values, deviations, orders
     verification/*.png   load against displacement, where a path is known
 
 The published values are the comments '# expect:' of the parameter files, see
-tests/verification/verify.cc; the published paths are tests/data/sze_*.csv, the
-exact ones exact_*.csv. A run is repeated only when the program or its parameter
+tests/verification/verify.cc. The published paths are tests/data/sze_*.csv, the
+exact ones exact_*.csv. A run is repeated only if the program or its parameter
 file has changed.
 """
 
@@ -31,10 +31,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
 
 from biface_report.drawing import STYLE
 
-# Cells in each direction, over those of the parameter file
+# Cells in each direction, relative to the parameter file
 FACTORS = (Fraction(1, 2), Fraction(1), Fraction(2))
 
-# Headings that do not follow from the names of the files
+# Headings that do not follow from the file names
 HEADINGS = {
     "cantilever_end_shear": "Cantilever under end shear",
     "cantilever_roll_up": "Cantilever bent into a circle",
@@ -65,7 +65,7 @@ HEADINGS = {
     "torus_membrane": "Torus under pressure",
 }
 
-# Runs besides those on three meshes: settings, by what the tables call them
+# Runs besides those on three meshes: settings by the name in the tables
 FURTHER_RUNS = {
     "pinched_cylinder_large": {"in 40 steps": ["Stage 1/Steps=40"]},
     "slit_annulus": {"in 20 steps": ["Stage 1/Steps=20"]},
@@ -85,8 +85,8 @@ PATHS = {
     "clamped_semicylinder": [
         Curve("minus_W", "crown", "u_x", -1, "$-u_x$ of the crown")],
     "hemisphere_path": [
-        Curve("V_pull", "pull", "u_x", 1, "$u_x$ where it is pulled"),
-        Curve("minus_U_push", "push", "u_z", -1, "$-u_z$ where it is pushed")],
+        Curve("V_pull", "pull", "u_x", 1, "$u_x$ of the pulled point"),
+        Curve("minus_U_push", "push", "u_z", -1, "$-u_z$ of the pushed point")],
     "hinged_roof": [
         Curve("minus_W_centre", "center", "u_x", -1, "$-u_x$ of the center")],
     "open_cylinder": [
@@ -101,125 +101,125 @@ PATHS = {
         Curve("W_outer", "outer", "u_y", 1, "$u_y$, outer radius")],
 }
 
-# Where the legend stands, if the places to choose from are all taken
+# Position of the legend, where none of the automatic ones is free
 LEGENDS = {"pinched_cylinder_large": {"loc": "center",
                                       "bbox_to_anchor": (0.61, 0.5)}}
 
-# What the tables do not say by themselves. {0}, {1} ... are the values on the
-# finest mesh, in the order of the parameter file, {d[0]} ... their deviations.
+# Remarks on the results. {0}, {1} ... are the values on the finest mesh, in the
+# order of the parameter file, {d[0]} ... their deviations.
 REMARKS = {
     "cantilever_roll_up":
-        "The moment turns with the end. On the 16 × 1 cells of the literature "
+        "The moment rotates with the end. With the 16 × 1 cells of the literature "
         "`u_x` deviates by -2.9 % at the full circle, and `u_z` by -8.9 % at "
-        "load factor 0.75, where it falls fast. What does not go away with the "
-        "mesh is 0.2 % of the angle of the end, of the order of (thickness over "
-        "radius)², here 0.27 %: at half the thickness a quarter of it is left. "
-        "See the hinged roof of thickness 12.7 for the cause.",
+        "load factor 0.75, where it falls rapidly. An error of 0.2 % of the angle "
+        "of the end remains on fine meshes. It is of the order of (thickness over "
+        "radius)², here 0.27 %, and a quarter of it remains at half the "
+        "thickness. For its cause see the hinged roof of thickness 12.7.",
     "clamped_semicylinder":
-        "At a quarter of the load the path is flat, so that small changes of the "
-        "load are large ones of the displacement: the displacement deviates by "
-        "{d[0]:+.1f} % on the finest mesh; from there on, the load at equal "
-        "displacement deviates by -0.8 to -1.3 %. On the coarsest mesh the load "
-        "cannot be reached in small steps either: there the path has a true "
-        "limit point at load factor 0.8305, where it turns back under control "
-        "of the arc length. That is an artefact of so coarse a mesh at the "
-        "fold. The laminated semi-cylinders of 3.7 are left out, since their "
-        "published tables were not at hand.",
+        "At a quarter of the load the path is so flat that small changes of the "
+        "load cause large changes of the displacement: the displacement deviates "
+        "by {d[0]:+.1f} % on the finest mesh; beyond this point, the load at equal "
+        "displacement deviates by -0.8 to -1.3 %. On the coarsest mesh even small "
+        "steps do not reach the full load: its path has a limit point at load "
+        "factor 0.8305 and turns back under arc-length control. That is an "
+        "artifact of too coarse a mesh at the fold. The laminated semi-cylinders "
+        "of 3.7 are omitted, since their published tables were not available.",
     "hemisphere":
         "The reference is the middle of the range of published values, which "
         "spans 1.7 %.",
     "hinged_roof":
-        "A limit load is the turning point of the parabola through three steps "
-        "of the path. **Here the results deviate from the reference**: with "
-        "finer meshes the upper limit load settles at {0:.4f}, {d[0]:+.1f} % "
-        "off the reference. The lower one is {1:.4f} on the finest mesh, "
-        "{d[1]:+.1f} % off. The references are the greatest and the least value "
-        "of a table; parabolas through its points turn at 0.7437 and 0.1717, "
-        "from which the upper limit load is -1.1 % off. The cause is the strain, "
-        "linear between the two faces as in eq. (1) of the paper: its quadratic "
-        "terms take the mean of z² over the thickness h as h²/4 instead of "
-        "h²/12, so that bending strains the middle surface by more than it "
-        "should, which costs stiffness in proportion to h². A plane arch of the "
-        "same section shows it: the program's limit load is 0.8 % below that of "
-        "a geometrically exact beam, of which 0.3 % are terms of Green's strain "
-        "that such a beam leaves out. The limit loads of roofs of half the "
-        "thickness, below, deviate by half as much or less. No order is given, "
-        "since limit loads also depend a little on where the steps lie.",
+        "A limit load is the extremum of the parabola through three steps of the "
+        "path. **Here the results deviate from the reference**: with mesh "
+        "refinement the upper limit load converges to {0:.4f}, {d[0]:+.1f} % off "
+        "the reference. The lower one is {1:.4f} on the finest mesh, "
+        "{d[1]:+.1f} % off. The references are the maximum and minimum values of "
+        "a table; parabolas through its points have their extrema at 0.7437 and "
+        "0.1717, and the upper limit load deviates by -1.1 % from the former. "
+        "The cause is the strain, which is linear between the two faces as in "
+        "eq. (1) of the paper: its quadratic terms replace the mean h²/12 of z² "
+        "over the thickness h by h²/4. Therefore bending strains the middle "
+        "surface more than it should, which reduces the stiffness in proportion "
+        "to h². A plane arch of the same section confirms this: its limit load is "
+        "0.8 % below that of a geometrically exact beam, of which 0.3 % are due "
+        "to terms of Green's strain that such a beam neglects. The limit loads of "
+        "roofs of half the thickness, below, deviate by half as much or less. No "
+        "order is given, since limit loads also depend slightly on the positions "
+        "of the steps.",
     "hinged_roof_0_90_0":
         "The deviation is that of the isotropic roof, see there.",
     "hinged_roof_90_0_90":
         "The deviation is that of the isotropic roof, see there.",
     "hinged_roof_thin_0_90_0":
-        "The load at the end of the stage is that at the displacement of the "
+        "The load at the end of the stage is the load at the displacement of the "
         "table. The path falls there, by 3 % in the last of the 20 steps.",
     "open_cylinder":
         "Near half the load the side of the cylinder snaps outward. On the "
-        "coarsest mesh this has happened at load factor 0.5, on the others and "
-        "in the reference not yet.",
+        "coarsest mesh it has already snapped at load factor 0.5, on the others "
+        "and in the reference it has not.",
     "pagano_4":
         "**The program is too stiff in transverse shear for so thick a laminate.** "
-        "It takes displacements linear from face to face, so that one transverse "
-        "shear strain holds for all plies. In truth it is larger in the ply of "
-        "90 degrees, whose shear modulus is 2.5 times smaller, and varies within "
-        "the plies. The meshes converge to the plate of first order, the second "
-        "value, and not to the three-dimensional one: the deflection is "
-        "too small by 27.5 % at length over thickness 4, 18.1 % at 10, 1.4 % at "
-        "50 and 0.4 % at 100, see the next sections. There is no shear "
-        "correction factor to change this. The three-dimensional values have "
-        "been computed anew from the equations of equilibrium: 2.88723, 0.93164, "
-        "0.52698, 0.51399.",
+        "Displacements are linear from face to face, so that all plies have the "
+        "same transverse shear strain. In reality it is larger in the 90 degree "
+        "ply, whose shear modulus is 2.5 times smaller, and varies within the "
+        "plies. With mesh refinement the results converge to first-order plate "
+        "theory, the second value, and not to the three-dimensional solution: the "
+        "deflection is too small by 27.5 % at length over thickness 4, 18.1 % at "
+        "10, 1.4 % at 50 and 0.4 % at 100, see the next sections. There is no "
+        "shear correction factor that would change this. The three-dimensional "
+        "values were recomputed from the equations of equilibrium: 2.88723, "
+        "0.93164, 0.52698, 0.51399.",
     "pinched_cylinder":
-        "The reference is that of a thin shell without transverse shear strain. "
-        "Here there is such strain, which makes the displacement greater; under "
-        "a point force F it has no bound as the mesh gets finer, but grows with "
-        "each halving of the cells by F ln 2/(2 π G h), 0.17 % of the "
-        "reference. So the limit above is none. With transverse shear moduli 1000 "
-        "times as large the deviation is -0.99, -0.51 and -0.41 % on 32 × 32, "
-        "64 × 64 and 96 × 96 cells, instead of +0.24, +0.89 and +1.09 %: on "
-        "the last mesh transverse shear makes 1.5 %.",
+        "The reference is the solution of a thin shell without transverse shear "
+        "strain. Here this strain increases the displacement, which is unbounded "
+        "under a point force F: it grows by F ln 2/(2 π G h), 0.17 % of the "
+        "reference, with each halving of the cell size. The limit above is "
+        "therefore meaningless. With transverse shear moduli 1000 times as large the "
+        "deviation is -0.99, -0.51 and -0.41 % on 32 × 32, 64 × 64 and 96 × 96 "
+        "cells, instead of +0.24, +0.89 and +1.09 %: on the last mesh transverse "
+        "shear contributes 1.5 %.",
     "pinched_cylinder_large":
         "The diaphragm holds the middle surface, `v_2 mean; v_3 mean`, and not "
-        "both faces as under the small load: where the wall turns by a large "
-        "angle, the part of its thickness that points outward must be free to "
-        "become shorter, or the edge is nearly clamped, and the displacement at "
-        "load factor 0.25 is 8 % too small. **The side moves by more than "
-        "published**, at load factor 0.25 by {d[5]:+.1f} % on the finest mesh, "
-        "where its path is flat. If the edge does not turn about the axis "
-        "either, `v_2 both; v_3 mean`, displacements are too small, by 2.9 to "
-        "3.1 % under the force on 40 × 40 cells and 1.9 to 2.4 % on 64 × 64, "
-        "from load factor 0.25 on. Which of the two the reference means is not "
-        "known here. The waves of the path are those of the mesh: the rim of "
-        "the dent passes from cell to cell.",
+        "both faces as under the small load: where the wall rotates by a large "
+        "angle, the radial extent of its thickness must be free to decrease. "
+        "Otherwise the edge is nearly clamped, and the displacement at load "
+        "factor 0.25 is 8 % too small. **The side moves by more than published**, "
+        "at load factor 0.25 by {d[5]:+.1f} % on the finest mesh, where its path "
+        "is flat. If the edge is also kept from rotating about the axis, "
+        "`v_2 both; v_3 mean`, displacements are too small from load factor 0.25 "
+        "on, by 2.9 to 3.1 % under the force on 40 × 40 cells and 1.9 to 2.4 % on "
+        "64 × 64. It is not known here which of the two the reference uses. The "
+        "waves of the path are an effect of the mesh: the rim of the dent moves "
+        "from cell to cell.",
     "scordelis_lo":
-        "Other published values go down to 0.3006.",
+        "Other published values are as low as 0.3006.",
     "slit_annulus":
-        "The parameter file takes the whole load in one step. The path of the "
+        "The parameter file applies the whole load in one step. The path in the "
         "picture is a run in 20 steps.",
     "squeezed_cylinder":
-        "The reference leaves out that the cylinder stretches, by 0.01 %. The "
-        "contact area is that of the nodes in contact and jumps by a cell's, "
-        "so that its order means little.",
+        "The reference neglects the stretching of the cylinder, 0.01 %. The "
+        "contact area is that of the nodes in contact and changes by whole "
+        "cells, so that its order means little.",
     "strip_on_drum":
-        "The contact area is that of the nodes in contact and jumps by a "
-        "cell's.",
+        "The contact area is that of the nodes in contact and changes by whole "
+        "cells.",
     "strip_on_flat":
-        "The contact area is that of the nodes in contact and jumps by a "
-        "cell's, here to the next one beyond the exact edge.",
+        "The contact area is that of the nodes in contact and changes by whole "
+        "cells; here it extends one cell beyond the exact edge.",
 }
 
 COLORS = "#1f5fa8", "#c0392b", "#2e7d32"
 
-# What a path is compared with, by the begin of the name of its file
+# The reference of a path, by the start of its file name
 REFERENCES = {"sze": "Sze, Liu, Lo (2004)", "exact": "exact"}
 
-# Where in a ply, by the column 'fraction' of plies-NNNN.csv
+# Positions in a ply, by the column 'fraction' of plies-NNNN.csv
 PLACES = {"0": "inner side of", "0.5": "middle of", "1": "outer side of"}
 
-# A published value: quantity and reference as written in the parameter file
+# A published value: quantity and reference as given in the parameter file
 Expected = namedtuple("Expected", "quantity reference")
 
-# A run: cells over those of the file (None for a further run), name in tables,
-# rows of history.csv and probes.csv, whether it came to the end, its directory
+# A run: cells relative to the file (None for a further run), name in tables, rows
+# of history.csv and probes.csv, whether it was completed, its directory
 Run = namedtuple("Run", "factor name history probes complete directory")
 
 # A parameter file with its runs
@@ -251,7 +251,7 @@ def read_expected(prm):
 
 
 def read_intervals(prm, direction):
-    """The entry 'Mesh/Intervals alpha_1' (or 2): 'begin:end:cells' and so on."""
+    """The entry 'Mesh/Intervals alpha_1' (or 2), 'begin:end:cells, ...'."""
     pattern = rf"^\s*set\s+Intervals alpha_{direction}\s*=\s*(.*?)\s*$"
     entry = re.search(pattern, prm.read_text(encoding="utf-8"), re.MULTILINE)
     return [interval.strip().split(":") for interval in entry[1].split(",")]
@@ -263,7 +263,7 @@ def count_cells(intervals):
 
 
 def refine(intervals, factor):
-    """The intervals with that many times the cells; a single cell stays."""
+    """The intervals with their cells multiplied by a factor; a single cell stays."""
     if count_cells(intervals) == 1:
         return intervals
     return [[begin, end, str(max(1, int(int(cells) * factor))), *grading]
@@ -271,13 +271,13 @@ def refine(intervals, factor):
 
 
 def natural_order(prm):
-    """A key to sort names by, with numbers in them as numbers."""
+    """A sort key that compares numbers in names as numbers."""
     return [int(word) if word.isdigit() else word
             for word in re.split(r"(\d+)", prm.stem)]
 
 
 def mesh_of(prm, factor):
-    """Settings for a mesh with that many times the cells, and its name."""
+    """Settings that multiply the cells by a factor, and the name of the mesh."""
     settings, cells = [], []
     for direction in (1, 2):
         intervals = refine(read_intervals(prm, direction), factor)
@@ -291,13 +291,13 @@ def mesh_of(prm, factor):
 
 
 def read_csv(path):
-    """The rows of a CSV file, each by column; comments are left out."""
+    """The rows of a CSV file as dictionaries; comments are skipped."""
     with open(path, encoding="utf-8") as file:
         return list(csv.DictReader(line for line in file if line[0] != "#"))
 
 
 def run_program(program, prm, settings, directory):
-    """Run the program, unless its results are there, and return its exit code."""
+    """Run the program unless its results are up to date; return its exit code."""
     command = [str(program), "--output", str(directory)]
     for setting in settings:
         command += ["--set", setting]
@@ -314,7 +314,7 @@ def run_program(program, prm, settings, directory):
     with open(directory.with_suffix(".log"), "w", encoding="utf-8") as log:
         code = subprocess.run(command, stdout=log, stderr=log,
                               check=False).returncode
-    # no convergence is a result as well: what was reached is kept
+    # a step that did not converge is a result, too
     if code not in (0, 2):
         raise SystemExit(f"{prm.name} failed with exit code {code}; see {log.name}")
     done.write_text("\n".join([*command, str(code)]), encoding="utf-8")
@@ -332,7 +332,7 @@ def make_run(arguments, prm, factor, name, settings):
 
 
 def make_benchmark(arguments, prm):
-    """All runs of a parameter file: three meshes, then the further ones."""
+    """All runs of a parameter file: three meshes, then the further runs."""
     runs = []
     for factor in FACTORS:
         settings, mesh = mesh_of(prm, factor)
@@ -347,7 +347,7 @@ def make_benchmark(arguments, prm):
 
 
 def turning_value(y, i):
-    """The turning point of y by a parabola through the values around i."""
+    """The extremum of the parabola through the three values of y around i."""
     slope = (y[i + 1] - y[i - 1]) / 2
     curvature = y[i + 1] - 2 * y[i] + y[i - 1]
     return y[i] - slope ** 2 / (2 * curvature)
@@ -364,9 +364,9 @@ def limit_load(run, sign):
 
 def find_step(run, when):
     """The last row of history.csv of a stage ('end of STAGE') or with a load
-    factor, None if it was not reached."""
+    factor; None if not reached."""
     stage = re.fullmatch("end of (.*)", when)
-    # the last stage of a run that stopped early may not have come to its end
+    # the last stage of an incomplete run may be incomplete
     if stage and not run.complete and run.history[-1]["stage"] == stage[1]:
         return None
     rows = [row for row in run.history
@@ -379,7 +379,7 @@ def find_step(run, when):
 def find_value(run, words, when):
     """A column of history.csv ('history COLUMN'), of plies-NNNN.csv ('plies
     NAME PLY PLACE COLUMN') or of probes.csv ('NAME FACE COLUMN') at the end of a
-    stage or a load factor, None if not reached."""
+    stage or at a load factor; None if not reached."""
     step = find_step(run, when)
     if step is None:
         return None
@@ -398,27 +398,27 @@ def find_value(run, words, when):
 
 
 def count_iterations(run):
-    """The Newton iterations of all converged steps together."""
+    """The total number of Newton iterations of all converged steps."""
     return sum(int(row["iterations"]) for row in run.history)
 
 
 def evaluate(run, quantity):
-    """What a run has for a quantity of the parameter file, None if nothing."""
+    """The value of a quantity of the parameter file in a run, None if missing."""
     if quantity == "iterations":
         return count_iterations(run)
     if quantity.endswith("load factor"):
-        return limit_load(run, 1 if quantity.startswith("greatest") else -1)
+        return limit_load(run, 1 if quantity.startswith("maximum") else -1)
     what, when = quantity.split(" at ")
     return find_value(run, what.split(), when)
 
 
 def is_column(expected):
-    """Whether the quantity is a column of results at some step."""
+    """Whether the quantity is a column of the results at some step."""
     return " at " in expected.quantity
 
 
 def deviation(computed, reference):
-    """The deviation from a published value in percent, None without either."""
+    """The deviation from a published value in percent, None if one is missing."""
     try:
         return 100 * (computed / float(reference) - 1)
     except (TypeError, ValueError):
@@ -428,10 +428,10 @@ def deviation(computed, reference):
 def convergence(benchmark, quantity):
     """Order and limit by Richardson's extrapolation from three meshes.
 
-    The values are those for cells of size 4 h, 2 h, h; the error is taken as
-    C h^p. None where the values do not approach a limit from one side, and
-    where p < 1: that is not an order, the meshes are too coarse for the formula.
-    None, too, where the values differ by little more than round-off.
+    The values are those for cells of size 4 h, 2 h, h; the error is assumed to be
+    C h^p. None if the values do not approach a limit monotonically, if p < 1 (the
+    meshes are too coarse for the formula), or if the values differ by little more
+    than round-off.
     """
     values = [evaluate(run, quantity) for run in benchmark.runs if run.factor]
     if None in values:
@@ -448,13 +448,13 @@ def convergence(benchmark, quantity):
 
 
 def path_run(benchmark):
-    """The run whose path is shown: the mesh of the file, in most steps."""
+    """The run whose path is drawn: the mesh of the file, with the most steps."""
     return max((run for run in benchmark.runs if run.factor in (1, None)),
                key=lambda run: len(run.history))
 
 
 def plot_computed(axes, run, curve, color):
-    """The path of a run, from the origin on."""
+    """Draw the path of a run, starting at the origin."""
     rows = [row for row in run.probes
             if (row["name"], row["face"]) == (curve.point, "middle")]
     axes.plot([0] + [curve.sign * float(row[curve.column]) for row in rows],
@@ -463,14 +463,14 @@ def plot_computed(axes, run, curve, color):
 
 
 def plot_reference(axes, rows, curve, name):
-    """The path to compare with, as circles."""
+    """Draw the reference path as circles."""
     axes.plot([float(row[curve.reference]) for row in rows],
               [float(row["P_over_Pmax"]) for row in rows], "o", color="black",
               markersize=5, markerfacecolor="none", zorder=3, label=name)
 
 
 def draw_path(benchmark, data, output):
-    """The load factor against displacements, computed and as the reference."""
+    """Draw the load factor against displacements, computed and reference."""
     curves = PATHS[benchmark.name]
     run = path_run(benchmark)
     [file] = data.glob(f"*_{benchmark.name}.csv")
@@ -495,9 +495,9 @@ def draw_path(benchmark, data, output):
 INTRODUCTION = """\
 # Verification
 
-Problems with published solutions or exact ones in closed form, as tests run
-them, and what comes out on coarser and finer meshes. The parameter files are in
-`tests/verification`, and this page is written by a program from runs of them:
+Benchmarks with published or exact closed-form solutions, as the tests run them and on
+coarser and finer meshes. The parameter files are in `tests/verification`. A script
+writes this page from runs of the program:
 
 ```sh
 cmake --build build --target verification
@@ -505,36 +505,36 @@ cmake --build build --target verification
 
 It takes ten minutes and needs Python with matplotlib (on Debian
 `python3-matplotlib`; run cmake again after installing it). Runs are repeated
-only when the program or their parameter file has changed.
+only if the program or their parameter file has changed.
 
-Lengths, forces and moduli have no units here: any consistent set does.
+Lengths, forces and moduli are given without units: any consistent set will do.
 Displacements are those of points named in the parameter file, on the middle
 surface (the mean of both faces) unless a face is named; the load factor is the
-part of the load that acts. Other quantities are columns of `history.csv`, see
-[output.md](output.md). The mesh is the number of cells along `alpha_1` and
-`alpha_2`. The mesh of the parameter file is in bold, the others have half and
-double its cells in each direction that has more than one. The deviation is
-computed less reference, in percent of the reference.
+fraction of the load applied. Other quantities are columns of `history.csv`, see
+[output.md](output.md). The mesh is given as the number of cells along `alpha_1` and
+`alpha_2`. The mesh of the parameter file is in bold; the others have half and twice
+its cells in each direction that has more than one. The deviation is computed minus
+reference, in percent of the reference.
 
-The order is that of the quantity, by Richardson's extrapolation from the three
-meshes: if the error goes as a power $`p`$ of the size of the cells,
+The order is that of the quantity, by Richardson extrapolation from the three
+meshes. If the error is proportional to the power $`p`$ of the cell size,
 $`p = \\log_2 \\bigl((u_{\\mathrm{middle}} - u_{\\mathrm{coarse}}) / (u_{\\mathrm{fine}} - u_{\\mathrm{middle}})\\bigr)`$.
-The limit is what the meshes converge to by the same formula. Both are left out
-where the values do not approach a limit from one side, or so slowly that the
-order would be below 1: there the meshes are too coarse for the formula; and
-where they differ by little more than round-off. Under a point force the order
-is not that of a smooth problem.
+The limit is the extrapolated value for cells of size zero. Both are omitted if the
+values do not approach a limit monotonically, if the order would be below 1, which
+means that the meshes are too coarse for the formula, or if the values differ by
+little more than round-off. Under a point force the order is not that of a smooth
+problem.
 
-Newton iterations are those of the converged steps, all together.
+Newton iterations are summed over the converged steps.
 
-Two publications are the reference of many problems:
+Two publications are the reference for many problems:
 
 - K. Y. Sze, X. H. Liu, S. H. Lo, Popular benchmark problems for geometric
   nonlinear analysis of shells, Finite Elements in Analysis and Design 40 (2004)
-  1551-1569. Its values are computed as well, with another shell element and
-  meshes of its own, so a small deviation need not be an error of either. The
-  values of 3.4 to 3.6, and those of 3.8 but for the isotropic roof of thickness
-  12.7, were taken over from transcriptions in other programs.
+  1551-1569. Its values are computed, too, with a different shell element and
+  different meshes, so that a small deviation need not be an error of either. The
+  values of 3.4 to 3.6, and those of 3.8 except for the isotropic roof of thickness
+  12.7, were taken from transcriptions in other programs.
 - N. J. Pagano, Exact solutions for composite laminates in cylindrical bending,
   Journal of Composite Materials 3 (1969) 398-411.
 """
@@ -546,23 +546,23 @@ def heading(name):
 
 
 def fill(text):
-    """A paragraph in lines of the width of the other pages."""
+    """A paragraph wrapped to the width of the other pages."""
     return textwrap.fill(text, 80, break_long_words=False,
                          break_on_hyphens=False) + "\n"
 
 
 def percent(value):
-    """A deviation in percent, or a dash where there is none."""
+    """A deviation in percent, or a dash if there is none."""
     return "–" if value is None else f"{round(value, 2) + 0:+.2f}"
 
 
 def digits(value):
-    """A computed value with five digits; counts as they are."""
+    """A computed value with five digits; integers as they are."""
     return str(value) if isinstance(value, int) else f"{value:#.5g}"
 
 
 def label(quantity):
-    """A quantity as the tables name it."""
+    """The name of a quantity in the tables."""
     if " at " not in quantity:
         return {"iterations": "Newton iterations"}.get(quantity, quantity)
     what, when = quantity.split(" at ")
@@ -580,23 +580,23 @@ def label(quantity):
 
 
 def table(header, rows, n_words):
-    """A table in Markdown; the columns after the first n_words are numbers."""
+    """A table in Markdown; columns after the first n_words contain numbers."""
     ruler = ["---" if i < n_words else "---:" for i in range(len(header))]
     return "".join("| " + " | ".join(row) + " |\n"
                    for row in [header, ruler, *rows])
 
 
 def run_name(run):
-    """A run in tables: the mesh of the parameter file is in bold."""
+    """The name of a run in tables; the mesh of the parameter file in bold."""
     return f"**{run.name}**" if run.factor == 1 else run.name
 
 
 def value_rows(benchmark):
-    """Each published value beside those of all runs."""
+    """Each published value with those of all runs."""
     rows = []
     for expected in benchmark.expected:
         for run in benchmark.runs:
-            # a bound on the iterations of one step is not one on those of many
+            # a bound on the iterations of one step does not apply to many steps
             if expected.quantity == "iterations" and run.factor is None:
                 continue
             value = evaluate(run, expected.quantity)
@@ -617,7 +617,7 @@ def step_rows(benchmark):
 
 
 def order_rows(benchmark):
-    """Order and limit of columns of results, where there are any."""
+    """Order and limit of columns of results, if any."""
     rows = []
     for expected in filter(is_column, benchmark.expected):
         result = convergence(benchmark, expected.quantity)
@@ -630,7 +630,7 @@ def order_rows(benchmark):
 
 
 def remark(benchmark):
-    """What is to be said about a benchmark, with its values filled in."""
+    """The remark on a benchmark with its values filled in."""
     finest = benchmark.runs[len(FACTORS) - 1]
     values = [evaluate(finest, expected.quantity)
               for expected in benchmark.expected]
@@ -640,13 +640,13 @@ def remark(benchmark):
 
 
 def section(benchmark):
-    """The part of the page about one benchmark."""
+    """The section of the page on one benchmark."""
     parts = [f"## {heading(benchmark.name)}\n", fill(benchmark.problem),
              fill(f"Parameter file: `tests/verification/{benchmark.name}.prm`.")]
     if benchmark.name in PATHS:
         parts.append(f"![{heading(benchmark.name)}: load factor against "
                      f"displacement](verification/{benchmark.name}.png)\n")
-        parts.append(f"*The computed path is that on the mesh "
+        parts.append(f"*The path is computed on the mesh "
                      f"{path_run(benchmark).name}.*\n")
     parts.append(table(["Mesh", "Quantity", "Reference", "Computed",
                         "Deviation (%)"], value_rows(benchmark), 2))
@@ -658,14 +658,14 @@ def section(benchmark):
                        step_rows(benchmark), 2))
     if not all(run.complete for run in benchmark.runs):
         parts.append(fill("Where the whole load is not reached, a step did not "
-                          "converge, though cut in half several times."))
+                          "converge after several bisections."))
     if benchmark.name in REMARKS:
         parts.append(fill(remark(benchmark)))
     return "\n".join(parts)
 
 
 def summary(benchmarks):
-    """The greatest deviation of each benchmark, by mesh."""
+    """The maximum deviation of each benchmark on each mesh."""
     rows = []
     for benchmark in benchmarks:
         row = [heading(benchmark.name)]
@@ -678,20 +678,20 @@ def summary(benchmarks):
                        ("" if run.complete else " (part of the load)"))
         if row[1:] != ["–"] * len(FACTORS):
             rows.append(row)
-    return ("## Greatest deviations\n\nIn percent of the reference.\n\n" +
+    return ("## Maximum deviations\n\nIn percent of the reference.\n\n" +
             table(["Problem", "Half the cells", "As in the file",
-                   "Double the cells"], rows, 1))
+                   "Twice the cells"], rows, 1))
 
 
 # ---------------------------------------------------------------- program
 
 
 def parse_arguments():
-    """The program, its parameter files, and where the results go."""
+    """The program, its parameter files, and the directories of the results."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     for name, text in (("program", "the program biface"),
                        ("parameters", "directory of the parameter files"),
-                       ("data", "directory of the paths to compare with"),
+                       ("data", "directory of the reference paths"),
                        ("scratch", "directory for the results of the runs"),
                        ("output", "directory of the page, doc/")):
         parser.add_argument(f"--{name}", type=Path, required=True, help=text)

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Runs the program on a parameter file and compares results with published
-// values, which stand in comments of the file:
+// values, given in comments of the file:
 //   # expect: NAME FACE COLUMN at WHEN is VALUE within FRACTION
 //   # expect: history COLUMN at WHEN is VALUE within FRACTION
 //   # expect: plies NAME PLY PLACE COLUMN at WHEN is VALUE within FRACTION
 // for a column of probes.csv, history.csv or plies-NNNN.csv (PLACE is its
 // column 'fraction'), where WHEN is a load factor or 'end of STAGE';
-//   # expect: greatest load factor is VALUE within FRACTION
-//   # expect: least load factor is VALUE within FRACTION
+//   # expect: maximum load factor is VALUE within FRACTION
+//   # expect: minimum load factor is VALUE within FRACTION
 // for the first maximum of a path, and the minimum after it;
 //   # expect: at most N iterations
-// for all steps together;
+// summed over all steps;
 //   # file: a parameter file to run instead of this one
-// where {PRM} stands for the folder of shipped files.
+// where {PRM} is the folder of the shipped files.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -34,8 +34,8 @@ using namespace dealii;
 
 namespace
 {
-  /** The row of history.csv at the end of a stage ('end of STAGE'), or with a
-   * load factor; the last one if there are several, null if there is none. */
+  /** The last row of history.csv of a stage ('end of STAGE') or with a given
+   * load factor; null if there is none. */
   const Row *
   find_step(const std::vector<Row> &history, const std::string &when)
   {
@@ -51,8 +51,8 @@ namespace
   }
 
 
-  /** The value of a column of a step, as the words name it; nothing if it is
-   * not there. */
+  /** The value of a column at a step, as named by the words; empty if it does
+   * not exist. */
   std::optional<double>
   find_value(const Row &step, const std::vector<std::string> &words)
   {
@@ -74,8 +74,7 @@ namespace
   }
 
 
-  /** The turning point of y over the index, by a parabola through the three
-   * values around i. */
+  /** The extremum of the parabola through the three values of y around i. */
   double
   turning_value(const std::vector<double> &y, const unsigned int i)
   {
@@ -149,7 +148,7 @@ main(int argc, char *argv[])
                    n_iterations <= std::stoul(w[2]));
       else if (w[1] == "load")
         {
-          const double sign  = (w[0] == "greatest" ? 1 : -1);
+          const double sign  = (w[0] == "maximum" ? 1 : -1);
           bool         found = false;
           for (unsigned int i = 1; i + 1 < factors.size() && !found; ++i)
             if (sign * factors[i] > sign * factors[i - 1] &&
