@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The manual page biface.1, from what the program says with --help."""
+"""Generate the manual page biface.1 from the output of --help."""
 
 import argparse
 import re
@@ -28,14 +28,14 @@ biface \- finite element analysis of layered shells in contact
 TAIL = r""".SH ENVIRONMENT
 .TP
 .B OPENBLAS_NUM_THREADS, OMP_NUM_THREADS
-Threads of OpenBLAS in each rank; one where neither is set.
+Threads of OpenBLAS per rank; by default one.
 .SH FILES
 .TP
 .I /usr/share/doc/biface/README.md
-What to read first.
+An introduction.
 .TP
 .I /usr/share/doc/biface/examples
-Parameter files to begin with.
+Example parameter files.
 .SH SEE ALSO
 .BR mpirun (1),
 .BR paraview (1)
@@ -43,7 +43,7 @@ Parameter files to begin with.
 
 
 def roff(text):
-    """Text as troff wants it."""
+    """Text escaped for troff."""
     return text.replace("\\", "\\e").replace("-", "\\-")
 
 
@@ -53,11 +53,11 @@ def sentence(words):
 
 
 def page(help_text):
-    """The manual page for what --help prints."""
+    """The manual page for the output of --help."""
     paragraphs = help_text.strip().split("\n\n")
     lines = [HEAD.rstrip("\n")]
     for paragraph in paragraphs[1:]:
-        # an option whose meaning takes several lines, in one
+        # join the lines of each description
         paragraph = re.sub(r"\n {10,}", "  ", paragraph)
         options = re.findall(r"^  (-\S.*?)  +(\S.*)$", paragraph, re.M)
         if options:

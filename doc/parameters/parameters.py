@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page on all entries of a parameter file, doc/parameters.md, from what the
-program declares with --print-parameters=json."""
+"""Generate doc/parameters.md, the page on all entries of a parameter file, from
+--print-parameters=json."""
 
 import argparse
 import json
@@ -11,9 +11,9 @@ from pathlib import Path
 
 HEAD = """# All entries of a parameter file
 
-One table for each section. `cmake --build build --target reference` writes this
-page from what the program declares; `biface --print-parameters` prints the
-same as a parameter file. [new_shell.md](new_shell.md) says what to choose.
+One table per section. `cmake --build build --target reference` generates this page
+from the declarations in the program; `biface --print-parameters` prints the same as a
+parameter file. [new_shell.md](new_shell.md) explains what to choose.
 
 ```
 set Entry = value            # a comment
@@ -22,17 +22,16 @@ subsection Section
 end
 ```
 
-The program knows no units but degrees: give lengths, forces and pressures in one
-system, such as mm, N and MPa. Entries that are left out have their defaults, and
-unknown ones are refused. On the command line,
-`--set "Section/Entry=value"` takes precedence over the file.
+Any consistent set of units works, such as mm, N and MPa, but angles are always in
+degrees. Entries that are not set have their defaults, and unknown ones are refused. On
+the command line, `--set "Section/Entry=value"` takes precedence over the file.
 """
 
 # sections whose name the user chooses
 NAMED = {
     "Material cord": (
         "Material NAME",
-        "One section for each name in `Materials`, `cord` unless told otherwise."),
+        "One section for each name in `Materials`, by default `cord`."),
     "Stage 1": (
         "Stage N",
         "One section for each of the `Number of stages`, N = 1, 2, ..."),
@@ -40,14 +39,14 @@ NAMED = {
 
 
 def number(text):
-    """A bound of an interval, or nothing if there is none."""
+    """A bound of an interval, or an empty string if there is none."""
     if "MAX_" in text or text in ("-2147483648", "2147483647"):
         return ""
     return f"{float(text):g}"
 
 
 def interval(name, low, high):
-    """Which numbers are allowed."""
+    """The range of allowed numbers."""
     low, high = number(low), number(high)
     if low and high:
         return f"{name}, {low} to {high}"
@@ -59,7 +58,7 @@ def interval(name, low, high):
 
 
 def count(low, high):
-    """How many items a list may have."""
+    """The number of items a list may have."""
     if low == high:
         return low
     if high == "4294967295":
@@ -91,14 +90,14 @@ def allowed(pattern):
               "[FileName (Type: input)]": "file",
               "[FileName (Type: output)]": "file"}
     if pattern not in simple:
-        raise SystemExit(f"no words are known for the pattern {pattern}; "
-                         "tell doc/parameters/parameters.py.")
+        raise SystemExit(f"unknown pattern {pattern}; add it to "
+                         "doc/parameters/parameters.py.")
     return simple[pattern]
 
 
 def cell(text):
-    """Text in a table of Markdown."""
-    text = re.sub(r"'([^']+)'(?!\w)", r"`\1`", text)   # as written in a file
+    """Text in a Markdown table."""
+    text = re.sub(r"'([^']+)'(?!\w)", r"`\1`", text)   # quoted words
     text = re.sub(r"(?<![`\w])((?:\w+_)+\w+)(?!\w)(?=[^`]*(?:`[^`]*`[^`]*)*$)",
                   r"`\1`", text)                        # names such as alpha_1
     return text.replace("|", "\\|").replace("\n", " ")
@@ -117,7 +116,7 @@ def table(entries):
 
 
 def section(name, declared, level):
-    """A section with its own ones, as lines of Markdown."""
+    """A section with its subsections, as lines of Markdown."""
     entries = [(key, value) for key, value in declared.items()
                if "default_value" in value]
     lines = []
@@ -144,7 +143,7 @@ def main():
     declared = json.loads(subprocess.run(
         [arguments.program, "--print-parameters=json"], check=True,
         capture_output=True, text=True).stdout)
-    top = ["", "## Outside of all sections"]
+    top = ["", "## Outside all sections"]
     top_entries = {k: v for k, v in declared.items() if "default_value" in v}
     sections = {k: v for k, v in declared.items() if "default_value" not in v}
     lines = top + section("", top_entries, 1) + section("", sections, 1)
