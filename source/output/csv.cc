@@ -6,14 +6,12 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <biface/base/errors.h>
-#include <biface/input/read_file.h>
+#include <biface/base/gather.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 
@@ -135,49 +133,23 @@ namespace Biface
 
 
   void
-  cut_table(const std::string &path,
-            const std::string &header,
-            const unsigned int n_steps,
-            const unsigned int rows_per_step,
-            const MPI_Comm     communicator)
-  {
-    const std::string  text = read_file(path, communicator);
-    std::istringstream lines(text);
-    std::string        line, kept;
-    if (!std::getline(lines, line) || line + '\n' != header)
-      throw InputError("the file '" + path +
-                       "' has other columns than this program writes, but a "
-                       "restart must continue it.");
-    kept = header;
-    // a last line without an end was not written to its end
-    unsigned int n_rows = 0;
-    while (std::getline(lines, line) && !lines.eof() &&
-           std::strtoul(line.c_str(), nullptr, 10) ==
-             n_rows / rows_per_step + 1 &&
-           n_rows < n_steps * rows_per_step)
-      {
-        kept += line + '\n';
-        ++n_rows;
-      }
-    if (n_rows < n_steps * rows_per_step)
-      throw InputError("the file '" + path + "' holds " +
-                       std::to_string(n_rows / rows_per_step) + " of the " +
-                       std::to_string(n_steps) +
-                       " steps of the checkpoint, but a restart must continue "
-                       "it.");
-    write_text(path, kept, false, communicator);
-  }
-
-
-  void
   write_csv(const std::string &path,
             const std::string &header,
             const Rows        &rows,
             const MPI_Comm     communicator)
   {
+    const std::size_t n_columns =
+      std::count(header.begin(), header.end(), ',') + 1;
+    std::vector<double> values;
+    for (const std::vector<double> &row : rows)
+      {
+        AssertDimension(row.size(), n_columns);
+        values.insert(values.end(), row.begin(), row.end());
+      }
+    values = gather_numbers(communicator, values);
     Rows all_rows;
-    for (const Rows &part : Utilities::MPI::gather(communicator, rows))
-      all_rows.insert(all_rows.end(), part.begin(), part.end());
+    for (auto value = values.begin(); value != values.end(); value += n_columns)
+      all_rows.emplace_back(value, value + n_columns);
     std::sort(all_rows.begin(), all_rows.end());
 
     std::string text = header + "\n";

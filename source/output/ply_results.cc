@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
@@ -10,6 +11,41 @@
 namespace Biface
 {
   using namespace dealii;
+
+  void
+  FailureCriteria::add_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry("Failure criteria",
+                      "",
+                      Patterns::MultipleSelection("maximum stress|Tsai-Wu"),
+                      "Criteria whose failure indices are written with the "
+                      "stresses of plies, a list of 'maximum stress' and "
+                      "'Tsai-Wu'; see the strengths of the materials.");
+    prm.add_action("Failure criteria", [this](const std::string &text) {
+      const auto asked = [&](const std::string &name) {
+        return text.find(name) != std::string::npos;
+      };
+      maximum_stress = asked("maximum stress");
+      tsai_wu        = asked("Tsai-Wu");
+    });
+  }
+
+
+  std::vector<std::string>
+  FailureCriteria::warnings(const Layup &layup) const
+  {
+    std::vector<std::string> sentences;
+    if (!maximum_stress && !tsai_wu)
+      return sentences;
+    std::set<std::string> bare;
+    for (const PlyDescription &ply : layup.get_plies())
+      if (!ply.strengths && bare.insert(ply.material).second)
+        sentences.push_back("The material '" + ply.material +
+                            "' has no strengths (X_t to S), so that its plies "
+                            "get no failure index.");
+    return sentences;
+  }
+
 
   PlyState::PlyState(const Laminate           &laminate,
                      const unsigned int        ply,
@@ -71,139 +107,5 @@ namespace Biface
       values.push_back(ply.strengths ? tsai_wu_index(stress, *ply.strengths)
                                      : none);
     return values;
-  }
-
-
-  namespace
-  {
-    /**
-     * The direction of the fibers in the deformed shell, as data 3 to 5 of a
-     * patch with its vertices and the displacements in data 0 to 2: each
-     * coordinate line carries its component along.
-     */
-    void
-    set_fibers(const double angle, DataOutBase::Patch<3, 3> &patch)
-    {
-      for (unsigned int i = 0; i < 8; ++i)
-        {
-          Tensor<1, 3> fiber;
-          for (unsigned int line = 0; line < 2; ++line)
-            {
-              const unsigned int begin = i & ~(1u << line);
-              const unsigned int end   = i | (1u << line);
-              const Tensor<1, 3> edge =
-                patch.vertices[end] - patch.vertices[begin];
-              Tensor<1, 3> initial_edge = edge;
-              for (unsigned int d = 0; d < 3; ++d)
-                initial_edge[d] -= patch.data(d, end) - patch.data(d, begin);
-              fiber += (line == 0 ? std::cos(angle) : std::sin(angle)) /
-                       initial_edge.norm() * edge;
-            }
-          fiber /= fiber.norm();
-          for (unsigned int d = 0; d < 3; ++d)
-            patch.data(3 + d, i) = fiber[d];
-        }
-    }
-  } // namespace
-
-
-  PlyPatches::PlyPatches(const ShellEquations  &equations,
-                         const State           &state,
-                         const FailureCriteria &criteria)
-    : names({"displacement",
-             "displacement",
-             "displacement",
-             "fiber",
-             "fiber",
-             "fiber",
-             "ply"})
-  {
-    const std::vector<std::string> value_names = ply_value_names(criteria);
-    names.insert(names.end(), value_names.begin(), value_names.end());
-
-    const ShellMesh &mesh = equations.mesh;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        const Cell  &cell  = mesh.cells[c];
-        const Strip &strip = mesh.strips[cell.strip];
-        const auto   E = Modes::at_vertices(equations.total_strains(state, c));
-
-        // at each vertex, how far up the ply at hand begins
-        std::array<double, 4> height{};
-        for (unsigned int p = 0; p < strip.laminate.get_plies().size(); ++p)
-          {
-            DataOutBase::Patch<3, 3> patch;
-            patch.patch_index    = patches.size();
-            patch.n_subdivisions = 1;
-            patch.reference_cell = ReferenceCells::Hexahedron;
-            patch.data.reinit(names.size(), 8);
-            for (unsigned int v = 0; v < 4; ++v)
-              {
-                const Node     &node     = mesh.nodes[cell.nodes[v]];
-                const Laminate &laminate = strip.at_lines[v & 1];
-                const Ply      &ply      = laminate.get_plies()[p];
-
-                std::array<Point<3>, 2>     x;
-                std::array<Tensor<1, 3>, 2> u;
-                for (unsigned int face = 0; face < 2; ++face)
-                  {
-                    x[face] =
-                      mesh.deformed_position(state.displacement, node, face);
-                    u[face] = node.surface.from_frame(
-                      mesh.displacement(state.displacement, node, face));
-                  }
-                for (unsigned int side = 0; side < 2; ++side)
-                  {
-                    const unsigned int i = v + 4 * side;
-                    const double       z =
-                      (height[v] + side * ply.thickness) / laminate.thickness();
-                    patch.vertices[i] = x[0] + z * (x[1] - x[0]);
-
-                    const Tensor<1, 3> u_z = u[0] + z * (u[1] - u[0]);
-                    for (unsigned int d = 0; d < 3; ++d)
-                      patch.data(d, i) = u_z[d];
-                    unsigned int d     = 6; // see set_fibers()
-                    patch.data(d++, i) = ply.number + 1;
-                    for (const double value :
-                         ply_values(PlyState(laminate, p, side, E[v]),
-                                    ply.angle,
-                                    mesh.layup.get_plies()[ply.number],
-                                    criteria))
-                      patch.data(d++, i) = value;
-                  }
-                height[v] += ply.thickness;
-              }
-            set_fibers(strip.laminate.get_plies()[p].angle, patch);
-            patches.push_back(patch);
-          }
-      }
-  }
-
-
-  const std::vector<DataOutBase::Patch<3, 3>> &
-  PlyPatches::get_patches() const
-  {
-    return patches;
-  }
-
-
-  std::vector<std::string>
-  PlyPatches::get_dataset_names() const
-  {
-    return names;
-  }
-
-
-  std::vector<
-    std::tuple<unsigned int,
-               unsigned int,
-               std::string,
-               DataComponentInterpretation::DataComponentInterpretation>>
-  PlyPatches::get_nonscalar_data_ranges() const
-  {
-    const auto vector =
-      DataComponentInterpretation::component_is_part_of_vector;
-    return {std::make_tuple(0, 2, std::string("displacement"), vector),
-            std::make_tuple(3, 5, std::string("fiber"), vector)};
   }
 } // namespace Biface

@@ -81,17 +81,14 @@ namespace Biface
 
 
   void
-  print_files(const Parameters &parameters, ConditionalOStream &out)
+  print_files(const std::string              &directory,
+              const std::vector<std::string> &files,
+              ConditionalOStream             &out)
   {
-    const bool points = !parameters.points.list.empty();
-    out << " in " << parameters.output.directory
-        << ": history.csv, contact-*.csv, profile-*.csv, "
-        << (points ? "probes.csv, " : "")
-        << (points && parameters.output.points_per_ply > 0 ? "plies-*.csv, "
-                                                           : "")
-        << (parameters.output.vtu ? "shell.pvd (for ParaView), " : "")
-        << (parameters.output.ply_vtu ? "plies.pvd (for ParaView), " : "")
-        << "parameters.prm, run.log" << std::endl;
+    out << " in " << directory << ": ";
+    for (const std::string &file : files)
+      out << file << ", ";
+    out << "parameters.prm, run.log" << std::endl;
   }
 
 

@@ -108,8 +108,8 @@ namespace Biface
         {
           if (!checkpoint->get_warning().empty())
             out << checkpoint->get_warning() << std::endl;
-          out << "The run continues after step " << written->n_steps << '.'
-              << std::endl;
+          out << "The run continues after step "
+              << simulation.get_progress().n_steps << '.' << std::endl;
           checkpoint->remove_unusable();
         }
       writer.write_parameters(record.parameters, command_line.file_name);
@@ -142,7 +142,7 @@ namespace Biface
         print_coarse_solver_time(simulation.get_coarse_solver_seconds(), out);
       print_memory(communicator, out);
       out << (result.success ? "Results" : "What was reached");
-      print_files(parameters, out);
+      print_files(directory, writer.list(), out);
       if (result.success)
         return done;
 

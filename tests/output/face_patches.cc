@@ -9,7 +9,7 @@
 #include <limits>
 #include <sstream>
 
-#include <biface/output/face_patches.h>
+#include <biface/output/shell_vtu.h>
 
 #include "../cord_ply.h"
 #include "../model/coarse_torus.h"

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include <biface/model/shell_equations.h>
-#include <biface/output/ply_results.h>
+#include <biface/output/plies_vtu.h>
 
 #include "../model/free_shells.h"
 #include "../tests.h"

@@ -53,20 +53,6 @@ namespace Biface
   write_texts_of_ranks(const std::string &path,
                        const std::string &text,
                        const MPI_Comm     communicator);
-
-  /**
-   * Take the rows of later steps off a table whose first column is the step.
-   * The file is changed as a whole or not at all. Must be called on all ranks.
-   *
-   * Throws InputError where the table does not begin with @p header, or does
-   * not hold @p rows_per_step rows for each of the first @p n_steps steps.
-   */
-  void
-  cut_table(const std::string &path,
-            const std::string &header,
-            const unsigned int n_steps,
-            const unsigned int rows_per_step,
-            const MPI_Comm     communicator);
 } // namespace Biface
 
 #endif

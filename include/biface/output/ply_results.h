@@ -3,16 +3,14 @@
 #ifndef biface_output_ply_results_h
 #define biface_output_ply_results_h
 
-#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <biface/laminate/layup.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/laminate/resultants.h>
 
 namespace Biface
 {
@@ -21,6 +19,14 @@ namespace Biface
   {
     bool maximum_stress = false;
     bool tsai_wu        = false;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Which materials lack the strengths that the criteria need: a sentence
+     * each. */
+    std::vector<std::string>
+    warnings(const Layup &layup) const;
   };
 
 
@@ -63,37 +69,6 @@ namespace Biface
              const PlyDescription  &ply,
              const FailureCriteria &criteria);
 
-
-  /**
-   * The plies of the deformed shell for deal.II's writers: one hexahedron a ply
-   * of every locally owned cell, between the ply's real surfaces. Data: the
-   * displacement, the unit vector along the fibers as deformed, the number of
-   * the ply (from 1 at the inner face), and ply_values().
-   */
-  class PlyPatches : public dealii::DataOutInterface<3, 3>
-  {
-  public:
-    PlyPatches(const ShellEquations  &equations,
-               const State           &state,
-               const FailureCriteria &criteria);
-
-  private:
-    const std::vector<dealii::DataOutBase::Patch<3, 3>> &
-    get_patches() const override;
-
-    std::vector<std::string>
-    get_dataset_names() const override;
-
-    std::vector<std::tuple<
-      unsigned int,
-      unsigned int,
-      std::string,
-      dealii::DataComponentInterpretation::DataComponentInterpretation>>
-    get_nonscalar_data_ranges() const override;
-
-    std::vector<std::string>                      names;
-    std::vector<dealii::DataOutBase::Patch<3, 3>> patches;
-  };
 } // namespace Biface
 
 #endif

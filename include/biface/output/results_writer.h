@@ -5,56 +5,46 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
-#include <biface/output/ply_results.h>
-#include <biface/stepping/load_stepping.h>
+#include <biface/output/plies_file.h>
+#include <biface/output/plies_vtu.h>
+#include <biface/output/profile_file.h>
+#include <biface/output/result_file.h>
+#include <biface/output/shell_vtu.h>
 
 namespace Biface
 {
   /**
-   * Writes the files of the output directory, see doc/output.md. All functions
-   * must be called on all ranks.
+   * The list of the files of results, see doc/output.md. All functions must be
+   * called on all ranks.
    */
   class ResultsWriter
   {
   public:
     struct Parameters
     {
-      std::string     directory      = "output";
-      double          profile        = 0;
-      bool            vtu            = true;
-      bool            ply_vtu        = false;
-      unsigned int    points_per_ply = 3;
-      FailureCriteria criteria;
+      std::string             directory = "output";
+      ProfileFile::Parameters profile;
+      ShellVtu::Parameters    shell_vtu;
+      PliesVtu::Parameters    plies_vtu;
+      PliesFile::Parameters   plies;
+      FailureCriteria         criteria;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** What was written so far. */
-    struct Written
-    {
-      /** The last step, and those of which there are VTU files. */
-      unsigned int              n_steps = 0;
-      std::vector<unsigned int> faces, plies;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &n_steps &faces &plies;
-      }
-    };
+    /** The steps that each file holds, by ResultFile::name. */
+    using Written = std::map<std::string, std::vector<unsigned int>>;
 
     /**
-     * Make the directory, if need be, and begin history.csv. Throws
-     * InputError where that is not possible.
+     * Make the directory, if need be, and start the files. Throws InputError
+     * where that is not possible.
      *
      * @param continued what an earlier run has written, to continue its files:
      * what they hold beyond is cut off. Throws InputError where they hold less.
@@ -67,12 +57,15 @@ namespace Biface
     std::vector<std::string>
     warnings() const;
 
+    /** The names of the files, with what they are for. */
+    std::vector<std::string>
+    list() const;
+
     /** Write the parameters as used. A comment in the first line names the
      * program's version and the file that they were read from.
      * @param text of a parameter file. */
     void
-    write_parameters(const std::string &text,
-                     const std::string &file_name) const;
+    write_parameters(const std::string &text, const std::string &file_name);
 
     /** Write everything about a converged step. Throws OutputError. */
     void
@@ -80,56 +73,18 @@ namespace Biface
 
     /** Bring all that was written to the disk. Throws OutputError. */
     void
-    sync();
-
-    const Written &
-    get_written() const
+    sync()
     {
-      return written;
+      directory.sync();
     }
 
+    Written
+    get_written() const;
+
   private:
-    void
-    append_history(const StepReport &report) const;
-
-    /** Displacements of the named points. */
-    void
-    append_probes(const StepReport &report, const State &state) const;
-
-    void
-    write_contact(const StepReport &report, const State &state) const;
-
-    void
-    write_profile(const StepReport &report, const State &state) const;
-
-    /** Strains and stresses in the plies at the named points. */
-    void
-    write_plies(const StepReport &report, const State &state) const;
-
-    /** One of a series of VTU files. */
-    template <typename Patches>
-    void
-    write_vtu(const StepReport          &report,
-              Patches                   &patches,
-              const std::string         &series,
-              std::vector<unsigned int> &steps);
-
-    /** The file that lists the VTU files of a series. */
-    void
-    write_pvd(const std::string               &series,
-              const std::vector<unsigned int> &steps) const;
-
-    /** @param name of a file of the directory, which is about to be written.
-     */
-    std::string
-    path(const std::string &name) const;
-
-    const Parameters      parameters;
-    const ShellEquations &equations;
-
-    Written written;
-    /** Files that may not have reached the disk. */
-    mutable std::set<std::string> unsynced;
+    ResultsDirectory directory;
+    /** In the order of list(). */
+    std::vector<std::unique_ptr<ResultFile>> files;
   };
 } // namespace Biface
 

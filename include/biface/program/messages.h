@@ -26,9 +26,11 @@ namespace Biface
   print_load_deflection(const std::vector<LoadDeflection> &curve,
                         dealii::ConditionalOStream        &out);
 
-  /** Where the results are. */
+  /** Where the results are. @param files see ResultsWriter::list(). */
   void
-  print_files(const Parameters &parameters, dealii::ConditionalOStream &out);
+  print_files(const std::string              &directory,
+              const std::vector<std::string> &files,
+              dealii::ConditionalOStream     &out);
 
   /** See Simulation::get_coarse_solver_seconds(). */
   void

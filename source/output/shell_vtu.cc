@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/numerics/data_component_interpretation.h>
-
-#include <biface/output/face_patches.h>
+#include <biface/output/shell_vtu.h>
 
 namespace Biface
 {
@@ -28,11 +26,11 @@ namespace Biface
   FacePatches::FacePatches(const ShellEquations &equations,
                            const State          &state,
                            const Loads          &loads)
+    : VertexPatches<2>(dataset_names)
   {
     using namespace Resultants;
 
     const ShellMesh &mesh = equations.mesh;
-    patches.resize(2 * mesh.cells.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell &cell = mesh.cells[c];
@@ -40,11 +38,7 @@ namespace Biface
 
         for (unsigned int face = 0; face < 2; ++face)
           {
-            auto &patch          = patches[2 * c + face];
-            patch.patch_index    = 2 * c + face;
-            patch.n_subdivisions = 1;
-            patch.reference_cell = ReferenceCells::Quadrilateral;
-            patch.data.reinit(dataset_names.size(), 4);
+            Patch patch = new_patch();
             for (unsigned int v = 0; v < 4; ++v)
               {
                 const Node &node = mesh.nodes[cell.nodes[v]];
@@ -69,36 +63,33 @@ namespace Biface
                   patch.data(d++, v) = H[v][transverse(a, face)];
                 patch.data(d++, v) = H[v][thickness];
               }
+            patches.push_back(patch);
           }
       }
   }
 
 
-  const std::vector<DataOutBase::Patch<2, 3>> &
-  FacePatches::get_patches() const
+  void
+  ShellVtu::Parameters::add_parameters(ParameterHandler &prm)
   {
-    return patches;
+    prm.add_parameter("Write VTU",
+                      write,
+                      "Whether to write both faces for ParaView.",
+                      Patterns::Bool());
   }
 
 
-  std::vector<std::string>
-  FacePatches::get_dataset_names() const
-  {
-    return dataset_names;
-  }
+  ShellVtu::ShellVtu(const Parameters     &parameters,
+                     ResultsDirectory     &directory,
+                     const ShellEquations &equations)
+    : VtuSeries("shell", parameters.write, directory, equations)
+  {}
 
 
-  std::vector<
-    std::tuple<unsigned int,
-               unsigned int,
-               std::string,
-               DataComponentInterpretation::DataComponentInterpretation>>
-  FacePatches::get_nonscalar_data_ranges() const
+  void
+  ShellVtu::write(const StepReport &report, const State &state)
   {
-    return {std::make_tuple(
-      0,
-      2,
-      std::string("displacement"),
-      DataComponentInterpretation::component_is_part_of_vector)};
+    FacePatches patches(equations, state, report.loads);
+    write_patches(patches, report.step);
   }
 } // namespace Biface

@@ -2,20 +2,55 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include <biface/laminate/material.h>
 #include <biface/output/csv.h>
-#include <biface/output/results_writer.h>
+#include <biface/output/plies_file.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  void
+  PliesFile::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Points per ply",
+                      points_per_ply,
+                      "At how many heights within each ply plies-NNNN.csv "
+                      "holds the strains and stresses at the named points: 1 "
+                      "is the middle, 2 both sides, and so on; 0 writes no "
+                      "such file.",
+                      Patterns::Integer(0, 101));
+  }
+
+
+  PliesFile::PliesFile(const Parameters      &parameters,
+                       const FailureCriteria &criteria,
+                       ResultsDirectory      &directory,
+                       const ShellEquations  &equations)
+    : ResultFile("plies-*.csv", directory, equations)
+    , parameters(parameters)
+    , criteria(criteria)
+  {}
+
+
+  bool
+  PliesFile::is_wanted() const
+  {
+    return !equations.mesh.points.empty() && parameters.points_per_ply > 0;
+  }
+
+
+  std::vector<std::string>
+  PliesFile::warnings() const
+  {
+    return criteria.warnings(equations.mesh.layup);
+  }
+
 
   namespace
   {
@@ -30,59 +65,12 @@ namespace Biface
 
 
   void
-  ResultsWriter::append_probes(const StepReport &report,
-                               const State      &state) const
-  {
-    const ShellMesh &mesh = equations.mesh;
-
-    std::string text;
-    for (const NamedPoint &point : mesh.points)
-      {
-        // x, y, z, then 1, 2, 3 of both faces, from the rank that owns the node
-        std::array<std::vector<double>, 2> u{
-          {std::vector<double>(6), std::vector<double>(6)}};
-        const unsigned int n = mesh.node_of_point("Points", point.name);
-        if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
-          for (unsigned int face = 0; face < 2; ++face)
-            {
-              const Node        &node = mesh.nodes[n];
-              const Tensor<1, 3> local =
-                mesh.displacement(state.displacement, node, face);
-              const Tensor<1, 3> global = node.surface.from_frame(local);
-              for (unsigned int i = 0; i < 3; ++i)
-                {
-                  u[face][i]     = global[i];
-                  u[face][3 + i] = local[i];
-                }
-            }
-        for (auto &values : u)
-          Utilities::MPI::sum(values, mesh.communicator, values);
-
-        const auto append = [&](const std::string &face,
-                                const double       share_of_inner) {
-          text += std::to_string(report.step) + ',' + report.stage + ',' +
-                  csv_number(report.loads.factor) + ',' + point.name + ',' +
-                  face;
-          for (unsigned int i = 0; i < 6; ++i)
-            text += ',' + csv_number(share_of_inner * u[0][i] +
-                                     (1 - share_of_inner) * u[1][i]);
-          text += '\n';
-        };
-        append("inner", 1);
-        append("outer", 0);
-        append("middle", 0.5);
-      }
-    write_text(path("probes.csv"), text, true, mesh.communicator);
-  }
-
-
-  void
-  ResultsWriter::write_plies(const StepReport &report, const State &state) const
+  PliesFile::write(const StepReport &report, const State &state)
   {
     const ShellMesh   &mesh      = equations.mesh;
     const auto        &all_plies = mesh.layup.get_plies();
     const unsigned int n_heights = parameters.points_per_ply;
-    const auto         names     = ply_value_names(parameters.criteria);
+    const auto         names     = ply_value_names(criteria);
 
     // of each height: angle, height over the reference surface, tension along
     // the fibers, then the values; in front, how many cells gave them
@@ -129,13 +117,13 @@ namespace Biface
                          ply_values(PlyState(laminate, p, fraction, E),
                                     ply.angle,
                                     all_plies[ply.number],
-                                    parameters.criteria))
+                                    criteria))
                       *sum++ += value;
                   }
                 height += ply.thickness;
               }
           }
-        Utilities::MPI::sum(sums, mesh.communicator, sums);
+        Utilities::MPI::sum(sums, communicator, sums);
 
         for (unsigned int p = 0; p < all_plies.size(); ++p)
           {
@@ -153,10 +141,6 @@ namespace Biface
               }
           }
       }
-    write_text(
-      path("plies-" + Utilities::int_to_string(report.step, 4) + ".csv"),
-      text,
-      false,
-      mesh.communicator);
+    write_text(path(report.step), text, false, communicator);
   }
 } // namespace Biface

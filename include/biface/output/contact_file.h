@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_contact_file_h
+#define biface_output_contact_file_h
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** contact-NNNN.csv: clearance and contact pressure at the nodes in contact
+   * and at their neighbors. */
+  class ContactFile : public ResultFile
+  {
+  public:
+    ContactFile(ResultsDirectory &directory, const ShellEquations &equations);
+
+  private:
+    void
+    write(const StepReport &report, const State &state) override;
+  };
+} // namespace Biface
+
+#endif

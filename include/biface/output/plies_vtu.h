@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_plies_vtu_h
+#define biface_output_plies_vtu_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/output/ply_results.h>
+#include <biface/output/vtu_series.h>
+
+namespace Biface
+{
+  /**
+   * The plies of the deformed shell: one hexahedron per ply of every locally
+   * owned cell, between the ply's real surfaces. Data: the displacement, the
+   * unit vector along the fibers as deformed, the number of the ply (from 1 at
+   * the inner face), and ply_values().
+   */
+  class PlyPatches : public VertexPatches<3>
+  {
+  public:
+    PlyPatches(const ShellEquations  &equations,
+               const State           &state,
+               const FailureCriteria &criteria);
+  };
+
+
+  /** plies-NNNN.vtu and plies.pvd: the plies of the deformed shell. */
+  class PliesVtu : public VtuSeries
+  {
+  public:
+    struct Parameters
+    {
+      bool write = false;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    PliesVtu(const Parameters      &parameters,
+             const FailureCriteria &criteria,
+             ResultsDirectory      &directory,
+             const ShellEquations  &equations);
+
+    std::vector<std::string>
+    warnings() const override;
+
+  private:
+    void
+    write(const StepReport &report, const State &state) override;
+
+    const FailureCriteria criteria;
+  };
+} // namespace Biface
+
+#endif

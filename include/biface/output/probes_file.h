@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_probes_file_h
+#define biface_output_probes_file_h
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** probes.csv: displacements of both faces, and of the middle, at the named
+   * points. */
+  class ProbesFile : public StepTable
+  {
+  public:
+    ProbesFile(ResultsDirectory &directory, const ShellEquations &equations);
+
+    /** Not where no point is named. */
+    bool
+    is_wanted() const override;
+
+  private:
+    void
+    write(const StepReport &report, const State &state) override;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_profile_file_h
+#define biface_output_profile_file_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** profile-NNNN.csv: the deformed contour along a coordinate line. */
+  class ProfileFile : public ResultFile
+  {
+  public:
+    struct Parameters
+    {
+      /** Of the line; the nearest one of the grid is taken. */
+      double alpha_2 = 0;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    ProfileFile(const Parameters     &parameters,
+                ResultsDirectory     &directory,
+                const ShellEquations &equations);
+
+  private:
+    void
+    write(const StepReport &report, const State &state) override;
+
+    /** The coordinate @f$\alpha_2@f$ of the line. */
+    double
+    find_line() const;
+
+    const Parameters parameters;
+    const double     line;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_shell_vtu_h
+#define biface_output_shell_vtu_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/output/vtu_series.h>
+
+namespace Biface
+{
+  /**
+   * Both faces of the deformed shell: one quadrilateral per face of every
+   * locally owned cell. Data: the displacement, the contact pressure, the
+   * active set, which face it is, and the resultants.
+   */
+  class FacePatches : public VertexPatches<2>
+  {
+  public:
+    FacePatches(const ShellEquations &equations,
+                const State          &state,
+                const Loads          &loads);
+  };
+
+
+  /** shell-NNNN.vtu and shell.pvd: both faces of the deformed shell. */
+  class ShellVtu : public VtuSeries
+  {
+  public:
+    struct Parameters
+    {
+      bool write = true;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
+    ShellVtu(const Parameters     &parameters,
+             ResultsDirectory     &directory,
+             const ShellEquations &equations);
+
+  private:
+    void
+    write(const StepReport &report, const State &state) override;
+  };
+} // namespace Biface
+
+#endif

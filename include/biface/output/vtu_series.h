@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_vtu_series_h
+#define biface_output_vtu_series_h
+
+#include <deal.II/base/data_out_base.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** Patches with data at their vertices, for deal.II's writers. */
+  template <int dim>
+  class VertexPatches : public dealii::DataOutInterface<dim, 3>
+  {
+  public:
+    /** @param names of the data; the three components of a vector have the same
+     * one. */
+    explicit VertexPatches(const std::vector<std::string> &names) : names(names)
+    {}
+
+  protected:
+    using Patch = dealii::DataOutBase::Patch<dim, 3>;
+
+    /** A patch with its number, and with room for data. */
+    Patch
+    new_patch() const;
+
+    std::vector<Patch> patches;
+
+  private:
+    const std::vector<Patch> &
+    get_patches() const override
+    {
+      return patches;
+    }
+
+    std::vector<std::string>
+    get_dataset_names() const override
+    {
+      return names;
+    }
+
+    std::vector<std::tuple<
+      unsigned int,
+      unsigned int,
+      std::string,
+      dealii::DataComponentInterpretation::DataComponentInterpretation>>
+    get_nonscalar_data_ranges() const override;
+
+    const std::vector<std::string> names;
+  };
+
+
+  /** A VTU file per step, and NAME.pvd, which names them all for ParaView. */
+  class VtuSeries : public ResultFile
+  {
+  public:
+    VtuSeries(const std::string    &series,
+              const bool            wanted,
+              ResultsDirectory     &directory,
+              const ShellEquations &equations);
+
+    std::string
+    description() const override
+    {
+      return name + " (for ParaView)";
+    }
+
+    bool
+    is_wanted() const override
+    {
+      return wanted;
+    }
+
+  protected:
+    void
+    cut_back() override;
+
+    /** Write the file of a step, with the patches of all ranks. */
+    template <int dim>
+    void
+    write_patches(VertexPatches<dim> &patches, const unsigned int step) const;
+
+  private:
+    /** The file that names those of all steps. */
+    void
+    write_record() const;
+
+    std::string
+    file_name(const unsigned int step) const;
+
+    const std::string series;
+    const bool        wanted;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/output/contact_file.h>
+#include <biface/output/csv.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ContactFile::ContactFile(ResultsDirectory     &directory,
+                           const ShellEquations &equations)
+    : ResultFile("contact-*.csv", directory, equations)
+  {}
+
+
+  void
+  ContactFile::write(const StepReport &report, const State &state)
+  {
+    const ShellMesh        &mesh    = equations.mesh;
+    const ReferenceSurface &surface = mesh.get_surface();
+
+    Rows rows;
+    if (report.loads.foundation)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        {
+          const Node &node = mesh.nodes[n];
+          bool        near = false;
+          for (const unsigned int neighbor : mesh.neighbors[n])
+            near = near || state.active[neighbor];
+          if (!node.locally_owned || !near)
+            continue;
+
+          const Point<3> x =
+            mesh.deformed_position(state.displacement, node, Resultants::outer);
+          const double pressure = equations.pressure(state, report.loads, n);
+          const ThicknessMetric metric(node.surface.curvature, node.faces);
+          rows.push_back({chart_coordinate(surface, node, 0),
+                          chart_coordinate(surface, node, 1),
+                          x[0],
+                          x[1],
+                          x[2],
+                          equations.clearance(state, report.loads, node),
+                          pressure,
+                          static_cast<double>(state.active[n]),
+                          pressure * metric.area_ratio(Resultants::outer)});
+        }
+    write_csv(path(report.step),
+              "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure",
+              rows,
+              communicator);
+  }
+} // namespace Biface

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <array>
+#include <cmath>
+
+#include <biface/output/plies_vtu.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<std::string>
+    patch_data_names(const FailureCriteria &criteria)
+    {
+      std::vector<std::string>       names{"displacement",
+                                     "displacement",
+                                     "displacement",
+                                     "fiber",
+                                     "fiber",
+                                     "fiber",
+                                     "ply"};
+      const std::vector<std::string> values = ply_value_names(criteria);
+      names.insert(names.end(), values.begin(), values.end());
+      return names;
+    }
+
+
+    /**
+     * The direction of the fibers in the deformed shell, as data 3 to 5 of a
+     * patch with its vertices and the displacements in data 0 to 2: each
+     * coordinate line carries its component along.
+     */
+    void
+    set_fibers(const double angle, DataOutBase::Patch<3, 3> &patch)
+    {
+      for (unsigned int i = 0; i < 8; ++i)
+        {
+          Tensor<1, 3> fiber;
+          for (unsigned int line = 0; line < 2; ++line)
+            {
+              const unsigned int begin = i & ~(1u << line);
+              const unsigned int end   = i | (1u << line);
+              const Tensor<1, 3> edge =
+                patch.vertices[end] - patch.vertices[begin];
+              Tensor<1, 3> initial_edge = edge;
+              for (unsigned int d = 0; d < 3; ++d)
+                initial_edge[d] -= patch.data(d, end) - patch.data(d, begin);
+              fiber += (line == 0 ? std::cos(angle) : std::sin(angle)) /
+                       initial_edge.norm() * edge;
+            }
+          fiber /= fiber.norm();
+          for (unsigned int d = 0; d < 3; ++d)
+            patch.data(3 + d, i) = fiber[d];
+        }
+    }
+  } // namespace
+
+
+  PlyPatches::PlyPatches(const ShellEquations  &equations,
+                         const State           &state,
+                         const FailureCriteria &criteria)
+    : VertexPatches<3>(patch_data_names(criteria))
+  {
+    const ShellMesh &mesh = equations.mesh;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell  &cell  = mesh.cells[c];
+        const Strip &strip = mesh.strips[cell.strip];
+        const auto   E = Modes::at_vertices(equations.total_strains(state, c));
+
+        // at each vertex, how far up the ply at hand begins
+        std::array<double, 4> height{};
+        for (unsigned int p = 0; p < strip.laminate.get_plies().size(); ++p)
+          {
+            Patch patch = new_patch();
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                const Node     &node     = mesh.nodes[cell.nodes[v]];
+                const Laminate &laminate = strip.at_lines[v & 1];
+                const Ply      &ply      = laminate.get_plies()[p];
+
+                std::array<Point<3>, 2>     x;
+                std::array<Tensor<1, 3>, 2> u;
+                for (unsigned int face = 0; face < 2; ++face)
+                  {
+                    x[face] =
+                      mesh.deformed_position(state.displacement, node, face);
+                    u[face] = node.surface.from_frame(
+                      mesh.displacement(state.displacement, node, face));
+                  }
+                for (unsigned int side = 0; side < 2; ++side)
+                  {
+                    const unsigned int i = v + 4 * side;
+                    const double       z =
+                      (height[v] + side * ply.thickness) / laminate.thickness();
+                    patch.vertices[i] = x[0] + z * (x[1] - x[0]);
+
+                    const Tensor<1, 3> u_z = u[0] + z * (u[1] - u[0]);
+                    for (unsigned int d = 0; d < 3; ++d)
+                      patch.data(d, i) = u_z[d];
+                    unsigned int d     = 6; // see set_fibers()
+                    patch.data(d++, i) = ply.number + 1;
+                    for (const double value :
+                         ply_values(PlyState(laminate, p, side, E[v]),
+                                    ply.angle,
+                                    mesh.layup.get_plies()[ply.number],
+                                    criteria))
+                      patch.data(d++, i) = value;
+                  }
+                height[v] += ply.thickness;
+              }
+            set_fibers(strip.laminate.get_plies()[p].angle, patch);
+            patches.push_back(patch);
+          }
+      }
+  }
+
+
+  void
+  PliesVtu::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Write ply VTU",
+                      write,
+                      "Whether to write every ply as a layer of hexahedra for "
+                      "ParaView, with its strains and stresses.",
+                      Patterns::Bool());
+  }
+
+
+  PliesVtu::PliesVtu(const Parameters      &parameters,
+                     const FailureCriteria &criteria,
+                     ResultsDirectory      &directory,
+                     const ShellEquations  &equations)
+    : VtuSeries("plies", parameters.write, directory, equations)
+    , criteria(criteria)
+  {}
+
+
+  std::vector<std::string>
+  PliesVtu::warnings() const
+  {
+    return criteria.warnings(equations.mesh.layup);
+  }
+
+
+  void
+  PliesVtu::write(const StepReport &report, const State &state)
+  {
+    PlyPatches patches(equations, state, criteria);
+    write_patches(patches, report.step);
+  }
+} // namespace Biface

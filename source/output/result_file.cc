@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include <biface/base/errors.h>
+#include <biface/input/read_file.h>
+#include <biface/output/atomic_file.h>
+#include <biface/output/csv.h>
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ResultsDirectory::ResultsDirectory(const std::string &name,
+                                     const MPI_Comm     communicator)
+    : communicator(communicator), name(name)
+  {
+    std::string reason;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(name, error);
+        if (error)
+          reason = error.message();
+      }
+    reason = Utilities::MPI::broadcast(communicator, reason);
+    if (!reason.empty())
+      throw InputError("Output/Directory",
+                       name,
+                       "that directory cannot be made (" + reason + ")");
+  }
+
+
+  std::string
+  ResultsDirectory::path(const std::string &file)
+  {
+    return *unsynced.insert(name + "/" + file).first;
+  }
+
+
+  void
+  ResultsDirectory::sync()
+  {
+    std::pair<std::string, std::string> file_and_reason;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &file : unsynced)
+        if (file_and_reason.second.empty())
+          file_and_reason = {file, sync_to_disk(file)};
+    unsynced.clear();
+    file_and_reason = Utilities::MPI::broadcast(communicator, file_and_reason);
+    if (!file_and_reason.second.empty())
+      throw OutputError(file_and_reason.first, file_and_reason.second);
+  }
+
+
+  ResultFile::ResultFile(const std::string    &name,
+                         ResultsDirectory     &directory,
+                         const ShellEquations &equations)
+    : name(name)
+    , communicator(directory.communicator)
+    , directory(directory)
+    , equations(equations)
+  {}
+
+
+  void
+  ResultFile::resume(const std::vector<unsigned int> &steps)
+  {
+    this->steps = steps;
+    cut_back();
+  }
+
+
+  void
+  ResultFile::write_step(const StepReport &report, const State &state)
+  {
+    steps.push_back(report.step);
+    write(report, state);
+  }
+
+
+  std::string
+  ResultFile::path(const unsigned int step) const
+  {
+    std::string file = name;
+    const auto  star = file.find('*');
+    if (star != std::string::npos)
+      file.replace(star, 1, Utilities::int_to_string(step, 4));
+    return directory.path(file);
+  }
+
+
+  StepTable::StepTable(const std::string    &name,
+                       const std::string    &header,
+                       const unsigned int    lines_per_step,
+                       ResultsDirectory     &directory,
+                       const ShellEquations &equations)
+    : ResultFile(name, directory, equations)
+    , header(header)
+    , lines_per_step(lines_per_step)
+  {}
+
+
+  void
+  StepTable::start()
+  {
+    write_text(path(), header + '\n', false, communicator);
+  }
+
+
+  void
+  StepTable::cut_back()
+  {
+    const std::vector<unsigned int> &steps = get_steps();
+    const std::string                path  = this->path();
+
+    std::istringstream lines(read_file(path, communicator));
+    std::string        line;
+    if (!std::getline(lines, line) || line != header)
+      throw InputError("the file '" + path +
+                       "' has other columns than this program writes, but a "
+                       "restart must continue it.");
+    std::string kept    = header + '\n';
+    std::size_t n_lines = 0;
+    // a last line without an end was not written to its end
+    while (n_lines < steps.size() * lines_per_step &&
+           std::getline(lines, line) && !lines.eof() &&
+           std::strtoul(line.c_str(), nullptr, 10) ==
+             steps[n_lines / lines_per_step])
+      {
+        kept += line + '\n';
+        ++n_lines;
+      }
+    if (n_lines < steps.size() * lines_per_step)
+      throw InputError("the file '" + path + "' holds " +
+                       std::to_string(n_lines / lines_per_step) + " of the " +
+                       std::to_string(steps.size()) +
+                       " steps of the checkpoint, but a restart must continue "
+                       "it.");
+    write_text(path, kept, false, communicator);
+  }
+
+
+  void
+  StepTable::append(const std::string &lines) const
+  {
+    write_text(path(), lines, true, communicator);
+  }
+
+
+  double
+  chart_coordinate(const ReferenceSurface &surface,
+                   const Node             &node,
+                   const unsigned int      a)
+  {
+    return std::round(node.alpha[a] / surface.coordinate_unit(a) * 1e9) / 1e9;
+  }
+} // namespace Biface

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/reference_cell.h>
+#include <deal.II/numerics/data_component_interpretation.h>
+
+#include <sstream>
+#include <utility>
+
+#include <biface/output/csv.h>
+#include <biface/output/vtu_series.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  template <int dim>
+  typename VertexPatches<dim>::Patch
+  VertexPatches<dim>::new_patch() const
+  {
+    Patch patch;
+    patch.patch_index    = patches.size();
+    patch.n_subdivisions = 1;
+    patch.reference_cell = ReferenceCells::get_hypercube<dim>();
+    patch.data.reinit(names.size(), GeometryInfo<dim>::vertices_per_cell);
+    return patch;
+  }
+
+
+  template <int dim>
+  std::vector<
+    std::tuple<unsigned int,
+               unsigned int,
+               std::string,
+               DataComponentInterpretation::DataComponentInterpretation>>
+  VertexPatches<dim>::get_nonscalar_data_ranges() const
+  {
+    std::vector<
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>>
+      vectors;
+    for (unsigned int i = 0; i + 2 < names.size(); ++i)
+      if (names[i] == names[i + 2])
+        vectors.emplace_back(
+          i,
+          i + 2,
+          names[i],
+          DataComponentInterpretation::component_is_part_of_vector);
+    return vectors;
+  }
+
+
+  VtuSeries::VtuSeries(const std::string    &series,
+                       const bool            wanted,
+                       ResultsDirectory     &directory,
+                       const ShellEquations &equations)
+    : ResultFile(series + ".pvd", directory, equations)
+    , series(series)
+    , wanted(wanted)
+  {}
+
+
+  void
+  VtuSeries::cut_back()
+  {
+    if (!get_steps().empty())
+      write_record();
+  }
+
+
+  template <int dim>
+  void
+  VtuSeries::write_patches(VertexPatches<dim> &patches,
+                           const unsigned int  step) const
+  {
+    DataOutBase::VtkFlags flags;
+    flags.time              = step;
+    flags.compression_level = DataOutBase::VtkFlags::best_speed;
+    patches.set_flags(flags);
+
+    // the pieces of all ranks between the head of the file, from the first
+    // one, and its end, from the last. MPI's parallel files would do it, too,
+    // but do not tell of a full disk
+    std::ostringstream stream;
+    patches.write_vtu(stream);
+    std::string       text    = stream.str();
+    const std::string closing = "</Piece>\n";
+    if (Utilities::MPI::this_mpi_process(communicator) + 1 <
+        Utilities::MPI::n_mpi_processes(communicator))
+      text.erase(text.rfind(closing) + closing.size());
+    if (Utilities::MPI::this_mpi_process(communicator) > 0)
+      text.erase(0, text.find("<Piece"));
+    write_texts_of_ranks(directory.path(file_name(step)), text, communicator);
+    write_record();
+  }
+
+
+  void
+  VtuSeries::write_record() const
+  {
+    std::vector<std::pair<double, std::string>> times_and_names;
+    for (const unsigned int step : get_steps())
+      times_and_names.emplace_back(step, file_name(step));
+    std::ostringstream record;
+    DataOutBase::write_pvd_record(record, times_and_names);
+    write_text(path(), record.str(), false, communicator);
+  }
+
+
+  std::string
+  VtuSeries::file_name(const unsigned int step) const
+  {
+    return series + "-" + Utilities::int_to_string(step, 4) + ".vtu";
+  }
+
+
+  template class VertexPatches<2>;
+  template class VertexPatches<3>;
+
+  template void
+  VtuSeries::write_patches(VertexPatches<2> &, const unsigned int) const;
+  template void
+  VtuSeries::write_patches(VertexPatches<3> &, const unsigned int) const;
+} // namespace Biface
