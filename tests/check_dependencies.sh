@@ -34,7 +34,7 @@ complain()
 
 for path in include/biface/*/ source/*/; do
   folder=$(basename "$path")
-  # a program of its own, in Python
+  # a separate program, in Python
   [ "$folder" != report ] || continue
   allowed=$(may_include "$folder") || {
     complain "$path: no folder of this name is known; tell $0 its place."
@@ -52,7 +52,7 @@ for path in include/biface/*/ source/*/; do
   done
 done
 
-# main.cc knows the program only
+# main.cc uses the folder program only
 if grep -H '#include <biface/' source/main.cc | grep -v '<biface/program/'; then
   complain "source/main.cc may include headers of program only."
 fi

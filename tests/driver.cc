@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Runs the program on a parameter file, and prints its exit code, what it says
-// of errors, the history less iterations and times, and the displacements of
+// Runs the program on a parameter file, and prints its exit code, its error
+// messages, the history without iterations and times, and the displacements of
 // the middle surface at named points.
 //
-// Comments of the parameter file can say more:
-//   # arguments: further words of the command line, separated by blanks
-//   # file: a parameter file to name instead of this one
-// Instances of {PRM} in them stand for the folder of shipped files.
+// Comments in the parameter file can change the command line:
+//   # arguments: further arguments, separated by blanks
+//   # file: a parameter file to use instead of this one
+// where {PRM} is the folder of the shipped files.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -70,7 +70,7 @@ main(int argc, char *argv[])
   const int          code = Biface::run_program(
     words.size(), arguments.data(), MPI_COMM_WORLD, out, err);
 
-  // all ranks must agree in the exit code
+  // all ranks must agree on the exit code
   const auto codes = Utilities::MPI::min_max_avg(code, MPI_COMM_WORLD);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;

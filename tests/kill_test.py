@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-"""A run that is killed again and again, and restarted each time, ends with the
-results of a run that is left alone.
+"""A run that is killed repeatedly, and restarted each time, ends with the
+results of an uninterrupted run.
 
-The program is killed (SIGKILL) at random moments, spread evenly over the whole
-run by the time that it takes when left alone; every other time as soon as a
-file is being written after that. When a run ends, its history and its series
-for ParaView are compared with those of the run that was left alone, and another
-one begins, until there were enough kills.
+The program is killed (SIGKILL) at random moments, uniformly distributed over the
+duration of the uninterrupted run; every other time as soon as the next file is
+being written. When a run ends, its history and its series for ParaView are
+compared with those of the uninterrupted run, and another run starts, until the
+number of kills is reached.
 
   tests/kill_test.py build/biface prm/bias_tire.prm
   tests/kill_test.py --kills 3 --ranks 1,2 build/biface --set ... FILE.prm
@@ -36,8 +36,8 @@ def arguments():
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--seed", type=int, default=20041)
     parser.add_argument("--ranks", default="1",
-                        help="numbers of ranks, in turn; the first one is that "
-                        "of the run left alone")
+                        help="numbers of ranks, used in turn; the first one is "
+                        "that of the uninterrupted run")
     parser.add_argument("--mpirun", default="mpirun --oversubscribe")
     parser.add_argument("--directory", type=pathlib.Path,
                         default=pathlib.Path("kill_test"))
@@ -53,14 +53,14 @@ def start(given, n_ranks, output, log, restart):
     if restart:
         words.insert(1, "--restart")
     if n_ranks > 1:
-        # mpirun refuses to run as root unless told
+        # mpirun refuses to run as root otherwise
         root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
         words = [*given.mpirun.split(), *root, "-n", str(n_ranks), *words]
     return subprocess.Popen(words, stdout=log, stderr=log)
 
 
 def descendants(pid):
-    """The processes that a process has started, and they, and so on."""
+    """All processes started by a process, directly or indirectly."""
     children = {}
     for entry in pathlib.Path("/proc").iterdir():
         if entry.name.isdigit():
@@ -83,13 +83,13 @@ def kill(process):
         except ProcessLookupError:
             pass
     process.wait()
-    # ranks write until they are gone
+    # ranks may write until they have ended
     while any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids):
         time.sleep(0.01)
 
 
 def wait_until(condition, process, seconds):
-    """Wait until something is so, the process ends, or the time is up."""
+    """Wait until a condition holds, the process ends, or the time is up."""
     end = time.monotonic() + seconds
     while (time.monotonic() < end and process.poll() is None
            and not condition()):
@@ -110,7 +110,7 @@ def same(a, b):
 
 
 def complaints(whole, cut):
-    """In what the results in two directories differ."""
+    """The differences between the results in two directories."""
     result = []
     for name in ("history.csv", "probes.csv"):
         if not (whole / name).exists():
@@ -140,7 +140,7 @@ def complaints(whole, cut):
 
 
 def says_step(log_path, offset):
-    """Whether the program has begun a step, by what it printed."""
+    """Whether the program has printed the start of a step."""
     with open(log_path, "rb") as log:
         log.seek(offset)
         return b"\nStep " in log.read()
@@ -177,12 +177,12 @@ def main():
             n_launches += 1
             restart = (cut / "checkpoint.bin").exists() or (
                 cut / "checkpoint-previous.bin").exists()
-            # a constant rate: kills are spread evenly over the run
+            # a constant rate: kills are uniformly distributed over the run
             delay = draw.expovariate(KILLS_A_RUN / duration)
             size = log_path.stat().st_size
             process = start(given, n_ranks, cut, log, restart)
             if n_kills < given.kills:
-                # one of four may come while the program sets up
+                # one of four may happen during set-up
                 if n_kills % 4 != 3:
                     wait_until(lambda: says_step(log_path, size), process, 600)
                 wait_until(lambda: False, process, delay)

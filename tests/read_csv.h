@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-/** A line of a file of results, by the names of its columns. */
+/** A line of a CSV file by column names. */
 using Row = std::map<std::string, std::string>;
 
-/** The lines of a file of results; none if it is not there. */
+/** The lines of a CSV file; empty if it does not exist. */
 inline std::vector<Row>
 read_csv(const std::string &name)
 {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Runs every check there is: format, warnings, documentation, and all tests in
-# Debug and Release. Installs what it lacks. The exit code is 0 if all pass.
+# Runs all checks: format, warnings, documentation, and all tests in Debug and
+# Release. Installs missing packages. The exit code is 0 if all pass.
 #   tests/run.sh [arguments of ctest]
 
 set -eu
@@ -22,9 +22,9 @@ find source include tests \( -name '*.h' -o -name '*.cc' \) \
 
 # ranks and threads would compete for the same cores
 export OPENBLAS_NUM_THREADS=1
-# ranks that wait leave their core to others
+# waiting ranks yield their core to others
 export OMPI_MCA_mpi_yield_when_idle=1
-# where there is no /sys, hwloc would tell so among what the tests print
+# without /sys, hwloc would print an error into the output of the tests
 export HWLOC_HIDE_ERRORS=2
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -37,9 +37,8 @@ cmake -S . -B build-tests -G Ninja \
 step "Debug and Release, documentation"
 cmake --build build-tests --target documentation all build_tests
 
-# each test takes a guard file that stands there for the trace of an
-# interruption and builds its program again: put the guards where a test that
-# ended leaves them
+# if its guard file exists, a test assumes that it was interrupted and builds its
+# program again: put the guards where a completed test leaves them
 find build-tests/tests -name interrupt_guard.cc -exec mv {} {}_bck \;
 
 step "Tests"

@@ -10,9 +10,9 @@
 /**
  * Print whether a deviation, as a fraction of a scale, is within a bound.
  *
- * The outputs of tests are compared with an absolute tolerance, which small
- * numbers would slip through: so the judgment is made here, and the number is
- * printed only where it is bad.
+ * The outputs of tests are compared with an absolute tolerance, which is
+ * meaningless for small numbers. So the comparison is made here, and the number
+ * is printed only if it fails.
  */
 inline void
 check_small(const std::string &what,
@@ -45,7 +45,7 @@ check_range(const std::string &what,
 }
 
 
-/** Print whether something is so. */
+/** Print whether a condition holds. */
 inline void
 check_true(const std::string &what, const bool so)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Every entry that the program declares refuses values of the wrong kind and
-// those out of its range, and the answer is one sentence that names file,
-// entry, value and what is allowed.
+// Every entry that the program declares refuses values of the wrong type or out
+// of range with one sentence that names the file, the entry, its value and what
+// is allowed.
 
 #include <deal.II/base/mpi.h>
 

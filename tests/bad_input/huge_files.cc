@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Files far larger than any sensible one are answered with one short sentence.
+// Files far larger than any sensible input are refused with one short sentence.
 
 #include <deal.II/base/mpi.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// How long one cell of the bias tire takes: what a Newton iteration does of it,
-// alone. With 'count N' as arguments, it does each N times without timing, for
-// callgrind.
+// Time of the work of a Newton iteration in one cell of the bias tire. With the
+// arguments 'count N', each part runs N times without timing, for callgrind.
 
 #include <cstring>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Linearized about the inflated state, the bias tire is about twice as stiff
-// at an approach of 20 mm as in the nonlinear theory (Fig. 3 of the paper).
+// Linearized about the inflated state, the bias tire is about twice as stiff at
+// a travel of 20 mm as in the nonlinear theory (Fig. 3 of the paper).
 
 #include "../tests.h"
 #include "bias_tire.h"

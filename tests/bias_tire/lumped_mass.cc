@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With the lumped multiplier mass, the force on the bias tire at 20 mm is
-// within 2 % of that with the consistent one, and pressures are smoother.
+// within 2 % of that with the consistent mass, and pressures are smoother.
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The mixed iteration inflates the bias tire in one step of at most 8
-// iterations, presses it by 20 mm in one step of at most 15, and ends
-// quadratically; the substituted one gives the same force.
+// iterations, presses it by 20 mm in one step of at most 15, and converges
+// quadratically; the substituted iteration gives the same force.
 
 #include <sstream>
 

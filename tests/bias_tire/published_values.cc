@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The shipped bias tire has the contact pressures of Table 1 of the paper,
+// The shipped bias tire has the contact pressures of Table 1 of the paper with
 // their central symmetry, and the displacement and forces of an independent
 // implementation.
 

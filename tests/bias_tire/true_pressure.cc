@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Under true pressure, which follows the deformed inner face, the bias tire is
-// about 15 % stiffer at 20 mm than under the dead pressure of the paper.
+// Under true pressure, which follows the deformed inner face, the force on the
+// bias tire at 20 mm is about 15 % larger than under the dead pressure of the
+// paper.
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The clearance of a drum and a sphere, full or hollow, is the distance from
-// their surface; the normal is minus its gradient, and minus its second
-// derivative that of the normal; and after the travel to a point the foundation
-// is there. A huge radius makes a plane, to the last digits.
+// The clearance of a solid or hollow drum or sphere is the distance from its
+// surface, the normal is minus its gradient, and the derivative of the normal
+// is minus its second derivative; after the travel to a point the foundation
+// touches it. With a huge radius all agree with a plane to the last digits.
 
 #include <biface/contact/moved_foundation.h>
 #include <biface/contact/rigid_drum.h>

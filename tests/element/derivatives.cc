@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The variation of the strains, the internal force and the tangent of an
-// element are the derivatives of the strains, the energy and the internal
-// force.
+// element are the derivatives of its strains, energy and internal force.
 
 #include <biface/laminate/layup.h>
 

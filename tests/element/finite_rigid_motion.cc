@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The strains of a shell vanish for a finite rigid motion, and have their exact
-// Green-Lagrange values for a homogeneous deformation.
+// The strains at a point vanish in a finite rigid motion and have the exact
+// Green-Lagrange values in a homogeneous deformation.
 
 #include <deal.II/physics/transformations.h>
 

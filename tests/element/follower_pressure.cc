@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A follower pressure on a flat plate that is rotated and stretched is the
-// pressure times the area and the normal the plate has then.
+// On a rotated and stretched flat plate, the force of a follower pressure is
+// the pressure times the current area and normal.
 
 #include <deal.II/physics/transformations.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// On a torus, the energy of an interpolated infinitesimal rigid motion falls
-// with the fourth power of the size of the cells: its strains are of second
+// On a torus, the energy of an interpolated infinitesimal rigid motion
+// decreases with the fourth power of the cell size: its strains are of second
 // order.
 
 #include <biface/laminate/layup.h>

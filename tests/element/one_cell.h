@@ -30,7 +30,7 @@ torus()
 }
 
 
-/** A cell of a grid, with what a test needs to know of it. */
+/** A cell of a grid with the data needed by tests. */
 struct TestCell
 {
   Biface::ElementGeometry             geometry;
@@ -39,7 +39,7 @@ struct TestCell
 };
 
 
-/** Biface::Laminate::faces() by the first coordinate. */
+/** Biface::Laminate::faces() as a function of the first coordinate. */
 using Faces = std::function<std::array<double, 2>(const double alpha_1)>;
 
 
@@ -99,7 +99,7 @@ make_cells(const Biface::ReferenceSurface   &surface,
 }
 
 
-/** Numbers without a pattern between -1 and 1, the same on every machine. */
+/** Pseudo-random numbers between -1 and 1, the same on every machine. */
 inline double
 some_number(const unsigned int i)
 {

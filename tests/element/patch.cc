@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Patch tests: on an irregular grid of a plate, states of constant stretch and
-// curvature have their exact resultants in every element, and forces that
-// balance at the inner nodes.
+// curvature have exact resultants in every element, and forces that balance at
+// the inner nodes.
 
 #include <functional>
 #include <map>

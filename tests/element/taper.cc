@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A wedge, whose faces are not parallel to the reference surface, has exact
-// Green-Lagrange strains in a homogeneous deformation, and none in a rigid one.
+// Green-Lagrange strains in a homogeneous deformation, and none in a rigid
+// motion.
 
 #include <deal.II/physics/transformations.h>
 

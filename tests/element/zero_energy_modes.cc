@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A free flat element has exactly six zero-energy modes, the rigid ones.
+// A free flat element has exactly six zero-energy modes, the rigid motions.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

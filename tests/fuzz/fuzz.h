@@ -13,11 +13,11 @@
 
 #include <biface/base/errors.h>
 
-/** What libFuzzer, and replay.cc in its place, call for each input. */
+/** Called for each input by libFuzzer, or by replay.cc in its place. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 
-/** What they call first. */
+/** Called first. */
 extern "C" int
 LLVMFuzzerInitialize(int *argc, char ***argv);
 
@@ -33,7 +33,7 @@ namespace Fuzz
 
   /**
    * Call a reader. It may refuse @p input with one plain sentence; anything
-   * else ends the program.
+   * else aborts the program.
    */
   template <typename Function>
   void

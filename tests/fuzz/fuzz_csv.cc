@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Any file is a meridian, a table for formulas and a list of intervals, or is
-// refused with one sentence.
+// Any file is accepted as a meridian, a table for formulas or a list of
+// intervals, or is refused with one sentence.
 
 #include <filesystem>
 #include <fstream>

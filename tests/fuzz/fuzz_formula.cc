@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Any text is a formula with finite values, or is refused with one sentence.
+// Any text is accepted as a formula with finite values, or is refused with one
+// sentence.
 
 #include <biface/input/formula.h>
 

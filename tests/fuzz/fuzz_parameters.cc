@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Any parameter file gives an analysis that could begin, or is refused with one
-// sentence. Only meshes of a few cells are set up; those of the examples are
-// replaced by smaller ones.
+// Any parameter file gives an analysis that is ready to run, or is refused with
+// one sentence. Only meshes of a few cells are set up; those of the examples
+// are replaced by smaller ones.
 
 #include <filesystem>
 #include <fstream>

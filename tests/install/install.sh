@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# What is installed can be used: another project finds the package, links the
-# library and computes with it; the program runs from where it was installed.
+# The installation is usable: another project finds the package, links the
+# library and computes with it; the installed program runs.
 #   install.sh BUILD_DIRECTORY PROGRAM
 
 set -eu
@@ -20,7 +20,7 @@ cmake -S "$here/consumer" -B "$scratch/consumer" \
 cmake --build "$scratch/consumer"
 "$scratch/consumer/strip" "$here/consumer/strip.prm"
 
-# the examples name files beside them, the pages one another
+# the examples refer to files beside them, the pages to each other
 cd "$scratch"
 "$prefix/bin/$program" --version
 "$prefix/bin/$program" --check "$prefix/share/doc/biface/examples/belted_tire.prm"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Both failure indices are 1 at each strength alone and grow in proportion to
-// the stress. Maximum stress is blind to interaction; Tsai-Wu is not, and has
-// the value worked by hand at a combined stress.
+// Both failure indices are 1 at each strength alone and proportional to the
+// stress. Maximum stress ignores interaction; Tsai-Wu does not, and has the
+// value computed by hand for a combined stress.
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A formula has the value of its variables, in their order; it knows pi; copies
-// are the same formula; and what is not one finite number is refused.
+// A formula is evaluated with its variables in order; it knows pi; copies are
+// equal; and a value that is not one finite number is refused.
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Initial ply stresses give the resultants of their integrals with the shape
-// functions of the faces, in the axes of the shell.
+// Initial ply stresses give resultants that are their integrals with the shape
+// functions of the faces, in the frame of the shell.
 
 #include <biface/laminate/layup.h>
 

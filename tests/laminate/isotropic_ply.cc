@@ -2,7 +2,7 @@
 
 // An isotropic laminate has the membrane and bending stiffness of plane stress
 // once the thickness strain is eliminated; the full law is too stiff in bending
-// by (1-nu)^2/(1-2nu).
+// by the factor (1-nu)^2/(1-2nu).
 
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Plies change along the meridian as their formulas and tables say, those that
-// cover a part are there only, with their own number and initial stress, and
-// the reference surface goes with the plies.
+// Plies vary along the meridian as given by their formulas and tables; plies
+// that cover only a part exist only there, with their own number and initial
+// stress; and the reference surface follows the plies.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>

@@ -2,7 +2,7 @@
 
 // The stresses within the plies, weighted with the shape functions of the two
 // faces and integrated over the thickness, are the resultants of the stiffness,
-// by every thickness law.
+// for every thickness law.
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The angle of a ply turns its axes from e_1 towards e_2: a quarter turn swaps
+// The angle of a ply rotates its axes from e_1 toward e_2: a quarter turn swaps
 // them, and the opposite angle changes the sign of the coupling terms.
 
 #include <deal.II/base/numbers.h>

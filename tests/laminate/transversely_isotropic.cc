@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The stiffness of a transversely isotropic material is the inverse of the
-// compliance that its six constants mean.
+// compliance defined by its six constants.
 
 #include <biface/laminate/material.h>
 

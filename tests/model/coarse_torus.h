@@ -12,8 +12,8 @@
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 
-/** A section of the bias tire's torus on a coarse, uneven grid, held at its
- * edges of the first coordinate. */
+/** A section of the torus of the bias tire on a coarse, uneven grid, held at
+ * its edges in the first coordinate. */
 inline std::unique_ptr<Biface::ShellMesh>
 coarse_torus(const Biface::Layup &layup)
 {
@@ -32,8 +32,8 @@ coarse_torus(const Biface::Layup &layup)
 }
 
 
-/** A displacement without a pattern, the same for any number of ranks, zero
- * where the shell is held. The largest entry is about @p size. */
+/** A pseudo-random displacement, the same for any number of ranks, zero where
+ * the shell is held. The largest entry is about @p size. */
 inline Biface::LA::Vector
 some_displacement(const Biface::ShellMesh &mesh,
                   const double             size,
@@ -51,7 +51,7 @@ some_displacement(const Biface::ShellMesh &mesh,
 }
 
 
-/** The state at @p V, with its resultants, and the nodes in contact of
+/** The state with displacement @p V, its resultants, and the active set of
  * @p state. */
 inline Biface::State
 at(const Biface::ShellEquations &equations,

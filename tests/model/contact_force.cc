@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With the lumped mass the forces on a shell add up to the reported force on a
-// curved foundation and pass through its axis or its center; with both masses
-// the derivatives of force and residual with respect to the
-// displacements and the travel are those that are given.
+// With the lumped mass the nodal forces add up to the reported force on a
+// curved foundation and act through its axis or its center; with both masses
+// the derivatives of force and residual by the displacements and the travel are
+// correct.
 
 #include <cmath>
 

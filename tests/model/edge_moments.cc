@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The nodal forces of a dead moment along an edge are a pure couple, the moment
-// times the length of the edge, which turns the outer face outward over it; and
-// so are those of one that follows, as long as nothing is displaced.
+// times the length of the edge, which pushes the outer face outward beyond the
+// edge; so are those of a follower moment in the undeformed shell.
 
 #include <biface/model/shell_equations.h>
 

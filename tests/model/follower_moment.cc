@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The couple of a moment that follows does the work M times the change of the
-// angle of the director, whatever the director's length; its derivative is
-// symmetric and that of its force, and it does not pull along the axis.
+// The couple of a follower moment does the work M times the change of the angle
+// of the director, whatever its length; its derivative is correct and
+// symmetric, and it has no force along the axis.
 
 #include <random>
 

@@ -17,8 +17,8 @@
 
 #include <cord_ply.h>
 
-/** A shell without supports, so that no force is lost to them. With the plies
- * of the default, the inner face lies at -0.5 and the outer one at 1. */
+/** A shell without supports, so that all nodal forces remain. With the default
+ * plies, the inner face is at -0.5 and the outer one at 1. */
 inline std::unique_ptr<Biface::ShellMesh>
 free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
            const std::array<std::string, 2>         &intervals,
@@ -42,7 +42,7 @@ free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
 }
 
 
-/** A plate of the size 4 by 2. */
+/** A plate of size 4 by 2. */
 inline std::unique_ptr<Biface::ShellMesh>
 plate()
 {
@@ -84,7 +84,7 @@ torus(const unsigned int n_cells,
 }
 
 
-/** The sum of nodal forces, and that of their moments about the origin. */
+/** The sums of nodal forces and of their moments about the origin. */
 struct Total
 {
   dealii::Tensor<1, 3> force, moment;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Nodes lie exactly where the lines of the grid meet, and cells between them,
-// in the order of their numbers: on open and closed grids, for both
-// distributions of the mesh, on any number of ranks.
+// Nodes lie exactly where the grid lines meet, and cells between them, in the
+// order of their numbers: on open and closed grids, for both distributions of
+// the mesh, on any number of ranks.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_accessor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A state is read at any place, on every rank: bilinear between the lines of
-// its grid, also where a turn closes, and exact at the nodes.
+// A state can be evaluated anywhere, on every rank: bilinear between the grid
+// lines, also across the seam of a closed grid, and exact at the nodes.
 
 #include <biface/model/grid_state.h>
 

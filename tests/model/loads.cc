@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The nodal forces of pressure and tractions add up to the force and the moment
-// of these loads: exactly, by the trapezoidal rule, on plates and cylinders,
-// and in second order of the cells on a torus.
+// The nodal forces of pressure and tractions add up to the total force and
+// moment of these loads: exactly, by the trapezoidal rule, on plates and
+// cylinders, and with second order in the cell size on a torus.
 
 #include <deal.II/base/numbers.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The rigid motions that supports leave free are found and named.
+// Rigid motions that the supports leave free are found and named.
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The residual of an unloaded, prestressed shell is minus the derivative of its
-// strain energy; a pressure adds the work it does on the inner face.
+// strain energy; a pressure adds its work on the inner face.
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The tangent of a prestressed shell in contact is minus the derivative of its
-// residual, with the nodes in contact kept, and symmetric where it says so;
-// with a plane, a drum and a sphere.
+// residual for a fixed active set, and symmetric where it claims to be; with a
+// plane, a drum and a sphere.
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What is written for ParaView holds one quadrilateral for each face of each
-// cell, at the deformed positions, and the displacement as a vector.
+// The VTU file contains one quadrilateral for each face of each cell, at the
+// deformed positions, and the displacement as a vector.
 
 #include <deal.II/base/mpi.h>
 

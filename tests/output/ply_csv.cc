@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// In a stretched strip whose plies have Poisson's ratio 0, plies-NNNN.csv holds
-// the stress E*eps of each ply, its failure index and tension along the fibers;
-// the index of a material without strengths is empty, which a sentence says.
+// In a stretched strip whose plies have Poisson's ratio 0, plies-NNNN.csv
+// contains the stress E*eps of each ply, its failure index and its tension
+// along the fibers; the index of a material without strengths is empty, and a
+// message says so.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>

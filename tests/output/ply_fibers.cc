@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The fibers that are written of a plate's ply at 30 degrees go with the plate:
-// it is stretched by half along x and turned about z, so that it ends up with
-// the slope tan(30)/1.5 between its fibers and the turned x axis.
+// The fiber directions written for a plate with a ply at 30 degrees follow its
+// deformation: it is stretched by half along x and rotated about z, so that the
+// slope of the fibers to the rotated x axis is tan(30)/1.5.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>

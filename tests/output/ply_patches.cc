@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What is written of the plies is one hexahedron of positive volume for each
-// ply of each cell; together they have the volume of the shell, in second order
-// of the cells.
+// The plies are written as one hexahedron of positive volume per ply and cell;
+// together they have the volume of the shell, with second order in the cell
+// size.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>

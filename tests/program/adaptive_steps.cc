@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Steps of the loads that adapt reach the same end as equal ones, in fewer
-// steps.
+// Adaptive load steps reach the same end as equal ones, in fewer steps.
 
 #include "../run_analysis.h"
 #include "../tests.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The direct solver through Amesos comes to the forces of MUMPS, on one rank
-// and on two.
+// The direct solver through Amesos gives the forces of MUMPS, on one rank and
+// on two.
 
 #include <cmath>
 

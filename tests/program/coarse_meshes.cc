@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Beginning on a coarser mesh changes how many iterations there are, not where
-// they end.
+// Starting from a coarser mesh changes the number of iterations but not the
+// results.
 
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Where a file cannot grow any more, one sentence says so, the last checkpoint
-// is in order, and a restart with more room ends as an undisturbed run.
+// If a file cannot grow any more, one sentence says so, the last checkpoint
+// remains valid, and a restart with more space gives the results of an
+// undisturbed run.
 
 #include "../tests.h"
 #include "restart.h"

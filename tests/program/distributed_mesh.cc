@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A mesh that no rank holds whole gives the forces of one that all hold, for
+// A distributed mesh gives the same forces as a mesh shared by all ranks, for
 // any number of ranks.
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The tire that a given travel of the foundation presses with some force is,
-// pressed by that force, where the foundation has come by that travel; the
-// steps before are equal ones of the force, or larger where they adapt.
+// A tire pressed with the force that a prescribed travel has given reaches that
+// travel; the steps before are equal steps of the force, or larger if they
+// adapt.
 
 #include <biface/output/csv.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Krylov's method with multigrid comes to the forces of the direct solver, with
-// a symmetric tangent and with one that is not.
+// GMRES with multigrid gives the forces of the direct solver, with a symmetric
+// tangent and with an unsymmetric one.
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The number of negative pivots that a step names is odd where the load falls
-// along the path of a roof that snaps through, and even where it rises.
+// The reported number of negative pivots is odd where the load falls along the
+// path of a roof that snaps through, and even where it rises.
 
 #include "restart.h"
 

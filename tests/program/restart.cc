@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A run that was stopped under loads or a displacement, and is continued on
-// another number of ranks, ends with the history of one that was not.
+// A run that is stopped under load or displacement control, and continued on
+// another number of ranks, has the history of an uninterrupted run.
 
 #include "restart.h"
 

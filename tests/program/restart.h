@@ -22,7 +22,7 @@
 
 #include "../tests.h"
 
-/** How a run of the program ended, and what it printed. */
+/** The exit code of a run of the program, and its output. */
 struct Ended
 {
   int         code;
@@ -30,7 +30,7 @@ struct Ended
 };
 
 
-/** Keeps what is printed, and raises a signal once a text is among it. */
+/** Keeps the output, and raises a signal once it contains a text. */
 class SignalAtText : public std::stringbuf
 {
 public:
@@ -57,7 +57,7 @@ private:
 
 
 /** Run the program with results in a directory.
- * @param stop_at the text that, once printed, is answered by a signal. */
+ * @param stop_at the text that triggers the signal. */
 inline Ended
 run(const std::vector<std::string> &words,
     const std::string              &directory,
@@ -81,7 +81,7 @@ run(const std::vector<std::string> &words,
 }
 
 
-/** What a run said of errors, without the folder of shipped files. */
+/** The error messages of a run, without the folder of shipped files. */
 inline std::string
 said(const Ended &ended)
 {
@@ -117,9 +117,9 @@ read_table(const std::string &path)
 
 
 /**
- * The greatest difference of two tables, as a fraction of the greatest number
- * of the column, or of all displacements; infinite where they differ in more
- * than numbers. Times do not count.
+ * The maximum difference of two tables, relative to the maximum of the column
+ * or of all displacements; infinite if they differ in more than numbers. Times
+ * are ignored.
  */
 inline double
 difference(const std::string &file,
@@ -131,7 +131,7 @@ difference(const std::string &file,
   if (a.size() != b.size() || a.size() < 2)
     return INFINITY;
 
-  // distances and sizes by names of columns; displacements are one
+  // distances and sizes by column name; displacements are one column
   std::map<std::string, std::pair<double, double>> found;
   for (unsigned int row = 0; row < a.size(); ++row)
     for (unsigned int column = 0; column < a[0].size(); ++column)
@@ -157,7 +157,7 @@ difference(const std::string &file,
 }
 
 
-/** What a file holds. */
+/** The contents of a file. */
 inline std::string
 text_of(const std::string &path)
 {
@@ -168,7 +168,7 @@ text_of(const std::string &path)
 }
 
 
-/** The coarse tire of these tests, of five steps. */
+/** The coarse tire of these tests, with five steps. */
 const std::vector<std::string> coarse_tire{
   "--set",
   "Mesh/Intervals alpha_1=-120:120:14",
@@ -179,7 +179,7 @@ const std::vector<std::string> coarse_tire{
   PRM_DIR "/bias_tire.prm"};
 
 
-/** More settings, which take precedence. */
+/** Add settings, which take precedence. */
 inline std::vector<std::string>
 with(std::vector<std::string> words, const std::vector<std::string> &settings)
 {
@@ -191,8 +191,8 @@ with(std::vector<std::string> words, const std::vector<std::string> &settings)
 
 inline const std::string no_vtu = "Output/Write VTU=false";
 
-/** coarse_tire on a foundation that is less stiff than the default: round-off
- * in clearances is smaller in the forces, and ranks agree in more digits. */
+/** coarse_tire on a foundation softer than the default: round-off in clearances
+ * affects the forces less, and ranks agree in more digits. */
 inline const std::vector<std::string> soft_tire =
   with(coarse_tire, {"Contact/Regularization=1e3"});
 
@@ -204,7 +204,7 @@ is_root()
 }
 
 
-/** Run on the first rank alone, or on all of them. */
+/** Run on the first rank alone or on all ranks. */
 template <typename Function>
 int
 on(const bool all, const Function &function)
@@ -219,8 +219,8 @@ on(const bool all, const Function &function)
 }
 
 
-/** Stop before a step, first on one rank, then on all; continue on the
- * others. */
+/** Stop before a step on one rank and continue on all, then the other way
+ * round. */
 inline void
 check_restart(const std::string              &name,
               const std::vector<std::string> &words,

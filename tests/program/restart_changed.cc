@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A restart refuses parameters that describe another shell or other stages
-// that are done, and takes those that do not.
+// A restart refuses parameters that change the shell or completed stages, and
+// accepts all others.
 
 #include "../tests.h"
 #include "restart.h"

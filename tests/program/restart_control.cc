@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A run that was stopped while the size of its steps was being found, and is
-// continued on another number of ranks, ends with the history of one that was
-// not.
+// A run that is stopped while its step size is being adapted, and continued on
+// another number of ranks, has the history of an uninterrupted run.
 
 #include "restart.h"
 

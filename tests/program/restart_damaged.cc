@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Where the newest checkpoint is damaged, a run continues from the one before;
-// where there is none, one sentence says so.
+// If the latest checkpoint is damaged, a run continues from the one before; if
+// there is none, one sentence says so.
 
 #include "../tests.h"
 #include "restart.h"

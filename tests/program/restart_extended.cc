@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A run that is done has nothing left to do, unless a restart asks for more:
-// then it ends as one that was asked for all from the begin.
+// A completed run has nothing left to do unless a restart extends it; then it
+// ends like a run with the longer stage from the start.
 
 #include "../tests.h"
 #include "restart.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // SIGTERM and SIGINT end a run within an iteration, with their exit codes and
-// complete results, also where no checkpoint was due; a restart goes on from
-// the last converged step.
+// complete results, even if no checkpoint was due; a restart continues from the
+// last converged step.
 
 #include "../tests.h"
 #include "restart.h"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The table of all steps holds every number of history.csv.
+# The table of all steps contains every number of history.csv.
 
 from report_test import RUNS, check, check_equal, page_of, read_csv, require
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# A damaged CSV file is answered by one sentence that names file and line.
+# A damaged CSV file is reported by one sentence that names file and line.
 
 from report_test import check, complaint, copy_of, require
 

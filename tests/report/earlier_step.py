@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The option --step shows that step, and a step that is not there is refused.
+# The option --step shows an earlier step, and a missing step is refused.
 
 from report_test import (RUNS, check, check_equal, complaint, page_of, read_csv,
                          require)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# A zone across the line where a closed surface begins and ends is one zone.
+# A contact zone across the seam of a closed surface is one zone.
 
 import sys
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Installed elsewhere, biface-report does without the sources and the build.
+# An installed biface-report needs neither the sources nor the build directory.
 
 import os
 import subprocess

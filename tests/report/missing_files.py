@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Sections whose files are missing are left out, each with a sentence that says why.
+# Sections whose files are missing are omitted, each with a sentence that says why.
 
 from report_test import check, copy_of, page_of, require
 

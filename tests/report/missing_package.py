@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Without matplotlib, one sentence names the package of Debian that has it.
+# Without matplotlib, one sentence names the Debian package that contains it.
 
 import os
 import subprocess

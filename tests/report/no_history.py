@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# A directory without history.csv, or none at all, is answered by one sentence.
+# A directory without history.csv, or a missing one, is reported by one sentence.
 
 from report_test import check, complaint, copy_of, require
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The page names the file of the input, the version, and entries set by hand.
+# The page names the parameter file, the version, and entries set on the command line.
 
 import subprocess
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tests of biface-report have in common."""
+"""Common parts of the tests of biface-report."""
 
 import atexit
 import csv
@@ -17,12 +17,12 @@ BUILD, SOURCE, RUNS = (Path(os.environ[f"BIFACE_{name}"])
                        for name in ("BUILD", "SOURCE", "RUNS"))
 PACKAGE = SOURCE / "source/report"
 
-# Elements of HTML that have no end
+# HTML elements without an end tag
 VOID = ("meta", "img", "br", "link", "input", "hr")
 
 
 def require(*modules):
-    """Ends the test as skipped where Python lacks a module."""
+    """Skips the test if a Python module is missing."""
     for module in modules:
         if not find_spec(module):
             print(f"skipped: {module} for Python is missing")
@@ -30,21 +30,21 @@ def require(*modules):
 
 
 def scratch():
-    """A directory that goes when the test ends."""
+    """A directory that is removed when the test ends."""
     directory = tempfile.mkdtemp(dir=RUNS)
     atexit.register(shutil.rmtree, directory, ignore_errors=True)
     return Path(directory)
 
 
 def copy_of(run):
-    """A copy of the results of a run, to be changed."""
+    """A copy of the results of a run that the test may change."""
     target = scratch() / run
     shutil.copytree(RUNS / run, target)
     return target
 
 
 def report(directory, *words, launcher=BUILD / "biface-report"):
-    """Runs biface-report: its exit code, what it said of errors, the page."""
+    """Runs biface-report; returns its exit code, its error messages, the page."""
     target = scratch() / "page.html"
     done = subprocess.run([launcher, directory, "-o", target, *words],
                           capture_output=True, text=True, check=False)
@@ -53,14 +53,14 @@ def report(directory, *words, launcher=BUILD / "biface-report"):
 
 
 def page_of(directory, *words, **options):
-    """The page, read, of a directory of which there must be one."""
+    """The parsed page of a directory, which must succeed."""
     code, errors, page = report(directory, *words, **options)
     check(code == 0, f"the exit code is {code}: {errors}")
     return Page(page)
 
 
 def complaint(directory, *words):
-    """The sentence about a directory that cannot be reported."""
+    """The error message about a directory that cannot be reported."""
     code, errors, page = report(directory, *words)
     check(code == 1, f"the exit code is {code}, not 1: {errors}")
     check(page == "", "a page was written")
@@ -70,27 +70,27 @@ def complaint(directory, *words):
 
 
 def read_csv(path):
-    """The lines of a CSV file, by the names of their columns."""
+    """The lines of a CSV file as dictionaries by column names."""
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
 def check(fact, message):
-    """Ends the test with a message where a fact is none."""
+    """Fails the test with a message unless a condition holds."""
     if not fact:
         print(message)
         sys.exit(1)
 
 
 def check_equal(computed, expected, what):
-    """Numbers must agree to the digits of the files."""
+    """Checks that numbers agree to the digits of the files."""
     check(math.isclose(computed, expected, rel_tol=1e-10, abs_tol=1e-300),
           f"{what} is {computed}, not {expected}")
 
 
 class Page(HTMLParser):
-    """The page as a reader sees it: text, pictures, rows of tables. The parser
-    fails where elements are not closed in order."""
+    """The visible contents of the page: text, pictures, rows of tables. The
+    parser fails if elements are not closed in order."""
 
     def __init__(self, text):
         super().__init__()
@@ -132,7 +132,7 @@ class Page(HTMLParser):
             self.rows[-1][0][-1] += data
 
     def numbers(self, head):
-        """The numbers of the first row with a head."""
+        """The numbers of the first row with a given heading."""
         for cells, values in self.rows:
             if cells[0] == head:
                 return values

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The page refers to nothing outside, is well-formed, and every picture has words.
+# The page has no external references, is well-formed, and every picture has a description.
 
 from report_test import RUNS, check, page_of, require
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# A run stopped while it wrote is reported to its last complete step, and said so.
+# The report of a run that was stopped while writing ends with its last complete step and says so.
 
 from report_test import check, check_equal, copy_of, page_of, read_csv, require
 

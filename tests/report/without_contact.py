@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Without contact, the page has the displacements and ply stresses of the files.
+# Without contact, the page contains the displacements and ply stresses of the files.
 
 from report_test import RUNS, check, check_equal, page_of, read_csv, require
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Modules that MPI has loaded stay in memory until the end, so that what they
-// leak has the name of a file, by which leaks.supp leaves it out.
+// Modules loaded by MPI stay in memory until the end, so that reports of their
+// leaks contain a file name that leaks.supp can suppress.
 
 extern "C" int
 dlclose(void *)

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # Runs tests with AddressSanitizer and UndefinedBehaviorSanitizer in the
-# program, its library and the tests, in build-sanitize/. Every finding is
-# fatal. deal.II and all below are as the system has them, so that the Release
-# version does: what Debug asserts, the ordinary tests see.
+# program, its library and the tests, in build-sanitize/. Every error is fatal.
+# deal.II and the libraries below it are those of the system. The Release version
+# is sufficient: the assertions of Debug are checked by the ordinary tests.
 #   tests/sanitizer/run.sh [arguments of ctest]
 
 set -eu

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A cycle is found where sets have come in the same turn twice, on all ranks
-// alike; a set that rests, one that comes back once, and one that grows are
-// none.
+// A cycle is detected once the same sequence of sets has occurred twice, on all
+// ranks alike; a constant set, a set that returns once, and a growing set are
+// no cycles.
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Nodes that touch a foundation and leave it in turn are held in contact until
-// they are released; where they toggle again, the failure names them.
+// Nodes that alternately touch and leave a foundation are held in contact until
+// they are released; if they cycle again, the failure names them.
 
 #include <iostream>
 

@@ -1,8 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# A page that a script writes from what the program says is as the script writes
-# it now.
+# A generated page is what its script generates now.
 #   up_to_date.sh PYTHON SCRIPT PROGRAM PAGE
 
 set -eu

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The version of CMakeLists.txt is the one to cite, and has its changes listed.
+# The version in CMakeLists.txt is the one in CITATION.cff and CHANGELOG.md.
 #   version.sh VERSION
 
 set -eu

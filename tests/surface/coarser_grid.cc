@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A coarser grid has every second line, and those that it must have.
+// A coarser grid has every second line, and those that must be kept.
 
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/plane.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Interval lists give the grid lines they promise: equal, graded by a ratio, or
-// continuing their neighbor's lengths.
+// Interval lists give the specified grid lines: equal, graded by a ratio, or
+// continuing the cell sizes of their neighbor.
 
 #include <deal.II/base/numbers.h>
 

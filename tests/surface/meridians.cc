@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A spline through points of a circle approaches it, position to fourth and
-// curvature to second order away from its ends; a straight line is one; and
-// for both the parameter of a point is the inverse of the curve.
+// A spline through points of a circle converges to it away from its ends, with
+// fourth order in position and second order in curvature; a straight line is
+// reproduced; and for both the parameter of a point is the inverse of the
+// curve.
 
 #include <vector>
 

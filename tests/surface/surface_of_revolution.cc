@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Frames, Lamé parameters, curvatures and connection of a surface of revolution
-// are those that finite differences of its positions and frames have.
+// agree with finite differences of its positions and frames.
 
 #include <deal.II/base/numbers.h>
 

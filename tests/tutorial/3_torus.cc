@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Step 3 of the tutorial: the stresses of the plies at the equator add up to
-// the force p (r_0^2 - r_w^2)/(2 r_0) that holds the part up to the widest
-// place of the inflated section, but for the little that bending carries there.
+// the force p (r_0^2 - r_w^2)/(2 r_0) that balances the part up to the widest
+// point of the inflated section, except for the small part carried by bending.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
