@@ -9,42 +9,42 @@
 namespace Biface
 {
   /**
-   * A text from outside as it can stand in a sentence: in quotation marks,
-   * without what a terminal cannot show, and cut after @p limit bytes.
+   * External text prepared for a message: quoted, without unprintable
+   * characters, and truncated after @p limit bytes.
    */
   std::string
   quoted(const std::string &text, const std::size_t limit = 200);
 
 
   /**
-   * A value from outside the program that cannot be used.
+   * Invalid input.
    *
-   * Thrown where the value enters: every message is one plain sentence that
-   * names the entry, its value, and what is allowed. The name of the file is
-   * put in front by the reader of the file.
+   * Thrown where the value is read. Every message is one plain sentence that
+   * names the entry, its value, and what is allowed. The reader of a file
+   * prepends its name.
    *
-   * It must be thrown on all ranks alike, which holds for everything that is
-   * decided from the parameters alone.
+   * It must be thrown on all ranks, which is true of everything that depends on
+   * the parameters alone.
    */
   class InputError : public std::runtime_error
   {
   public:
     /** A sentence of the form "`entry` is `value`, but `allowed`." The first
-     * two are quoted as by quoted(). */
+     * two are passed through quoted(). */
     InputError(const std::string &entry,
                const std::string &value,
                const std::string &allowed);
 
-    /** Any other sentence; what a terminal cannot show is left out. */
+    /** Any other sentence; unprintable characters are removed. */
     explicit InputError(const std::string &sentence);
   };
 
 
   /**
-   * A file of results that cannot be written, for want of space, say. The
-   * message is one plain sentence that names the file and the reason.
+   * A file of results that cannot be written, for example because the disk is
+   * full. The message is one plain sentence that names the file and the reason.
    *
-   * It must be thrown on all ranks alike.
+   * It must be thrown on all ranks.
    */
   class OutputError : public std::runtime_error
   {

@@ -11,11 +11,11 @@
 namespace Biface
 {
   /**
-   * The numbers of all ranks, those of the first rank first; empty on the
-   * others. All together must be fewer than an int counts.
+   * The numbers of all ranks in their order, on the first rank; empty on the
+   * others. Their total number must fit into an int.
    *
-   * deal.II's gather() compresses what it sends, which takes longer than to
-   * send it.
+   * deal.II's gather() compresses the data, which takes longer than sending
+   * them.
    */
   template <typename Number>
   std::vector<Number>

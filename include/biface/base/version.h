@@ -7,21 +7,22 @@
 
 namespace Biface
 {
-  /** The version of the library, as in "0.1.0". */
+  /** The version of the library, such as "0.1.0". */
   std::string
   version();
 
   /**
-   * Which BLAS the process has loaded: the file that holds dgemm. The reference
-   * BLAS makes direct solvers several times slower than OpenBLAS.
+   * The BLAS library loaded by the process: the file that contains dgemm. With
+   * the reference BLAS, direct solvers are several times slower than with
+   * OpenBLAS.
    */
   std::string
   blas_library();
 
   /**
-   * Let OpenBLAS, if that is the BLAS, use one thread a process unless
-   * the environment says otherwise (OPENBLAS_NUM_THREADS): ranks and
-   * threads would compete for the same cores.
+   * Limit OpenBLAS, if it is the BLAS, to one thread per process unless the
+   * environment sets OPENBLAS_NUM_THREADS: ranks and threads would compete for
+   * the same cores.
    */
   void
   limit_blas_threads();

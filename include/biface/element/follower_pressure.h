@@ -11,25 +11,25 @@
 namespace Biface
 {
   /**
-   * The nodal forces of a pressure on a deformed face of an element, and their
+   * The nodal forces of a pressure on a deformed face of an element and their
    * derivative.
    *
-   * The pressure pushes the face toward the shell, on the area and along the
-   * normal that the face has now: with the deformed tangents
-   * @f$\mathbf t_a^\pm@f$ of the face, that are
-   * @f$\zeta_a^\pm\mathbf e_a + \mathbf v_{,a}^\pm/A_a@f$ where the thickness
-   * is constant, the force on an area element of the reference surface is
+   * The pressure pushes the face toward the shell, on its current area and
+   * along its current normal. With the deformed tangents @f$\mathbf t_a^\pm@f$
+   * of the face, which are
+   * @f$\zeta_a^\pm\mathbf e_a + \mathbf v_{,a}^\pm/A_a@f$ if the thickness is
+   * constant, the force on an area element of the reference surface is
    * @f$\mp p\,\mathbf t_1\times\mathbf t_2\,A_1A_2\,d\alpha_1 d\alpha_2@f$. It
-   * is integrated at the vertices, so that each node carries the force of its
-   * own surroundings. The derivative is not symmetric.
+   * is integrated at the vertices, so that each node carries the force on the
+   * area around it. The derivative is not symmetric.
    */
   class FollowerPressure
   {
   public:
     /**
      * @param V the nodal displacements, see MixedElement::dof().
-     * @param face on which the pressure acts.
-     * @param pressure at the vertices.
+     * @param face the face on which the pressure acts.
+     * @param pressure the pressure at the vertices.
      */
     FollowerPressure(const ElementGeometry           &geometry,
                      const MixedElement::NodalVector &V,
@@ -54,8 +54,8 @@ namespace Biface
     /** Deformed tangents of the face at each vertex. */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 4> tangents;
 
-    /** The pressure times the area of the reference surface that belongs to a
-     * vertex, positive where it acts along the normal. */
+    /** The pressure times the area of the reference surface at a vertex,
+     * positive if it acts along the normal. */
     double
     weight(const unsigned int vertex) const;
   };

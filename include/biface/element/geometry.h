@@ -14,9 +14,8 @@
 namespace Biface
 {
   /**
-   * What an element needs to know of the surface: computed once from
-   * FEValues, then used in every iteration. Independent of the kind of
-   * surface.
+   * The geometry of the surface in an element, computed once from FEValues and
+   * then used in every iteration. Independent of the kind of surface.
    *
    * Vertices are numbered as in deal.II, lexicographically with
    * @f$\alpha_1@f$ running fastest. The neighbor of vertex q along
@@ -26,9 +25,9 @@ namespace Biface
   {
     struct Vertex
     {
-      /** @f$N_{q,a}/A_a@f$ of the vertex's own shape function; that of its
-       * neighbor along @f$\alpha_a@f$ is the negative, the others vanish. Unit:
-       * 1/length. */
+      /** @f$N_{q,a}/A_a@f$ for the shape function of this vertex; for its
+       * neighbor along @f$\alpha_a@f$ it is the negative, the others vanish.
+       * Unit: 1/length. */
       std::array<double, 2> slope;
 
       /** See SurfacePoint::connection(). */
@@ -36,11 +35,12 @@ namespace Biface
 
       ThicknessMetric metric;
 
-      /** The shell's thickness h here. */
+      /** The thickness h at this vertex. */
       double thickness;
 
-      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: how a face rises
-       * over the reference surface. Zero where the thickness is constant. */
+      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: the slope of a
+       * face relative to the reference surface. Zero if the thickness is
+       * constant. */
       std::array<std::array<double, 2>, 2> face_slope;
     };
 
@@ -48,9 +48,9 @@ namespace Biface
 
     /**
      * The constant weight of all integrals over the element,
-     * @f$w=\bar\mu\,4l_1l_2@f$: the area of the surface midway between the
-     * faces, with @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the element's
-     * center.
+     * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
+     * @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center of the
+     * element.
      */
     double weight;
   };
@@ -60,14 +60,14 @@ namespace Biface
    * Compute the geometry of the current cell of two FEValues objects of a
    * bilinear scalar element on a manifold-exact mapping.
    *
-   * @param at_vertices with the quadrature QTrapezoid and the flags
+   * @param at_vertices FEValues with the quadrature QTrapezoid and the flags
    * update_quadrature_points, update_gradients.
-   * @param at_center with the quadrature QMidpoint and the flags
+   * @param at_center FEValues with the quadrature QMidpoint and the flags
    * update_quadrature_points, update_JxW_values.
    * @param surface the manifold of the cell, whose sides must be coordinate
    * lines.
-   * @param faces at the vertices, see Laminate::faces(). They are taken as
-   * bilinear in the coordinates between.
+   * @param faces the heights at the vertices, see Laminate::faces(), assumed
+   * bilinear in the coordinates.
    */
   ElementGeometry
   compute_element_geometry(const dealii::FEValues<2, 3> &at_vertices,

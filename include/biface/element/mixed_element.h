@@ -17,11 +17,11 @@ namespace Biface
    * The mixed shell element of @cite GrigolyukKulikovPlotnikova2004,
    * eqs. (11)-(13) and (16), at given nodal displacements.
    *
-   * Displacements of the two faces are bilinear, in components of the frame of
-   * each node; strains and resultants have the modes of Modes. With
-   * @f$\mathbf E(\mathbf V)@f$ the modes of the strains, @f$w@f$ the element's
-   * weight and @f$w_m@f$ those of the modes, the virtual work of resultants
-   * @f$\mathbf H@f$ and initial resultants @f$\mathbf H_0@f$ is
+   * The displacements of the two faces are bilinear, with components in the
+   * frame of each node; strains and resultants have the modes of Modes. With
+   * @f$\mathbf E(\mathbf V)@f$ the modes of the strains, @f$w@f$ the weight of
+   * the element and @f$w_m@f$ those of the modes, the virtual work of
+   * resultants @f$\mathbf H@f$ and initial resultants @f$\mathbf H_0@f$ is
    * @f[
    *   w\sum_m w_m\,\bigl(H_m\,\delta E_m + H_{0,m}\,\delta\eta_m\bigr),
    * @f]
@@ -32,7 +32,7 @@ namespace Biface
   public:
     static constexpr unsigned int n_dofs = 24;
 
-    /** Index of a nodal displacement: vertex by vertex, at each
+    /** Index of a nodal displacement: vertex by vertex, in the order
      * @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     static constexpr unsigned int
     dof(const unsigned int vertex,
@@ -42,8 +42,8 @@ namespace Biface
       return 6 * vertex + 2 * component + face;
     }
 
-    /** @f$h\,\partial\beta/\partial v^\mp@f$: the share of each face in the
-     * director's change. */
+    /** @f$h\,\partial\beta/\partial v^\mp@f$: the contribution of each face to
+     * the change of the director. */
     static constexpr std::array<double, 2> beta_sign{{-1, 1}};
 
     using NodalVector = dealii::Tensor<1, n_dofs>;
@@ -78,8 +78,8 @@ namespace Biface
      *
      * @param stiffness the constitutive law.
      * @param H all resultants that do work on the second variation of the
-     * strains, initial ones included.
-     * @param K the result; what it held is lost.
+     * strains, including initial ones.
+     * @param K the result, which is overwritten.
      */
     void
     tangent(const ModeStiffness &stiffness,

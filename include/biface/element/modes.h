@@ -19,7 +19,7 @@ namespace Biface
    * interpolated bilinearly in the reference coordinates
    * @f$\xi_1,\xi_2\in[-1,1]@f$. Of the coefficients of @f$1@f$,
    * @f$\xi_2@f$, @f$\xi_1@f$, @f$\xi_1\xi_2@f$ only those are kept that do not
-   * lock: 22 numbers an element, in four groups.
+   * cause locking: 22 numbers per element, in four groups.
    */
   namespace Modes
   {
@@ -42,7 +42,7 @@ namespace Biface
         return (varies[0] ? 1. / 3 : 1.) * (varies[1] ? 1. / 3 : 1.);
       }
 
-      /** The function's value at a vertex, ±1; vertices are numbered
+      /** The value of the function at a vertex, ±1; vertices are numbered
        * lexicographically. */
       constexpr double
       value_at_vertex(const unsigned int vertex) const
@@ -58,8 +58,8 @@ namespace Biface
        {{{true, false}}, 16, 5, {{2, 3, 8, 9, 10}}},
        {{{true, true}}, 21, 1, {{10}}}}};
 
-    /** `mode_of[group][strain]`: the number of the mode, or n where the group
-     * does not keep that strain. */
+    /** `mode_of[group][strain]`: the number of the mode, or n if the group does
+     * not contain this strain. */
     constexpr std::array<std::array<unsigned int, Resultants::n>, 4> mode_of =
       [] {
         std::array<std::array<unsigned int, Resultants::n>, 4> table{};
@@ -75,7 +75,7 @@ namespace Biface
 
     using Vector = dealii::Tensor<1, n>;
 
-    /** Modes of strains that are known at the vertices. */
+    /** The modes of strains given at the vertices. */
     inline Vector
     from_vertices(const std::array<Resultants::Vector, 4> &at_vertices)
     {
@@ -102,10 +102,10 @@ namespace Biface
     }
 
     /**
-     * The transpose of from_vertices(), with the weights of the groups: the
+     * The transpose of from_vertices() with the weights of the groups: the
      * resultants @f$\mathbf h_v@f$ at the vertices for which
-     * @f$\sum_m w_m H_m\,\delta E_m =
-     * \sum_v\mathbf h_v\cdot\delta\boldsymbol\varepsilon_v@f$.
+     * @f$\sum_m w_m H_m\,\delta E_m = \sum_v\mathbf
+     * h_v\cdot\delta\boldsymbol\varepsilon_v@f$.
      */
     inline std::array<Resultants::Vector, 4>
     to_vertices(const Vector &resultants)

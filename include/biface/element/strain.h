@@ -11,8 +11,8 @@
 
 namespace Biface
 {
-  /** How far the faces are from the reference surface, at one point:
-   * @f$\zeta_a^\pm = 1 + k_a\delta^\pm@f$ and
+  /** The change of lengths from the reference surface to the faces, at one
+   * point: @f$\zeta_a^\pm = 1 + k_a\delta^\pm@f$ and
    * @f$\bar\zeta_a = 1 + k_a(\delta^-+\delta^+)/2@f$. */
   struct ThicknessMetric
   {
@@ -34,8 +34,8 @@ namespace Biface
         }
     }
 
-    /** An area of the surface midway between the faces, as a fraction of that
-     * of a face, @f$\bar\mu/\mu^\pm@f$. */
+    /** The ratio of an area of the middle surface to that of a face,
+     * @f$\bar\mu/\mu^\pm@f$. */
     double
     area_ratio(const unsigned int face) const
     {
@@ -45,22 +45,22 @@ namespace Biface
 
 
   /**
-   * What the strains at a point depend on: five vectors, in components of the
-   * frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ at that point.
+   * The arguments of the strains at a point: five vectors, with components in
+   * the frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ at that point.
    *
    * In the notation of @cite GrigolyukKulikovPlotnikova2004, eq. (3), the
    * components of @f$\mathbf g_1@f$ are
    * @f$(\lambda_1,\omega_1,-\theta_1)@f$, those of @f$\mathbf g_2@f$ are
-   * @f$(\omega_2,\lambda_2,-\theta_2)@f$. They are linear in the
-   * displacements, which is why tangents are exact in closed form.
+   * @f$(\omega_2,\lambda_2,-\theta_2)@f$. They are linear in the displacements,
+   * so that tangents have exact closed forms.
    */
   struct DisplacementGradient
   {
     /**
      * `g[face][a]` is @f$\mathbf g_a^\pm=\mathbf v^\pm_{,a}/A_a@f$, the
-     * derivative of a face's displacement vector, as in the paper. Where the
-     * thickness changes, a face is not parallel to the reference surface, and
-     * it is the derivative at constant @f$\alpha_3@f$ that enters the strains:
+     * derivative of the displacement vector of a face, as in the paper. Where
+     * the thickness varies, a face is not parallel to the reference surface,
+     * and the derivative at constant @f$\alpha_3@f$ enters the strains:
      * @f$\mathbf v^\pm_{,a}/A_a - (\delta^\pm_{,a}/A_a)\boldsymbol\beta@f$,
      * since the displacement is linear over the thickness.
      */
@@ -181,8 +181,8 @@ namespace Biface
       bb = H[thickness];
     }
 
-    /** The coupling of the derivatives along faces that rise by
-     * @p slope[face][a] over the reference surface, in place of those at
+    /** The coupling of the derivatives along faces with the slope
+     * @p slope[face][a] relative to the reference surface, instead of those at
      * constant @f$\alpha_3@f$; see DisplacementGradient::g. */
     GeometricCoupling
     along_faces(const std::array<std::array<double, 2>, 2> &slope) const

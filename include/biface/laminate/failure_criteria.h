@@ -7,22 +7,21 @@
 
 namespace Biface
 {
-  /** When a ply fails: the greatest stresses it bears one at a time, all
+  /** Strengths of a ply: the stresses at which it fails under each alone, all
    * positive. Unit: force/area. */
   struct Strengths
   {
     /** Along the fibers, in tension and in compression. */
     double X_t = 0, X_c = 0;
-    /** Across them in the ply. */
+    /** Across the fibers in the ply. */
     double Y_t = 0, Y_c = 0;
-    /** Shear between both directions. */
+    /** In-plane shear. */
     double S = 0;
   };
 
   /**
-   * The failure index of the criterion of maximum stress: the greatest of the
-   * stresses in the plane of the ply, each as a fraction of its strength. At 1
-   * the ply fails.
+   * The failure index of the maximum stress criterion: the maximum ratio of a
+   * stress in the plane of the ply to its strength. The ply fails at 1.
    *
    * @param stress in the axes of the ply.
    */
@@ -31,11 +30,11 @@ namespace Biface
                        const Strengths                     &strengths);
 
   /**
-   * The failure index of the criterion of Tsai and Wu @cite TsaiWu1971 for the
+   * The failure index of the Tsai-Wu criterion @cite TsaiWu1971 for the
    * stresses in the plane of the ply, with the interaction
-   * @f$F_{12} = -\frac12\sqrt{F_{11}F_{22}}@f$: the reciprocal of the number by
-   * which these stresses must be multiplied for the ply to fail. So it grows
-   * in proportion to the stresses, and at 1 the ply fails.
+   * @f$F_{12} = -\frac12\sqrt{F_{11}F_{22}}@f$: the reciprocal of the factor by
+   * which these stresses must be multiplied for the ply to fail. It is
+   * proportional to the stresses, and the ply fails at 1.
    *
    * @param stress in the axes of the ply.
    */

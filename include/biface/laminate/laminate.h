@@ -13,56 +13,56 @@
 namespace Biface
 {
   /**
-   * How the thickness strain @f$E_{33}@f$, constant over the thickness, enters
-   * the constitutive law.
+   * How the thickness strain @f$E_{33}@f$, which is constant over the
+   * thickness, enters the constitutive law.
    */
   enum class ThicknessLaw
   {
     /**
-     * The thickness stress @f$S_{33}@f$ is taken constant over the thickness
-     * and eliminated. Energy-consistent, and free of Poisson thickness
-     * locking.
+     * The thickness stress @f$S_{33}@f$ is assumed constant over the thickness
+     * and eliminated. Energy-consistent, and free of Poisson thickness locking.
      */
     symmetric,
     /**
-     * The law of @cite GrigolyukKulikovPlotnikova2004, eq. (9), as understood:
-     * the tangential resultants of plane stress (no column of
-     * @f$E_{33}@f$), the thickness resultant of the full law. Not symmetric.
+     * The law of @cite GrigolyukKulikovPlotnikova2004, eq. (9), as understood
+     * here: the tangential resultants are those of plane stress and independent
+     * of @f$E_{33}@f$, the thickness resultant is that of the full law. Not
+     * symmetric.
      */
     asymmetric,
     /**
      * The full three-dimensional law with a constant @f$E_{33}@f$, for
-     * comparison: it locks in bending where Poisson's ratio is not zero.
+     * comparison: it locks in bending unless Poisson's ratio is zero.
      */
     full
   };
 
 
-  /** One ply, where it is at hand. */
+  /** A ply at one position of the shell. */
   struct Ply
   {
-    /** Stiffness in the ply's own axes. Unit: force/area. */
+    /** Stiffness in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<4, 3> stiffness;
     /** Unit: length. */
     double thickness;
     /** From @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$, radians. */
     double angle;
-    /** Initial stress in the ply's own axes. Unit: force/area. */
+    /** Initial stress in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> initial_stress;
-    /** Its place in the layup, counted from 0 at the inner face. */
+    /** Its position in the layup, starting from 0 at the inner face. */
     unsigned int number = 0;
   };
 
 
   /**
-   * A stack of plies at one place of the shell, inner ply first, integrated
+   * A stack of plies at one position of the shell, inner ply first, integrated
    * over the thickness with the linear shape functions @f$N^\pm@f$ of the two
    * faces.
    */
   class Laminate
   {
   public:
-    /** @param reference_height where the reference surface lies, from the
+    /** @param reference_height the height of the reference surface above the
      * inner face. Unit: length. */
     Laminate(std::vector<Ply>   plies,
              const ThicknessLaw law,
@@ -102,9 +102,9 @@ namespace Biface
 
     /**
      * The strains at the height @p z above the inner face, in the frame of the
-     * shell, from those of the faces and the thickness strain @p E. Where the
+     * shell, from the strains @p E of the faces and the thickness. If the
      * thickness stress is eliminated, the thickness strain is the one that
-     * gives it.
+     * causes it.
      *
      * @param E in the order of Resultants.
      * @param ply position in get_plies().
@@ -114,7 +114,7 @@ namespace Biface
            const unsigned int        ply,
            const double              z) const;
 
-    /** The stresses that belong to strain(), without initial ones. Unit:
+    /** The stresses due to strain(), without initial stresses. Unit:
      * force/area. */
     dealii::SymmetricTensor<2, 3>
     stress(const Resultants::Vector &E,
@@ -127,7 +127,7 @@ namespace Biface
 
   private:
     std::vector<Ply> plies;
-    /** Of the plies, in the axes of the shell. */
+    /** Stiffness of the plies in the frame of the shell. */
     std::vector<dealii::SymmetricTensor<4, 3>> rotated;
     ThicknessLaw                               law;
     /** The row of stiffness() that gives the thickness resultant. */

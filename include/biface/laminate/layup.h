@@ -19,33 +19,32 @@
 
 namespace Biface
 {
-  /** A ply of a layup: a Ply whose thickness and angle depend on
-   * @f$\alpha_1@f$. */
+  /** A ply of a layup, whose thickness and angle depend on @f$\alpha_1@f$. */
   struct PlyDescription
   {
-    /** As the user wrote it. */
+    /** The text of the user. */
     std::string text;
     /** Name of the material. */
     std::string material;
-    /** Stiffness in the ply's own axes. Unit: force/area. */
+    /** Stiffness in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<4, 3> stiffness;
-    /** Where the material has them. */
+    /** If given for the material. */
     std::optional<Strengths> strengths;
-    /** Thickness (length) and angle (radians) by @f$\alpha_1@f$ in the user's
-     * unit. */
+    /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
+     * the user's unit. */
     std::function<double(const double)> thickness, angle;
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
-    /** Initial stress in the ply's own axes. Unit: force/area. */
+    /** Initial stress in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> initial_stress;
   };
 
 
   /**
-   * The plies of a shell, inner ply first. Thickness and angle of each may
-   * change along the meridian, and it may cover a part of the meridian only.
-   * In places, it is a Laminate.
+   * The plies of a shell, inner ply first. The thickness and angle of a ply may
+   * vary along the meridian, and it may cover only a part of the meridian. At
+   * each position, the layup gives a Laminate.
    */
   class Layup
   {
@@ -63,23 +62,24 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the plies are not usable, name a material
-     * that is not in @p materials, or a table cannot be read. */
+    /** Throws InputError if the plies are invalid, a material is not in
+     * @p materials, or a table cannot be read. */
     Layup(const Parameters                      &parameters,
           const std::vector<MaterialParameters> &materials,
           const MPI_Comm                         communicator = MPI_COMM_SELF);
 
     /**
-     * The plies at @p alpha_1, those of them that cover @p within, with their
-     * thickness and angle at @p alpha_1; both in the unit in which the user
-     * writes the coordinate. At the end of a ply, @p within says on which side.
+     * The plies that cover @p within, with their thickness and angle at
+     * @p alpha_1, both in the user's unit of the coordinate. At the end of a
+     * ply, @p within selects the side.
      *
-     * Throws InputError where a thickness is not positive, or no ply is there.
+     * Throws InputError if a thickness is not positive or no ply covers the
+     * position.
      */
     Laminate
     laminate(const double alpha_1, const double within) const;
 
-    /** The same where no ply ends. */
+    /** The same for positions at which no ply ends. */
     Laminate
     laminate(const double alpha_1) const
     {
@@ -102,7 +102,8 @@ namespace Biface
   private:
     std::vector<PlyDescription> plies;
     ThicknessLaw                law;
-    /** Where the reference surface lies in given plies, from the inner face. */
+    /** The height of the reference surface above the inner face, for given
+     * plies. */
     std::function<double(const std::vector<Ply> &)> reference_height;
   };
 } // namespace Biface

@@ -11,9 +11,9 @@
 namespace Biface
 {
   /**
-   * An orthotropic elastic material, in its own axes 1, 2, 3 (for a ply:
-   * along the fibers or cords, across them in the ply, across the ply). Moduli
-   * in force/area, Poisson's ratios as
+   * An orthotropic elastic material in its axes 1, 2, 3 (for a ply: along the
+   * fibers or cords, across them in the ply, normal to the ply). Moduli in
+   * force/area, Poisson's ratios as
    * @f$\nu_{ij} = -\varepsilon_j/\varepsilon_i@f$ under a stress along i.
    */
   struct OrthotropicMaterial
@@ -24,8 +24,9 @@ namespace Biface
 
     /**
      * Transversely isotropic about axis 1, as @f$E_L, E_T, G_{LT}, G_{TT},
-     * \nu_{LT}, \nu_{TT}@f$. @f$G_{TT}@f$ is given for itself, since measured
-     * constants rarely satisfy @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
+     * \nu_{LT},
+     * \nu_{TT}@f$. @f$G_{TT}@f$ is independent, since measured constants rarely
+     * satisfy @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
      */
     static OrthotropicMaterial
     transversely_isotropic(const double E_L,
@@ -39,11 +40,11 @@ namespace Biface
     isotropic(const double E, const double nu);
 
     /**
-     * The stiffness @f$b_{ijlm}@f$ in the material's own axes. Unit:
+     * The stiffness @f$b_{ijlm}@f$ in the axes of the material. Unit:
      * force/area.
      *
-     * Throws InputError, naming @p name, where the moduli and ratios are not
-     * those of a stable material (stiffness not positive definite).
+     * Throws InputError, naming @p name, unless the stiffness is positive
+     * definite.
      */
     dealii::SymmetricTensor<4, 3>
     stiffness(const std::string &name) const;
@@ -51,8 +52,8 @@ namespace Biface
 
 
   /**
-   * The stiffness of a ply whose axis 1 lies at @p angle (radians) from
-   * @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$, in the axes of the shell.
+   * The stiffness in the frame of the shell of a ply whose axis 1 is rotated by
+   * @p angle (radians) from @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$.
    */
   dealii::SymmetricTensor<4, 3>
   rotate_about_normal(const dealii::SymmetricTensor<4, 3> &stiffness,

@@ -13,7 +13,7 @@
 
 namespace Biface
 {
-  /** A named material as a user describes it. */
+  /** The parameters of a named material. */
   struct MaterialParameters
   {
     enum class Type
@@ -36,15 +36,15 @@ namespace Biface
     add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * The stiffness in the material's own axes, see
-     * OrthotropicMaterial::stiffness(). Throws InputError where a constant is
-     * not admissible.
+     * The stiffness in the axes of the material, see
+     * OrthotropicMaterial::stiffness(). Throws InputError if a constant is not
+     * admissible.
      */
     dealii::SymmetricTensor<4, 3>
     stiffness() const;
 
-    /** The strengths, where they are given. Throws InputError where some of
-     * them are and others are not. */
+    /** The strengths, if given. Throws InputError if only some of them are
+     * given. */
     std::optional<Strengths>
     get_strengths() const;
   };

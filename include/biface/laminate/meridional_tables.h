@@ -15,25 +15,25 @@
 namespace Biface
 {
   /**
-   * Tables of numbers by @f$\alpha_1@f$, for the formulas of plies: linear
-   * between their lines, constant beyond their ends.
+   * Tables of numbers as functions of @f$\alpha_1@f$, for the formulas of
+   * plies: linear between their rows, constant beyond their ends.
    */
   class MeridionalTables
   {
   public:
     /**
-     * Read the tables of a list, 'name: file' separated by commas; each file as
-     * parse_pairs() has it. Must be called on all ranks.
+     * Read the tables of a list of 'name: file' separated by commas; for the
+     * files see parse_pairs(). Must be called on all ranks.
      *
-     * Throws InputError where the list, a name or a file cannot be used.
+     * Throws InputError if the list, a name or a file is invalid.
      */
     MeridionalTables(const std::string &list, const MPI_Comm communicator);
 
     /**
-     * A formula of `alpha_1` and of the tables, by their names, as a function
-     * of @f$\alpha_1@f$. It does not need the tables any longer.
+     * A formula of `alpha_1` and the names of the tables as a function of
+     * @f$\alpha_1@f$. It keeps its own copy of the tables.
      *
-     * Throws InputError as Formula does.
+     * Throws InputError like Formula.
      */
     std::function<double(const double)>
     parse(const std::string &entry, const std::string &text) const;

@@ -9,7 +9,7 @@ namespace Biface
 {
   /**
    * The order of the eleven strains of a shell with two faces, and of the
-   * resultants that do work on them:
+   * work-conjugate resultants:
    *
    * | 0, 1 | 2, 3 | 4, 5 | 6, 7 | 8, 9 | 10 |
    * |---|---|---|---|---|---|

@@ -14,27 +14,26 @@
 
 namespace Biface
 {
-  /** Which rank holds which cells. */
+  /** Distribution of the cells over the ranks. */
   enum class MeshDistribution
   {
-    /** Every rank holds all of them. */
+    /** Every rank stores all cells. */
     shared,
-    /** Every rank holds its own and their neighbors; the first one holds all
-     * of them while they are handed out. */
+    /** Every rank stores its own cells and their neighbors; the first rank
+     * stores all cells during set-up. */
     distributed
   };
 
 
-  /** A node of a grid by the lines that meet there, (i, j), or a cell by the
-   * lines below and left of it: the position of the line of each coordinate in
-   * ChartGrid::lines. */
+  /** Indices (i, j) of a node, the lines that meet there, or of a cell, the
+   * lines below and to the left of it: positions in ChartGrid::lines. */
   using GridIndex = std::array<unsigned int, 2>;
 
 
   /**
    * A structured, graded grid in the coordinates of a surface: the rectangle
-   * spanned by two lists of coordinate lines, or a ring of it where the second
-   * coordinate closes.
+   * spanned by two lists of coordinate lines, or a ring if the second
+   * coordinate is closed.
    *
    * Cells and nodes are numbered lexicographically, with the first coordinate
    * running fastest.
@@ -48,18 +47,18 @@ namespace Biface
          "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
       bool             closed       = true;
       MeshDistribution distribution = MeshDistribution::shared;
-      /** How many coarser meshes the run begins with, see coarsened(). */
+      /** The number of coarser meshes to start with, see coarsened(). */
       unsigned int n_coarse = 0;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Coordinates of the grid lines, rising, in the surface's internal unit.
-     */
+    /** Coordinates of the grid lines in ascending order, in the internal unit
+     * of the surface. */
     std::array<std::vector<double>, 2> lines;
 
-    /** The last line of the second coordinate is its first one. */
+    /** Whether the last line of the second coordinate is the first one. */
     bool closed = false;
 
     MeshDistribution distribution = MeshDistribution::shared;
@@ -67,8 +66,8 @@ namespace Biface
     /**
      * Read the interval lists in the units of @p surface.
      *
-     * Throws InputError as parse_intervals() does, and where a closed
-     * coordinate does not span a full turn.
+     * Throws InputError like parse_intervals(), and if a closed coordinate does
+     * not span a full turn.
      */
     ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
 
@@ -79,8 +78,8 @@ namespace Biface
       return lines[a].size() - 1;
     }
 
-    /** Nodes along the coordinate @p a: one on each line, where the last line
-     * is not the first one. */
+    /** Nodes along the coordinate @p a: one per line; in a closed coordinate
+     * the last line is the first one. */
     unsigned int
     n_nodes(const unsigned int a) const
     {
@@ -126,11 +125,10 @@ namespace Biface
     }
 
     /**
-     * Every second line of this grid, and those at which something is that the
-     * coarser grid must have, too. A coordinate of fewer than four cells keeps
-     * its lines.
+     * Every second line of this grid and the lines that must be kept. A
+     * coordinate with fewer than four cells keeps all its lines.
      *
-     * @param kept coordinates of such lines.
+     * @param kept coordinates of the lines that must be kept.
      */
     ChartGrid
     coarsened(const std::array<std::vector<double>, 2> &kept) const;
@@ -154,12 +152,12 @@ namespace Biface
 
 
   /**
-   * Build the grid as a triangulation on the surface. The first reference
-   * coordinate of each cell is that of @f$\alpha_1@f$, the second that of
-   * @f$\alpha_2@f$, the ids of the coarse cells are
-   * ChartGrid::cell_number(), the boundary indicators are those of Edge, and
-   * the surface is attached as the manifold of all objects: the sides of all
-   * cells are coordinate lines, as the element needs it, also after refinement.
+   * Create a triangulation of the grid on the surface. The first reference
+   * coordinate of each cell is along @f$\alpha_1@f$, the second along
+   * @f$\alpha_2@f$; the ids of the coarse cells are ChartGrid::cell_number(),
+   * the boundary indicators are those of Edge, and the surface is attached as
+   * the manifold of all objects: the sides of all cells are coordinate lines,
+   * as required by the element, also after refinement.
    *
    * A parallel triangulation is partitioned by its own settings.
    */

@@ -26,7 +26,7 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the radii are not those of an arc. */
+    /** Throws InputError if the radii are invalid. */
     explicit CircularArc(const Parameters &parameters);
 
     PointOfCurve

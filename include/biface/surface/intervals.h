@@ -9,26 +9,26 @@
 namespace Biface
 {
   /**
-   * The grid lines that an interval list describes.
+   * The grid lines given by an interval list.
    *
-   * The list is a comma-separated sequence of adjoining intervals in rising
-   * order, each of one of the forms
+   * The list is a comma-separated sequence of adjoining intervals in ascending
+   * order, each in one of the forms
    * - `begin:end:n`, n equal cells;
-   * - `begin:end:n:q`, n cells, each q times as long as the one before it;
+   * - `begin:end:n:q`, n cells, each q times as long as the previous one;
    * - `begin:end:n:smooth`, n cells whose lengths grow (or shrink)
-   *   geometrically away from the adjoining interval of one of the forms
-   *   above, the first of them already by the common ratio: the lengths
-   *   continue those of the neighbor without a jump.
+   *   geometrically away from an adjoining interval in one of the forms above.
+   *   The common ratio also holds between the two intervals, so that lengths do
+   *   not jump.
    *
    * @param entry the name of the parameter, for error messages.
    * @param list the text.
-   * @param unit what one unit of the numbers in the list is in the result.
+   * @param unit the factor from the numbers in the list to the result.
    *
-   * @return rising coordinates of all grid lines, times @p unit. Neighboring
-   * intervals share a line.
+   * @return the coordinates of all grid lines in ascending order, times
+   * @p unit. Neighboring intervals share a line.
    *
-   * Throws InputError where the list is malformed, an interval is empty,
-   * or intervals overlap or leave a gap.
+   * Throws InputError if the list is malformed, an interval is empty, or
+   * intervals overlap or leave a gap.
    */
   std::vector<double>
   parse_intervals(const std::string &entry,

@@ -12,9 +12,9 @@ namespace Biface
 {
   /**
    * A plane curve that generates a surface of revolution, given in the
-   * half-plane (radius r, axial coordinate y) by a parameter s. The surface's
-   * outward normal points to the right of the direction of growing s when r
-   * points right and y up.
+   * half-plane (radius r, axial coordinate y) as a function of a parameter s.
+   * The outward normal of the surface points to the right of the direction of
+   * increasing s when r points right and y up.
    */
   class Meridian
   {
@@ -37,8 +37,8 @@ namespace Biface
     virtual double
     parameter_of(const dealii::Point<2> &point) const = 0;
 
-    /** The least and the greatest parameter, between which parameter_of() is
-     * the inverse of evaluate(). */
+    /** The minimum and maximum parameter, between which parameter_of() is the
+     * inverse of evaluate(). */
     virtual std::pair<double, double>
     range() const = 0;
 

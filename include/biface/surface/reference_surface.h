@@ -16,14 +16,14 @@ namespace Biface
    * The geometry of the reference surface @f$S@f$ at one point, in orthogonal
    * curvature-line coordinates @f$(\alpha_1,\alpha_2)@f$.
    *
-   * The frame differentiates as
+   * The derivatives of the frame are
    * @f[
    *   \mathbf e_{a,a}/A_a = -B_c\,\mathbf e_c - k_a\,\mathbf e_3,\qquad
    *   \mathbf e_{c,a}/A_a =  B_c\,\mathbf e_a,\qquad
    *   \mathbf e_{3,a}/A_a =  k_a\,\mathbf e_a,\qquad c\neq a,
    * @f]
-   * so that @f$A_a@f$, @f$B_a@f$ and @f$k_a@f$ are all that the strains of
-   * @cite GrigolyukKulikovPlotnikova2004, eq. (3), need to know of a surface.
+   * so that the strains of @cite GrigolyukKulikovPlotnikova2004, eq. (3),
+   * depend on the surface only through @f$A_a@f$, @f$B_a@f$ and @f$k_a@f$.
    */
   struct SurfacePoint
   {
@@ -94,14 +94,14 @@ namespace Biface
 
   /**
    * The reference surface of a shell: a chart from curvature-line coordinates
-   * @f$(\alpha_1,\alpha_2)@f$ to space that also knows its frame, Lamé
+   * @f$(\alpha_1,\alpha_2)@f$ to space that also provides its frame, Lamé
    * parameters and curvatures.
    *
-   * Being a manifold, it can be attached to a triangulation: with
-   * dealii::MappingManifold the cells then lie on the exact surface and, where
+   * As a manifold, it can be attached to a triangulation. With
+   * dealii::MappingManifold the cells then lie on the exact surface and, if
    * their sides are coordinate lines, have its exact metric.
    *
-   * A new surface implements evaluate(), pull_back(), clone() and
+   * A new surface implements evaluate(), pull_back(), clone(), range() and
    * coordinate_unit().
    */
   class ReferenceSurface : public dealii::ChartManifold<2, 3, 2>
@@ -115,7 +115,7 @@ namespace Biface
       : dealii::ChartManifold<2, 3, 2>(periodicity)
     {}
 
-    /** Everything about the point with the coordinates @p alpha. */
+    /** The geometry at the point with the coordinates @p alpha. */
     virtual SurfacePoint
     evaluate(const dealii::Point<2> &alpha) const = 0;
 
@@ -133,13 +133,13 @@ namespace Biface
     dealii::DerivativeForm<1, 2, 3>
     push_forward_gradient(const dealii::Point<2> &alpha) const override;
 
-    /** The least and the greatest value of the first coordinate. */
+    /** The minimum and maximum of the first coordinate. */
     virtual std::pair<double, double>
     range() const = 0;
 
     /**
-     * One unit of the coordinate @p a, as a person writes it, in the
-     * internal unit: @f$\pi/180@f$ for an angle (degrees), 1 for a length.
+     * The factor from the user's unit of the coordinate @p a to the internal
+     * unit: @f$\pi/180@f$ for an angle (degrees), 1 for a length.
      */
     virtual double
     coordinate_unit(const unsigned int a) const = 0;

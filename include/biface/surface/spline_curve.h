@@ -17,19 +17,18 @@ namespace Biface
   /**
    * A smooth curve through given points: a cubic spline in each coordinate over
    * the length of the polygon through the points. Its curvature is continuous,
-   * and zero at both ends. The parameter is that length from the first point,
-   * which is close to the arc length where the points are dense.
+   * and zero at both ends. The parameter is this length from the first point;
+   * it is close to the arc length if the points are dense.
    */
   class SplineCurve : public Meridian
   {
   public:
     /**
-     * Throws InputError where there are less than 3 points, where a point is
-     * not finite, repeats the one before it, or does not have a positive
-     * radius.
+     * Throws InputError if there are fewer than 3 points, or if a point is not
+     * finite, repeats the previous one, or does not have a positive radius.
      *
      * @param points (r, y), in order along the curve.
-     * @param name of the file they come from, for error messages.
+     * @param name the name of their file, for error messages.
      */
     SplineCurve(const std::vector<dealii::Point<2>> &points,
                 const std::string                   &name);
@@ -55,7 +54,7 @@ namespace Biface
 
   private:
     std::vector<double> knots;
-    /** Parameters and positions of a few points an interval. */
+    /** Parameters and positions of a few points per interval. */
     std::vector<std::pair<double, dealii::Point<2>>> samples;
     std::unique_ptr<dealii::Functions::CSpline<1>>   radius;
     std::unique_ptr<dealii::Functions::CSpline<1>>   axial;

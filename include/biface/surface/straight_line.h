@@ -11,7 +11,7 @@ namespace Biface
 {
   /**
    * A straight line: it generates a cylinder, a cone, or a flat annulus. The
-   * parameter is the length from its begin.
+   * parameter is the length from its start.
    */
   class StraightLine : public Meridian
   {
@@ -26,7 +26,7 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the ends coincide or lie beyond the axis. */
+    /** Throws InputError if the ends coincide or lie beyond the axis. */
     explicit StraightLine(const Parameters &parameters);
 
     PointOfCurve

@@ -11,16 +11,14 @@
 namespace Biface
 {
   /**
-   * A meridian turned about the y axis:
-   * @f$\mathbf x = (r\cos\varphi,\; y,\; r\sin\varphi)@f$ with
-   * @f$(r,y)@f$ on the meridian at @f$\alpha_1@f$ and
-   * @f$\varphi = \alpha_2@f$ in radians.
+   * A meridian rotated about the y axis:
+   * @f$\mathbf x = (r\cos\varphi,\; y,\; r\sin\varphi)@f$ with @f$(r,y)@f$ on
+   * the meridian at @f$\alpha_1@f$ and @f$\varphi = \alpha_2@f$ in radians.
    *
-   * The y axis is a wheel's axle; with it the frame
-   * @f$\mathbf e_1@f$ (along the meridian), @f$\mathbf e_2@f$ (around),
-   * @f$\mathbf e_3@f$ (outward) is right-handed. In terms of the meridian,
-   * @f$A_1 = |(r',y')|@f$, @f$A_2 = r@f$,
-   * @f$k_1 = (r'y''-y'r'')/A_1^3@f$, @f$k_2 = y'/(A_1 r)@f$,
+   * The y axis is the axle of a wheel. The frame @f$\mathbf e_1@f$ (along the
+   * meridian), @f$\mathbf e_2@f$ (around the axis), @f$\mathbf e_3@f$ (outward)
+   * is right-handed. In terms of the meridian, @f$A_1 = |(r',y')|@f$,
+   * @f$A_2 = r@f$, @f$k_1 = (r'y''-y'r'')/A_1^3@f$, @f$k_2 = y'/(A_1 r)@f$,
    * @f$B_1 = r'/(A_1 r)@f$, @f$B_2 = 0@f$.
    *
    * A torus is the surface of a CircularArc.

@@ -16,7 +16,7 @@
 
 namespace Biface
 {
-  /** Which reference surface a shell has. */
+  /** The choice of the reference surface. */
   struct SurfaceParameters
   {
     enum class Type
@@ -45,10 +45,9 @@ namespace Biface
 
 
   /**
-   * Make the surface. Throws InputError where the parameters do not describe
-   * one.
+   * Create the surface. Throws InputError if the parameters are invalid.
    *
-   * @param communicator the ranks, one of which reads files for all.
+   * @param communicator the ranks; one of them reads files for all.
    */
   std::unique_ptr<ReferenceSurface>
   make_surface(const SurfaceParameters &parameters,
