@@ -12,7 +12,7 @@
 #include <biface/base/version.h>
 #include <biface/model/rigid_motions.h>
 #include <biface/output/results_writer.h>
-#include <biface/program/checkpoint.h>
+#include <biface/program/checkpoint_writer.h>
 #include <biface/program/command_line.h>
 #include <biface/program/continuation.h>
 #include <biface/program/messages.h>
@@ -87,7 +87,7 @@ namespace Biface
                            checkpoint->get_record().parameters,
                            before,
                            prm_before);
-          checkpoint->restore(simulation, before.stages, parameters.stages);
+          simulation.restore(*checkpoint, before.stages);
           const Progress &progress = simulation.get_progress();
           if (progress.at_end_of(parameters.stages))
             {
@@ -99,7 +99,7 @@ namespace Biface
           record.curve = checkpoint->get_record().curve;
         }
       else
-        CheckpointWriter::remove(directory, communicator);
+        remove_checkpoints(directory, communicator);
 
       ResultsWriter writer(
         parameters.output, simulation.get_equations(), written);

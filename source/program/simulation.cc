@@ -199,13 +199,13 @@ namespace Biface
 
 
   void
-  Simulation::restore(const ShellEquations::History &history,
-                      const State                   &state,
-                      const Progress                &progress)
+  Simulation::restore(const Checkpoint         &checkpoint,
+                      const std::vector<Stage> &stages_before)
   {
-    equations.restore(history);
-    this->state    = state;
-    this->progress = progress;
+    checkpoint.restore(equations, state, progress);
+    if (progress.stage_begun)
+      progress.change_stage(stages_before.at(progress.stage),
+                            parameters.stages.at(progress.stage));
   }
 
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/checkpoint.h>
 #include <biface/program/simulation.h>
+#include <biface/restart/checkpoint.h>
 
 namespace Biface
 {

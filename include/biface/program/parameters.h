@@ -17,7 +17,7 @@
 #include <biface/model/pressure_load.h>
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
-#include <biface/program/checkpoint.h>
+#include <biface/program/checkpoint_writer.h>
 #include <biface/solver/linear/linear_solver_parameters.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
@@ -46,7 +46,7 @@ namespace Biface
     Newton::Parameters              newton;
     LoadStepping::Parameters        load_stepping;
     ResultsWriter::Parameters       output;
-    CheckpointParameters            checkpoint;
+    CheckpointWriter::Parameters    checkpoint;
 
     /** Declare all entries, with a section for each of the materials and each
      * of the stages. The object must outlive @p prm. */

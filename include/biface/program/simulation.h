@@ -13,6 +13,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/program/parameters.h>
+#include <biface/restart/checkpoint.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
 #include <biface/stepping/nested_predictor.h>
@@ -65,11 +66,11 @@ namespace Biface
       return progress;
     }
 
-    /** Continue from another run of the same shell. */
+    /** Continue another run of the same shell.
+     * @param stages_before those of that run, see check_continuation(). */
     void
-    restore(const ShellEquations::History &history,
-            const State                   &state,
-            const Progress                &progress);
+    restore(const Checkpoint         &checkpoint,
+            const std::vector<Stage> &stages_before);
 
     /** Times of the parts of the run. */
     dealii::TimerOutput &

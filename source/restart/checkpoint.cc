@@ -6,9 +6,7 @@
 #include <cstdio>
 
 #include <biface/base/errors.h>
-#include <biface/input/parameter_tools.h>
-#include <biface/program/checkpoint.h>
-#include <biface/program/simulation.h>
+#include <biface/restart/checkpoint.h>
 
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
@@ -17,36 +15,6 @@
 namespace Biface
 {
   using namespace dealii;
-
-  void
-  CheckpointParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Write",
-                      write,
-                      "Whether to write the state of the run into the "
-                      "directory of results, from which '--restart' continues.",
-                      Patterns::Bool());
-    prm.add_parameter("Every steps",
-                      every_steps,
-                      "After how many steps since the last checkpoint the next "
-                      "one is written; 0: not by steps. One is written at the "
-                      "end in any case.",
-                      Patterns::Integer(0));
-    prm.add_parameter("Every minutes",
-                      every_minutes,
-                      "After how much time since the last checkpoint the next "
-                      "one is written, when a step is done; 0: not by time. "
-                      "Unit: minutes.",
-                      Patterns::Double(0));
-  }
-
-
-  void
-  CheckpointParameters::check() const
-  {
-    check_not_negative("Checkpoint/Every minutes", every_minutes);
-  }
-
 
   namespace
   {
@@ -65,13 +33,12 @@ namespace Biface
 
     /** The distributed part of the shell's state, by names. */
     std::vector<CheckpointFile::Table>
-    tables_of(const Simulation &simulation)
+    tables_of(const ShellEquations &equations,
+              const State          &state,
+              const Progress       &progress)
     {
-      const ShellEquations         &equations = simulation.get_equations();
-      const ShellMesh              &mesh      = equations.mesh;
-      const State                  &state     = simulation.get_state();
-      const Progress               &progress  = simulation.get_progress();
-      const ShellEquations::History history   = equations.get_history();
+      const ShellMesh              &mesh    = equations.mesh;
+      const ShellEquations::History history = equations.get_history();
 
       std::vector<CheckpointFile::Table> tables{
         {"displacement", rows_of(state.displacement, mesh)},
@@ -101,66 +68,27 @@ namespace Biface
   } // namespace
 
 
-  CheckpointWriter::CheckpointWriter(const CheckpointParameters &parameters,
-                                     const std::string          &directory,
-                                     const Simulation           &simulation,
-                                     ResultsWriter              &results,
-                                     const bool                  restarted)
-    : parameters(parameters)
-    , directory(directory)
-    , simulation(simulation)
-    , results(results)
-    , any_written(restarted)
-    , last_step(simulation.get_progress().n_steps)
-  {}
-
-
   void
-  CheckpointWriter::remove(const std::string &directory,
-                           const MPI_Comm     communicator)
+  write_checkpoint(const std::string    &directory,
+                   const RunRecord      &record,
+                   const ShellEquations &equations,
+                   const State          &state)
   {
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const std::string &path : {newest(directory), previous(directory)})
-        std::remove(path.c_str());
-  }
-
-
-  void
-  CheckpointWriter::write_if_due(RunRecord &record)
-  {
-    const unsigned int n_steps = simulation.get_progress().n_steps - last_step;
-    // the clock of one rank counts
-    const double minutes =
-      Utilities::MPI::broadcast(simulation.get_equations().mesh.communicator,
-                                since_last.wall_time() / 60);
-    if ((parameters.every_steps > 0 && n_steps >= parameters.every_steps) ||
-        (parameters.every_minutes > 0 && minutes >= parameters.every_minutes))
-      write(record);
-  }
-
-
-  void
-  CheckpointWriter::write(RunRecord &record)
-  {
-    const unsigned int n_steps = simulation.get_progress().n_steps;
-    if (!parameters.write || (any_written && last_step == n_steps))
-      return;
-
-    // a restart finds at least what the checkpoint says
-    results.sync();
-    record.progress = simulation.get_progress();
-    record.written  = results.get_written();
-    if (const auto &step = record.progress.predictor.get_last())
-      record.predictor_size = step->size;
     const std::vector<char> header = Utilities::pack(record, false);
     CheckpointFile::write(newest(directory),
                           previous(directory),
                           std::string(header.begin(), header.end()),
-                          tables_of(simulation),
-                          simulation.get_equations().mesh.communicator);
-    any_written = true;
-    last_step   = n_steps;
-    since_last.restart();
+                          tables_of(equations, state, record.progress),
+                          equations.mesh.communicator);
+  }
+
+
+  void
+  remove_checkpoints(const std::string &directory, const MPI_Comm communicator)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &path : {newest(directory), previous(directory)})
+        std::remove(path.c_str());
   }
 
 
@@ -208,15 +136,14 @@ namespace Biface
 
 
   void
-  Checkpoint::restore(Simulation               &simulation,
-                      const std::vector<Stage> &before,
-                      const std::vector<Stage> &now) const
+  Checkpoint::restore(ShellEquations &equations,
+                      State          &state,
+                      Progress       &progress) const
   {
-    const ShellEquations &equations = simulation.get_equations();
-    const ShellMesh      &mesh      = equations.mesh;
-    const auto            nodes     = numbers_of_owned_nodes(mesh);
-    const auto            cells     = numbers_of_cells(mesh);
-    const auto            vector    = [&](const std::string &name) {
+    const ShellMesh &mesh   = equations.mesh;
+    const auto       nodes  = numbers_of_owned_nodes(mesh);
+    const auto       cells  = numbers_of_cells(mesh);
+    const auto       vector = [&](const std::string &name) {
       return vector_from(reader->rows(name, nodes), mesh);
     };
     // to be read at all nodes of this rank; a temporary would be moved, and
@@ -231,7 +158,7 @@ namespace Biface
       return modes_from(reader->rows(name, cells));
     };
 
-    State state        = equations.initial_state();
+    state              = equations.initial_state();
     state.displacement = ghosted("displacement");
     state.resultants   = modes("resultants");
     state.active = active_from(reader->rows("active", numbers_of_nodes(mesh)));
@@ -247,7 +174,9 @@ namespace Biface
         history.linearization_point = point;
       }
 
-    Progress progress = record.progress;
+    equations.restore(history);
+
+    progress = record.progress;
     if (reader->has("predictor displacement"))
       {
         SecantPredictor::Step step;
@@ -258,8 +187,5 @@ namespace Biface
       }
     if (reader->has("last change"))
       progress.last_change = vector("last change");
-    if (progress.stage_begun)
-      progress.change_stage(before.at(progress.stage), now.at(progress.stage));
-    simulation.restore(history, state, progress);
   }
 } // namespace Biface

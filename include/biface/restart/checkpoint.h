@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_program_checkpoint_h
-#define biface_program_checkpoint_h
+#ifndef biface_restart_checkpoint_h
+#define biface_restart_checkpoint_h
 
-#include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/timer.h>
+#include <mpi.h>
 
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/output/results_writer.h>
 #include <biface/restart/checkpoint_file.h>
@@ -18,26 +18,6 @@
 
 namespace Biface
 {
-  struct Parameters;
-  class Simulation;
-
-
-  /** When checkpoints are written. */
-  struct CheckpointParameters
-  {
-    bool         write         = true;
-    unsigned int every_steps   = 1;
-    double       every_minutes = 0;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-
-    /** Throws InputError where a value is not usable. */
-    void
-    check() const;
-  };
-
-
   /** A step with contact, in the table at the end of a run. */
   struct LoadDeflection
   {
@@ -54,7 +34,8 @@ namespace Biface
   };
 
 
-  /** What a checkpoint holds beside the shell itself, see doc/restart.md. */
+  /** What a checkpoint holds beside the fields of the shell, see
+   * doc/restart.md. */
   struct RunRecord
   {
     /** Of the program that wrote it. */
@@ -79,47 +60,19 @@ namespace Biface
   };
 
 
-  /**
-   * Writes checkpoints into the directory of results, two generations of them.
-   * All functions must be called on all ranks.
-   */
-  class CheckpointWriter
-  {
-  public:
-    /**
-     * The objects are kept by reference.
-     * @param restarted whether the checkpoint of the last step is there.
-     */
-    CheckpointWriter(const CheckpointParameters &parameters,
-                     const std::string          &directory,
-                     const Simulation           &simulation,
-                     ResultsWriter              &results,
-                     const bool                  restarted);
+  /** Write a checkpoint into a directory, two generations of them. Must be
+   * called on all ranks. Throws OutputError.
+   * @param equations, state with record.progress, where the run is. */
+  void
+  write_checkpoint(const std::string    &directory,
+                   const RunRecord      &record,
+                   const ShellEquations &equations,
+                   const State          &state);
 
-    /** Write a checkpoint, if it is time for one. Throws OutputError. */
-    void
-    write_if_due(RunRecord &record);
-
-    /** Write a checkpoint, unless the one of the last step is there. Throws
-     * OutputError. */
-    void
-    write(RunRecord &record);
-
-    /** Remove the checkpoints of a directory, before another run begins
-     * there. */
-    static void
-    remove(const std::string &directory, const MPI_Comm communicator);
-
-  private:
-    const CheckpointParameters parameters;
-    const std::string          directory;
-    const Simulation          &simulation;
-    ResultsWriter             &results;
-
-    bool          any_written = false;
-    unsigned int  last_step   = 0;
-    dealii::Timer since_last;
-  };
+  /** Remove the checkpoints of a directory, before another run starts
+   * there. */
+  void
+  remove_checkpoints(const std::string &directory, const MPI_Comm communicator);
 
 
   /** A checkpoint to continue from. All functions must be called on all ranks.
@@ -151,13 +104,10 @@ namespace Biface
       return record;
     }
 
-    /** Put a simulation of the same shell where it was.
-     * @param before, now the stages of the run that is continued, and those to
-     * go on with; see check_continuation(). */
+    /** Put the equations of the same shell, its state, and the progress of the
+     * load stepping where they were. */
     void
-    restore(Simulation               &simulation,
-            const std::vector<Stage> &before,
-            const std::vector<Stage> &now) const;
+    restore(ShellEquations &equations, State &state, Progress &progress) const;
 
   private:
     const std::string                       directory;

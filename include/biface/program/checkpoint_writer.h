@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_checkpoint_writer_h
+#define biface_program_checkpoint_writer_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <string>
+
+#include <biface/output/results_writer.h>
+#include <biface/restart/checkpoint.h>
+
+namespace Biface
+{
+  class Simulation;
+
+
+  /** Writes checkpoints into the directory of results when it is time for one.
+   * All functions must be called on all ranks. */
+  class CheckpointWriter
+  {
+  public:
+    struct Parameters
+    {
+      bool         write         = true;
+      unsigned int every_steps   = 1;
+      double       every_minutes = 0;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError where a value is not usable. */
+      void
+      check() const;
+    };
+
+    /**
+     * The objects are kept by reference.
+     * @param restarted whether the checkpoint of the last step is there.
+     */
+    CheckpointWriter(const Parameters  &parameters,
+                     const std::string &directory,
+                     const Simulation  &simulation,
+                     ResultsWriter     &results,
+                     const bool         restarted);
+
+    /** Write a checkpoint, if it is time for one. Throws OutputError. */
+    void
+    write_if_due(RunRecord &record);
+
+    /** Write a checkpoint, unless the one of the last step is there. Throws
+     * OutputError. */
+    void
+    write(RunRecord &record);
+
+  private:
+    const Parameters  parameters;
+    const std::string directory;
+    const Simulation &simulation;
+    ResultsWriter    &results;
+
+    bool          any_written = false;
+    unsigned int  last_step   = 0;
+    dealii::Timer since_last;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <biface/input/parameter_tools.h>
+#include <biface/program/checkpoint_writer.h>
+#include <biface/program/simulation.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  CheckpointWriter::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Write",
+                      write,
+                      "Whether to write the state of the run into the "
+                      "directory of results, from which '--restart' continues.",
+                      Patterns::Bool());
+    prm.add_parameter("Every steps",
+                      every_steps,
+                      "After how many steps since the last checkpoint the next "
+                      "one is written; 0: not by steps. One is written at the "
+                      "end in any case.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Every minutes",
+                      every_minutes,
+                      "After how much time since the last checkpoint the next "
+                      "one is written, when a step is done; 0: not by time. "
+                      "Unit: minutes.",
+                      Patterns::Double(0));
+  }
+
+
+  void
+  CheckpointWriter::Parameters::check() const
+  {
+    check_not_negative("Checkpoint/Every minutes", every_minutes);
+  }
+
+
+  CheckpointWriter::CheckpointWriter(const Parameters  &parameters,
+                                     const std::string &directory,
+                                     const Simulation  &simulation,
+                                     ResultsWriter     &results,
+                                     const bool         restarted)
+    : parameters(parameters)
+    , directory(directory)
+    , simulation(simulation)
+    , results(results)
+    , any_written(restarted)
+    , last_step(simulation.get_progress().n_steps)
+  {}
+
+
+  void
+  CheckpointWriter::write_if_due(RunRecord &record)
+  {
+    const unsigned int n_steps = simulation.get_progress().n_steps - last_step;
+    // the clock of one rank counts
+    const double minutes =
+      Utilities::MPI::broadcast(simulation.get_equations().mesh.communicator,
+                                since_last.wall_time() / 60);
+    if ((parameters.every_steps > 0 && n_steps >= parameters.every_steps) ||
+        (parameters.every_minutes > 0 && minutes >= parameters.every_minutes))
+      write(record);
+  }
+
+
+  void
+  CheckpointWriter::write(RunRecord &record)
+  {
+    const Progress &progress = simulation.get_progress();
+    if (!parameters.write || (any_written && last_step == progress.n_steps))
+      return;
+
+    // a restart finds at least what the checkpoint says
+    results.sync();
+    record.progress = progress;
+    record.written  = results.get_written();
+    if (const auto &step = progress.predictor.get_last())
+      record.predictor_size = step->size;
+    write_checkpoint(
+      directory, record, simulation.get_equations(), simulation.get_state());
+    any_written = true;
+    last_step   = progress.n_steps;
+    since_last.restart();
+  }
+} // namespace Biface
