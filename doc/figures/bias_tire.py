@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of the bias tire pressed on a rigid foundation.
+"""Figures and tables of the bias tire pressed on a rigid foundation.
 
-Reads the results of three runs of prm/bias_tire.prm (nonlinear theory, linear
-theory, lumped multiplier mass) and the paper's Table 1, and writes
+Reads the results of runs of prm/bias_tire.prm, as it is and with other
+readings of the paper, and the paper's Table 1, and writes
 
     load_deflection.png   force against approach (Fig. 3 of the paper)
     profile.png           deformed meridian in the plane phi = 0 (Fig. 4)
     pressure.png          contact pressure along that meridian (Fig. 5)
     table_1.png           pressures against those of Table 1, node by node
+    asymmetry.png         q(psi, phi) - q(psi, -phi) over the contact zone
 
-Units are those of the parameter file: mm, N, MPa, degrees.
+and the tables of doc/bias_tire.md. Units are those of the parameter file: mm,
+N, MPa, degrees.
 """
 
 import argparse
 import csv
+import re
 import sys
 from pathlib import Path
 
@@ -29,8 +32,22 @@ from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 # same equations
 INDEPENDENT_FORCES = {4: 236, 12: 975, 20: 1951}
 
-# Approaches (mm) shown where not all of them are
-APPROACHES = (4, 8, 12, 16, 20)
+# Approaches (mm) of Figs. 3 to 5
+APPROACHES = (4, 12, 20)
+
+# Readings of the paper: directory of the results, what is different
+READINGS = {
+    "nonlinear": "as shipped",
+    "lumped": "lumped multiplier mass",
+    "asymmetric": "law of the thickness strain `asymmetric`",
+    "prestress": "inflated state as initial resultants",
+    "undeformed": "Δ from the tire before inflation",
+    "face_area": "dead pressure on the true area of the inner face",
+    "true_pressure": "true pressure",
+    "linear": "linear about the inflated tire",
+    "linear_stages": "inflation linear, then linear about its result",
+    "linear_unstressed": "linear about the unstressed tire",
+}
 
 # The torus halfway between its faces: radius of the meridian, and distance of
 # the meridian's center from the axle (mm)
@@ -114,21 +131,46 @@ def is_interior(node):
     return abs(node[0]) <= 20 and abs(node[1]) <= 25
 
 
-def integrate(pressures):
-    """The force (N) of pressures at nodes of Table 1's grid, 5 degrees wide in
-    psi and 3 phi: bilinear over each cell, per area halfway between the faces.
-    """
-    width = np.radians(5)
-    force = 0
-    for psi in np.arange(-45, 45, 5):
-        middle = np.radians(psi + 2.5)
-        area = (MERIDIAN_RADIUS * width * width / 3 *
-                (CENTER_RADIUS + MERIDIAN_RADIUS * np.cos(middle)))
-        for three_phi in np.arange(-50, 50, 5):
-            force += area / 4 * sum(
-                pressures.get(node_key(psi + i, three_phi + j), 0)
-                for i in (0, 5) for j in (0, 5))
-    return force
+class NodalAreas:
+    """The area that belongs to each node about the contact zone, a quarter of
+    each cell around it, on the surface midway between the faces."""
+
+    def __init__(self, directory, approach):
+        """Reads the lines of the mesh from a contact-NNNN.csv."""
+        nodes = read_csv(directory
+                         / f"contact-{step_at(directory, approach):04d}.csv")
+        self.psi = np.unique(np.round(nodes["alpha_1"], 6))
+        self.phi = np.unique(np.round(nodes["alpha_2"], 6))
+
+    def area(self, node):
+        """The area (mm^2) of a node."""
+        i = np.argmin(np.abs(self.psi - node[0]))
+        j = np.argmin(np.abs(self.phi - node[1] / 3))
+        psi = np.radians(self.psi[i - 1:i + 2])
+        phi = np.radians(self.phi[j - 1:j + 2])
+        middle = (psi[:-1] + psi[1:]) / 2
+        radius = CENTER_RADIUS + MERIDIAN_RADIUS * np.cos(middle)
+        return (MERIDIAN_RADIUS * np.sum(radius * np.diff(psi))
+                * (phi[-1] - phi[0]) / 4)
+
+    def integrate(self, pressures):
+        """The force (N) of pressures at nodes."""
+        return sum(pressure * self.area(node)
+                   for node, pressure in pressures.items())
+
+
+def asymmetry(pressures):
+    """q(psi, phi) - q(psi, -phi) at each node; the pressure of a node that is
+    not in contact is 0."""
+    nodes = set(pressures) | {(psi, -phi) for psi, phi in pressures}
+    return {(psi, phi): pressures.get((psi, phi), 0) -
+            pressures.get((psi, -phi), 0) for psi, phi in nodes}
+
+
+def central_asymmetry(pressures):
+    """The largest |q(psi, phi) - q(-psi, -phi)|."""
+    return max(abs(pressure - pressures.get((-psi, -phi), 0))
+               for (psi, phi), pressure in pressures.items())
 
 
 def rms(values):
@@ -290,6 +332,40 @@ def mark_unmatched(axes, computed, paper):
         axes.text(-23.7, psi, text, va="center", fontsize=9)
 
 
+def draw_asymmetry(runs, output):
+    """q(psi, phi) - q(psi, -phi), by Table 1 and as computed."""
+    pressures = {"Table 1": read_table(runs.table),
+                 "computed": read_pressures(runs.nonlinear, 20)}
+    figure, axes = plt.subplots(2, 2, figsize=(10, 5.8), layout="constrained")
+    nodes = set().union(*map(asymmetry, pressures.values()))
+    for i, (name, values) in enumerate(pressures.items()):
+        mesh = draw_map(axes[0, i], asymmetry(values), nodes,
+                        f"({'ab'[i]}) q(ψ, φ) − q(ψ, −φ), {name}",
+                        cmap="RdBu_r", vmin=-0.04, vmax=0.04)
+    figure.colorbar(mesh, ax=axes[0, :], orientation="horizontal", shrink=0.5,
+                    aspect=35, pad=0.02, label="difference (MPa)")
+    for i, psi in enumerate((35, -35)):
+        draw_row(axes[1, i], pressures, psi)
+        axes[1, i].set_title(f"({'cd'[i]}) the row ψ = {psi}°".replace("-", "−"))
+    axes[1, 0].legend(loc="lower center", fontsize=10)
+    save(figure, output / "asymmetry.png", dpi=110)
+
+
+def draw_row(axes, pressures, psi):
+    """The pressures of Table 1 and as computed along one row of nodes."""
+    for (name, values), color, style in zip(
+            pressures.items(), (RED, BLUE),
+            ({"marker": "o", "linestyle": "none", "markersize": 7,
+              "markerfacecolor": "none", "zorder": 3},
+             {"marker": "o", "markersize": 3.5})):
+        row = sorted((node[1] / 3, value) for node, value in values.items()
+                     if node[0] == psi)
+        axes.plot(*np.array(row).T, color=color, label=name, **style)
+    axes.axvline(0, color=GRAY, linewidth=0.8)
+    axes.set(xlabel="φ (degrees)", ylabel="q (MPa)", xlim=(-12, 12),
+             ylim=(0, 0.42))
+
+
 def draw_scatter(axes, computed, paper):
     """Computed against printed pressures."""
     interior = [node for node in paper if node in computed and is_interior(node)]
@@ -353,43 +429,97 @@ def draw_table(runs, output):
 
 
 def parse_arguments():
-    """The directories of the three runs, the paper's table, the output."""
+    """The directories of the runs, the paper's table, the page, the output."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    for name, text in (("nonlinear", "results of prm/bias_tire.prm as it is"),
-                       ("linear", "results with the linear theory"),
-                       ("lumped", "results with the lumped multiplier mass"),
+    for name, text in (("results", "directory with the results of each run"),
                        ("table", "the paper's Table 1 (tests/data/table_1.csv)"),
+                       ("page", "doc/bias_tire.md, whose tables are rewritten"),
                        ("output", "directory the figures are written to")):
         parser.add_argument(f"--{name}", type=Path, required=True, help=text)
-    return parser.parse_args()
+    runs = parser.parse_args()
+    for name in READINGS:
+        setattr(runs, name, runs.results / name)
+    return runs
+
+
+def replace_table(page, name, header, rows):
+    """Rewrites the table of a page between its two comments."""
+    ruler = ["---" if i == 0 else "---:" for i in range(len(header))]
+    lines = ["| " + " | ".join(row) + " |" for row in [header, ruler, *rows]]
+    text, count = re.subn(
+        rf"(<!-- table: {name} -->\n).*?(<!-- end of table -->)",
+        lambda match: match[1] + "\n".join(lines) + "\n" + match[2],
+        page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    if count != 1:
+        sys.exit(f"{page} must have the table '{name}' once")
+    page.write_text(text, encoding="utf-8")
+
+
+def write_forces(runs):
+    """The forces at the approaches of the paper."""
+    rows = []
+    for approach, independent in INDEPENDENT_FORCES.items():
+        nonlinear, linear, lumped = (
+            force_at(directory, approach)
+            for directory in (runs.nonlinear, runs.linear, runs.lumped))
+        rows.append([f"{approach}", f"{nonlinear:.1f}", f"{independent}",
+                     f"{linear:.1f}", f"{linear / nonlinear:.2f}",
+                     f"{lumped:.1f}"])
+    replace_table(runs.page, "forces",
+                  ["Δ (mm)", "P (N)", "Independent implementation (N)",
+                   "P, linear theory (N)", "Linear to nonlinear",
+                   "P, lumped (N)"], rows)
+
+
+def write_readings(runs):
+    """Force, contact zone and deviation from Table 1 of every reading."""
+    paper, rows = read_table(runs.table), []
+    for name, text in READINGS.items():
+        history = read_history(runs.results / name)
+        computed = read_pressures(runs.results / name, history["approach"][-1])
+        deviations = relative_deviations(computed, paper)
+        inner = [d for node, d in deviations.items() if is_interior(node)]
+        rows.append([text, f"{history['force'][-1]:.1f}", f"{len(deviations)}",
+                     f"{len(computed) - len(deviations)}",
+                     f"{rms(deviations.values()):.3f}", f"{rms(inner):.3f}"])
+    replace_table(runs.page, "readings",
+                  ["Reading", "P (N)", "Nodes of Table 1 in contact, of "
+                   f"{len(paper)}", "Other nodes in contact", "RMS deviation",
+                   "RMS deviation, inner nodes"], rows)
 
 
 def print_comparison(runs):
     """The comparison with Table 1, beyond the caption of its figure."""
     paper = read_table(runs.table)
     computed = read_pressures(runs.nonlinear, 20)
-    common = {node: computed[node] for node in paper if node in computed}
     deviations = relative_deviations(computed, paper)
     inner = [abs(d) for node, d in deviations.items() if is_interior(node)]
     print(table_caption(computed, paper))
-    print(f"greatest {max(map(abs, deviations.values())):.2f}, "
+    print(f"largest {max(map(abs, deviations.values())):.2f}, "
           f"median at the inner nodes {np.median(inner):.3f}; "
           f"{len(set(computed) - set(paper))} nodes more than in Table 1")
-    print(f"force at the nodes of Table 1: {integrate(paper):.0f} N, "
-          f"computed {integrate(common):.0f} N")
+    areas = NodalAreas(runs.nonlinear, 20)
+    table, common, others = map(areas.integrate, (
+        paper, {node: computed[node] for node in paper if node in computed},
+        {node: computed[node] for node in computed if node not in paper}))
+    print(f"force at the nodes of Table 1: {table:.1f} N by its pressures, "
+          f"{common:.1f} N computed; at other nodes {others:.1f} N")
+    for name, values in (("Table 1", paper), ("computed", computed)):
+        common = [value for (psi, phi), value in asymmetry(values).items()
+                  if (psi, phi) in values and (psi, -phi) in values]
+        print(f"{name}: |q(psi, phi) - q(-psi, -phi)| up to "
+              f"{central_asymmetry(values):.1e} MPa, |q(psi, phi) - "
+              f"q(psi, -phi)| up to {max(common):.3f} MPa where both nodes are "
+              f"in contact; maximum pressure {max(values.values()):.3f} MPa")
 
 
-def print_forces(runs):
-    """The inflated radius, and the forces by theory and multiplier mass."""
-    radius = read_profile(runs.nonlinear, 0)["outer_x"].max()
-    print(f"radius of the outer face after inflation: {radius:.3f} mm")
-    for approach in INDEPENDENT_FORCES:
-        nonlinear, linear, lumped = (
-            force_at(directory, approach)
-            for directory in (runs.nonlinear, runs.linear, runs.lumped))
-        print(f"P at {approach} mm: nonlinear {nonlinear:.1f} N, "
-              f"linear {linear:.1f} N ({linear / nonlinear:.2f} times), "
-              f"lumped {lumped:.1f} N ({lumped / nonlinear:.3f} times)")
+def print_inflation(runs):
+    """The radius of the inflated equator with dead and with true pressure."""
+    for name in ("nonlinear", "true_pressure"):
+        profile = read_profile(runs.results / name, 0)
+        radius = profile["outer_x"][np.argmin(np.abs(profile["alpha_1"]))]
+        print(f"{name}: radius of the outer face after inflation "
+              f"{radius:.3f} mm")
 
 
 def main():
@@ -401,7 +531,10 @@ def main():
     draw_profile(runs, runs.output)
     draw_pressure(runs, runs.output)
     draw_table(runs, runs.output)
-    print_forces(runs)
+    draw_asymmetry(runs, runs.output)
+    write_forces(runs)
+    write_readings(runs)
+    print_inflation(runs)
     print_comparison(runs)
 
 
