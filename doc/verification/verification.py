@@ -178,14 +178,14 @@ REMARKS = {
         "cells, instead of +0.24, +0.89 and +1.09 %: on the last mesh transverse "
         "shear contributes 1.5 %.",
     "pinched_cylinder_large":
-        "The diaphragm holds the middle surface, `v_2 mean; v_3 mean`, and not "
+        "The diaphragm holds the middle surface, `v_2 middle; v_3 middle`, and not "
         "both faces as under the small load: where the wall rotates by a large "
         "angle, the radial extent of its thickness must be free to decrease. "
         "Otherwise the edge is nearly clamped, and the displacement at load "
         "factor 0.25 is 8 % too small. **The side moves by more than published**, "
         "at load factor 0.25 by {d[5]:+.1f} % on the finest mesh, where its path "
         "is flat. If the edge is also kept from rotating about the axis, "
-        "`v_2 both; v_3 mean`, displacements are too small from load factor 0.25 "
+        "`v_2 both; v_3 middle`, displacements are too small from load factor 0.25 "
         "on, by 2.9 to 3.1 % under the force on 40 × 40 cells and 1.9 to 2.4 % on "
         "64 × 64. It is not known here which of the two the reference uses. The "
         "waves of the path are an effect of the mesh: the rim of the dent moves "

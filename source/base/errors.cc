@@ -71,7 +71,9 @@ namespace Biface
     // an entry may be the path of a file with a line in it
     : InputError("the entry " + quoted(entry, 1000) + " is " + quoted(value) +
                  ", but " + allowed + ".")
-  {}
+  {
+    this->entry = entry;
+  }
 
 
   InputError::InputError(const std::string &sentence)

@@ -18,16 +18,15 @@ namespace Biface
                "The shape of the rigid foundation: a plane, a drum (a circular "
                "cylinder without end), or a sphere. Contact is that of nodes: "
                "the radius must be several cells.");
-    prm.add_parameter("Plane normal",
+    prm.add_parameter("Direction",
                       path.direction,
-                      "Normal of the rigid plane, from the shell toward the "
-                      "foundation: three components x, y, z, of any length "
-                      "but zero. Whatever its shape, the foundation travels "
-                      "against this vector, and the force on it is counted "
-                      "along it.");
+                      "Direction from the shell toward the foundation, of a "
+                      "plane its normal: three components x, y, z, of any "
+                      "length but zero. The foundation travels against it, "
+                      "and the force on it is counted along it.");
     prm.add_parameter("Point on path",
                       path.point,
-                      "A point x, y, z of the line, along 'Plane normal', on "
+                      "A point x, y, z of the line, along 'Direction', on "
                       "which the center of a sphere, or a point of the axis of "
                       "a drum, travels; any will do for a plane. Unit: "
                       "length.");
@@ -44,7 +43,7 @@ namespace Biface
   make_foundation(const FoundationParameters &parameters)
   {
     const RigidFoundation::Path &path = parameters.path;
-    unit_vector("Contact/Plane normal", path.direction);
+    unit_vector("Contact/Direction", path.direction);
     check_finite("Contact/Point on path", path.point);
     switch (parameters.type)
       {

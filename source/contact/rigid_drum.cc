@@ -18,7 +18,7 @@ namespace Biface
     prm.add_parameter("Axis",
                       axis,
                       "Direction of the drum's axis: three components x, y, z, "
-                      "of any length but zero, not along 'Plane normal'.");
+                      "of any length but zero, not along 'Direction'.");
   }
 
 
@@ -29,7 +29,7 @@ namespace Biface
   {
     check_not_zero("Contact/Drum/Radius", parameters.radius);
     check_not_parallel(
-      "Contact/Drum/Axis", parameters.axis, "Plane normal", direction);
+      "Contact/Drum/Axis", parameters.axis, "Direction", direction);
   }
 
 

@@ -2,9 +2,12 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <regex>
 #include <sstream>
 
 #include <biface/base/errors.h>
@@ -95,11 +98,146 @@ namespace Biface
 
 
   std::string
-  parameter_place(const std::string &source, const std::string &line)
+  parameter_place(const std::string &source, const unsigned int line)
   {
     // a setting of the command line is one line to its reader
-    return source + (source.rfind("--set", 0) == 0 ? "" : ", line " + line) +
-           ": ";
+    const bool is_option = (source.rfind("--", 0) == 0);
+    return source + (is_option ? "" : ", line " + std::to_string(line)) + ": ";
+  }
+
+
+  std::string
+  parameter_place(const std::string &source,
+                  const std::string &text,
+                  const std::string &entry)
+  {
+    const std::vector<ParameterLine> lines = scan_parameter_text(text);
+    for (unsigned int number = 1; number < lines.size(); ++number)
+      if (lines[number].keyword == "set" &&
+          lines[number].section + lines[number].name == entry)
+        return parameter_place(source, number);
+    return source + ": ";
+  }
+
+
+  namespace
+  {
+    /** Whether a name is meant by one of a table, in which "Stage N/" stands
+     * for all stages and '*' for any entry of a section. */
+    bool
+    is_meant(const std::string &name, const std::string &in_table)
+    {
+      if (in_table.rfind("Stage N/", 0) == 0)
+        {
+          const auto slash = name.find('/');
+          return slash != std::string::npos && name.rfind("Stage ", 0) == 0 &&
+                 name.substr(slash) == in_table.substr(7);
+        }
+      if (in_table.back() == '*')
+        return name.rfind(in_table.substr(0, in_table.size() - 1), 0) == 0;
+      return name == in_table;
+    }
+
+
+    /** Replace a word where it stands alone in a value, but not where it is a
+     * name with a colon after it. */
+    bool
+    replace_word(std::string       &value,
+                 const std::string &word,
+                 const std::string &by)
+    {
+      const std::string blanks = " \t";
+      const auto        ends   = [&](const std::size_t at) {
+        return at >= value.size() ||
+               (blanks + ",;=").find(value[at]) != std::string::npos;
+      };
+      bool found = false;
+      for (auto at = value.find(word); at != std::string::npos;
+           at      = value.find(word, at + 1))
+        {
+               const std::size_t end  = at + word.size();
+               const std::size_t next = value.find_first_not_of(blanks, end);
+               if ((at == 0 || ends(at - 1)) && ends(end) &&
+              !(next != std::string::npos && value[next] == ':'))
+            {
+                   value.replace(at, word.size(), by);
+                   found = true;
+            }
+        }
+      return found;
+    }
+
+
+    /** The last part of a name: that of the entry or of the section. */
+    std::string
+    last_part(std::string name)
+    {
+      if (name.back() == '/')
+        name.pop_back();
+      return name.substr(name.find_last_of('/') + 1);
+    }
+  } // namespace
+
+
+  std::vector<OldName>
+  replace_old_names(std::string &text, const std::vector<OldName> &names)
+  {
+    const std::vector<ParameterLine> lines = scan_parameter_text(text);
+    std::vector<std::string>         physical(1);
+    std::istringstream               stream(text);
+    for (std::string line; std::getline(stream, line);)
+      physical.push_back(line);
+
+    std::vector<OldName> found;
+    for (unsigned int number = 1; number < lines.size(); ++number)
+      {
+        ParameterLine     line    = lines[number];
+        const bool        set     = (line.keyword == "set");
+        const bool        section = (line.keyword == "subsection");
+        const std::string name =
+          line.section + line.name + (section ? "/" : "");
+        bool changed = false;
+        for (const OldName &old : names)
+          {
+            const auto equals = old.old_name.find('=');
+            bool       hit    = false;
+            if (equals != std::string::npos)
+              hit =
+                set && is_meant(name, old.old_name.substr(0, equals)) &&
+                replace_word(line.value,
+                             old.old_name.substr(equals + 1),
+                             old.new_name.substr(old.new_name.find('=') + 1));
+            else if ((set || section) && is_meant(name, old.old_name))
+              {
+                line.name = last_part(old.new_name);
+                hit       = true;
+              }
+            if (hit &&
+                std::none_of(found.begin(), found.end(), [&](const auto &f) {
+                  return f.old_name == old.old_name;
+                }))
+              found.push_back(old);
+            changed = changed || hit;
+          }
+        if (!changed)
+          continue;
+        // it may go over several lines, of which the last one counts
+        physical[number] = line.keyword + " " + line.name +
+                           (set ? " = " + line.value : std::string());
+        for (unsigned int i = number - 1;
+             i > 0 && !Utilities::trim(physical[i]).empty() &&
+             Utilities::trim(physical[i]).back() == '\\';
+             --i)
+          physical[i].clear();
+      }
+
+    if (!found.empty())
+      {
+        text.clear();
+        for (unsigned int i = 1; i < physical.size(); ++i)
+          text += physical[i] + '\n';
+      }
+    return found;
   }
 
 
@@ -110,25 +248,21 @@ namespace Biface
     std::map<std::string, unsigned int> line_of_entry;
     for (unsigned int number = 1; number < lines.size(); ++number)
       {
-        const ParameterLine &line = lines[number];
-        const std::string    where =
-          parameter_place(source, std::to_string(number));
-        const std::string name = line.section + line.name;
+        const ParameterLine &line  = lines[number];
+        const std::string    where = parameter_place(source, number);
+        const std::string    name  = line.section + line.name;
         if (line.keyword == "include")
-          throw InputError(where +
-                           "a parameter file must not include another one.");
+          throw InputError(where + "'include' is not supported.");
         if (line.depth > max_depth)
           throw InputError(where + "more than " + std::to_string(max_depth) +
-                           " sections lie within each other, but no entry "
-                           "stands so deep.");
+                           " nested sections; no entry lies so deep.");
         if (line.keyword != "set")
           continue;
         const auto entry = line_of_entry.emplace(name, number);
         if (!entry.second)
-          throw InputError(where + "the entry " + quoted(name) +
-                           " is set a second time, but line " +
-                           std::to_string(entry.first->second) +
-                           " has set it already.");
+          throw InputError(
+            where + "the entry " + quoted(name) + " is set twice; line " +
+            std::to_string(entry.first->second) + " has set it already.");
         if (line.value.find('{') != std::string::npos)
           throw InputError(where + "the entry " + quoted(name) + " is " +
                            quoted(line.value) +
@@ -142,5 +276,174 @@ namespace Biface
           throw InputError(
             where + InputError(name, line.value, number_too_large).what());
       }
+  }
+
+
+  namespace
+  {
+    /** Full names of all entries and sections. */
+    std::vector<std::string>
+    declared_names(const ParameterHandler &prm)
+    {
+      std::ostringstream text;
+      prm.print_parameters(text,
+                           ParameterHandler::ShortPRM |
+                             ParameterHandler::KeepDeclarationOrder);
+
+      std::vector<std::string> names;
+      std::istringstream       lines(text.str());
+      std::string              line;
+      std::string              path;
+      while (std::getline(lines, line))
+        {
+          line = Utilities::trim(line);
+          if (line.rfind("subsection ", 0) == 0)
+            {
+              path += line.substr(11) + "/";
+              names.push_back(path);
+            }
+          else if (line.rfind("set ", 0) == 0)
+            names.push_back(
+              path + Utilities::trim(line.substr(4, line.find('=') - 4)));
+          else if (line == "end")
+            path.erase(path.find_last_of('/', path.size() - 2) + 1);
+        }
+      return names;
+    }
+
+
+    /** Number of single-letter edits between two words. */
+    unsigned int
+    edit_distance(const std::string &a, const std::string &b)
+    {
+      std::vector<unsigned int> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (unsigned int i = 0; i < a.size(); ++i)
+        {
+          unsigned int diagonal = row[0]++;
+          for (unsigned int j = 0; j < b.size(); ++j)
+            {
+              const unsigned int replaced =
+                diagonal + (std::tolower(a[i]) != std::tolower(b[j]));
+              diagonal   = row[j + 1];
+              row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, replaced});
+            }
+        }
+      return row.back();
+    }
+
+
+    std::string
+    nearest_name(const ParameterHandler &prm, const std::string &name)
+    {
+      const std::vector<std::string> names = declared_names(prm);
+      return *std::min_element(
+        names.begin(), names.end(), [&](const auto &a, const auto &b) {
+          return edit_distance(name, a) < edit_distance(name, b);
+        });
+    }
+
+
+    /** What a pattern of deal.II allows, in words. */
+    std::string
+    allowed_by(const std::string &pattern)
+    {
+      std::smatch match;
+      if (std::regex_match(
+            pattern, match, std::regex("\\[(Multiple)?Selection (.*) \\]")))
+        {
+          const std::string choices =
+            std::regex_replace(match[2].str(), std::regex("\\|"), "', '");
+          return (match[1].matched ? "it must be a list of some of '"
+                                   : "it must be one of '") +
+                 choices + "'";
+        }
+      if (std::regex_match(
+            pattern,
+            match,
+            std::regex("\\[Integer range ([-0-9]+)\\.\\.\\.([-0-9]+).*\\]")))
+        return "it must be a whole number from " + match[1].str() + " to " +
+               match[2].str();
+      if (std::regex_match(pattern, std::regex("\\[Integer.*\\]")))
+        return "it must be a whole number";
+      if (std::regex_match(pattern, std::regex("\\[Bool\\]")))
+        return "it must be 'true' or 'false'";
+      if (std::regex_match(
+            pattern,
+            match,
+            std::regex("\\[Double ([-+.0-9e]+)\\.\\.\\.MAX_DOUBLE.*\\]")))
+        return "it must be a number, " + match[1].str() + " or above";
+      if (std::regex_match(pattern, std::regex("\\[Double.*\\]")))
+        return "it must be a number";
+      if (std::regex_search(pattern, std::regex("^\\[List of <\\[Double")) &&
+          std::regex_search(
+            pattern, match, std::regex("of length ([0-9]+)\\.\\.\\.\\1 ")))
+        return "it must be a list of " + match[1].str() +
+               " numbers, separated by commas";
+      if (pattern.rfind("[List of <[Anything]> of length 1...", 0) == 0)
+        return "it must be a list of at least one name, separated by commas";
+      return "it must match the pattern " + pattern;
+    }
+  } // namespace
+
+
+  std::string
+  parameter_sentence(const ExceptionBase    &exception,
+                     const std::string      &source,
+                     const std::string      &text,
+                     const ParameterHandler &prm)
+  {
+    std::ostringstream stream;
+    exception.print_info(stream);
+    // regular expressions recurse: keep them from very long lines
+    std::string said = stream.str();
+    if (said.size() > 2000)
+      said = said.substr(0, 1000) + " ... " + said.substr(said.size() - 900);
+    said = Utilities::trim(std::regex_replace(said, std::regex("\\s+"), " "));
+
+    const std::vector<ParameterLine> lines = scan_parameter_text(text);
+    std::smatch                      match;
+    const auto                       is = [&](const std::string &form) {
+      return std::regex_match(said, match, std::regex(form));
+    };
+    const std::string line  = "Line <([0-9]+)> of file <input string>?: ";
+    const auto        where = [&](const std::string &number) {
+      return parameter_place(source, std::stoul(number));
+    };
+
+    if (is(line + "The entry value ?(.*) for the entry named (.*) does not "
+                  "match the given pattern: (.*)"))
+      {
+        const std::string name =
+          lines.at(std::stoi(match[1])).section + match[3].str();
+        return where(match[1]) +
+               InputError(name, match[2], allowed_by(match[4])).what();
+      }
+    if (is(line + "No entry with name <(.*)> was declared in the current "
+                  "subsection\\.?") ||
+        is(line + "There is no such subsection to be entered: (.*)"))
+      {
+        const std::string name =
+          lines.at(std::stoi(match[1])).section + match[2].str();
+        return where(match[1]) + "there is no entry " + quoted(name) +
+               "; the nearest name is '" + nearest_name(prm, name) + "'.";
+      }
+    if (is(line + "The line <(.*)> could not be parsed.*"))
+      return where(match[1]) + quoted(match[2].str()) +
+             " is not understood; expected 'set ENTRY = VALUE', 'subsection "
+             "NAME', 'end' or a comment.";
+    if (is(line + "Invalid (format|content).*"))
+      {
+        const ParameterLine &found = lines.at(std::stoi(match[1]));
+        return where(match[1]) + quoted(found.keyword + " " + found.name) +
+               " is not understood; expected 'set ENTRY = VALUE' or 'end'.";
+      }
+    if (is(line + "(.*)"))
+      return where(match[1]) + match[2].str();
+    if (is("There are unequal numbers of 'subsection' and 'end'.*"))
+      return source +
+             ": the numbers of 'subsection' and 'end' differ; each section "
+             "needs one 'end'.";
+    return source + ": " + said;
   }
 } // namespace Biface

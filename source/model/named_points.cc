@@ -15,7 +15,7 @@ namespace Biface
   void
   NamedPoints::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Points",
+    prm.add_parameter("Named points",
                       list,
                       "Points of the surface that other entries refer to, and "
                       "whose displacements are written to probes.csv: a list "
@@ -29,7 +29,7 @@ namespace Biface
   std::vector<NamedPoint>
   NamedPoints::parse(const ReferenceSurface &surface) const
   {
-    const std::string entry = "Points";
+    const std::string entry = "Named points";
     const std::string form  = "each point is written 'name: alpha_1 alpha_2'";
 
     check_list_length(entry, list, 10000);

@@ -13,7 +13,7 @@ namespace Biface
   PressureLoad::add_parameters(ParameterHandler &prm)
   {
     add_choice(prm,
-               "Pressure",
+               "Pressure type",
                kind,
                {"dead", "follower"},
                "What the pressure of the stages does as the face moves: "
@@ -36,9 +36,9 @@ namespace Biface
     add_choice(prm,
                "Area of face loads",
                area,
-               {"midway", "face"},
+               {"middle", "face"},
                "The undeformed area that dead pressure and tractions are "
-               "counted on: 'midway' (the surface midway between the faces, "
+               "counted on: 'middle' (the surface midway between the faces, "
                "as in the paper) or 'face' (the true area of the face).");
   }
 
@@ -92,7 +92,7 @@ namespace Biface
               const unsigned int face)
   {
     const double midway = cell.geometry.weight / 4;
-    return area == AreaMeasure::midway
+    return area == AreaMeasure::middle
              ? midway
              : midway / cell.geometry.vertices[vertex].metric.area_ratio(face);
   }

@@ -34,7 +34,7 @@ namespace Biface
         const double nearest = Utilities::MPI::min(distance, communicator);
         if (nearest == std::numeric_limits<double>::max())
           throw InputError(
-            "Points",
+            "Named points",
             point.name + ": " +
               number_to_string(point.alpha[0] / surface->coordinate_unit(0)) +
               " " +
@@ -60,7 +60,7 @@ namespace Biface
     throw InputError(entry,
                      name,
                      points.empty()
-                       ? "there are no points; they are named in 'Points'"
+                       ? "there are no points; they are named in 'Named points'"
                        : "the points are " + names);
   }
 

@@ -65,7 +65,7 @@ namespace Biface
       }
     for (const auto &item : supports.point_conditions())
       {
-        const unsigned int node = node_of_point("Supports/Points", item.first);
+        const unsigned int node = node_of_point("Supports/Point supports", item.first);
         if (node != numbers::invalid_unsigned_int)
           add(node, item.second);
       }

@@ -17,7 +17,7 @@ namespace Biface
   {
     const std::array<double, 2> inner{{1, 0}};
     const std::array<double, 2> outer{{0, 1}};
-    const std::array<double, 2> mean{{0.5, 0.5}};
+    const std::array<double, 2> middle{{0.5, 0.5}};
     const std::array<double, 2> difference{{-1, 1}};
   } // namespace
 
@@ -33,12 +33,12 @@ namespace Biface
           ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
           "'hinged outer', 'symmetry' (no displacement across the edge), or a "
           "list, separated by semicolons, of 'v_i FACE' or 'v_i FACE = value', "
-          "with i = 1, 2, 3 and FACE one of inner, outer, both, mean, "
+          "with i = 1, 2, 3 and FACE one of inner, outer, both, middle, "
           "difference (outer less inner). Values grow with the load factor. An "
           "edge of a closed coordinate does not exist and stays free. Unit: "
           "length.",
         Patterns::Anything());
-    prm.add_parameter("Points",
+    prm.add_parameter("Point supports",
                       points,
                       "Supports of named points: 'name: support', separated by "
                       "commas, each support as for an edge.",
@@ -71,7 +71,7 @@ namespace Biface
     if (text == "fixed")
       return both(all_components(inner));
     if (text == "hinged")
-      return all_components(mean);
+      return all_components(middle);
     if (text == "hinged inner")
       return all_components(inner);
     if (text == "hinged outer")
@@ -83,8 +83,8 @@ namespace Biface
       std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
                   "'hinged outer'") +
       (across < 3 ? ", 'symmetry'" : "") +
-      ", or a list like 'v_1 both; v_3 mean = 0.5' (faces: inner, outer, "
-      "both, mean, difference)";
+      ", or a list like 'v_1 both; v_3 middle = 0.5' (faces: inner, outer, "
+      "both, middle, difference)";
 
     std::vector<SupportCondition> conditions;
     for (const std::string &item : Utilities::split_string_list(text, ';'))
@@ -106,7 +106,7 @@ namespace Biface
         const std::map<std::string, std::array<double, 2>> faces{
           {"inner", inner},
           {"outer", outer},
-          {"mean", mean},
+          {"middle", middle},
           {"difference", difference}};
         if (words[1] == "both")
           for (const SupportCondition &c : both({condition}))
@@ -135,7 +135,7 @@ namespace Biface
   std::vector<std::pair<std::string, std::vector<SupportCondition>>>
   Supports::point_conditions() const
   {
-    const std::string entry = "Supports/Points";
+    const std::string entry = "Supports/Point supports";
     check_list_length(entry, points, 10000);
     std::vector<std::pair<std::string, std::vector<SupportCondition>>> result;
     for (const std::string &text : Utilities::split_string_list(points, ','))

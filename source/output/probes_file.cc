@@ -40,7 +40,7 @@ namespace Biface
         // x, y, z, then 1, 2, 3 of both faces, from the rank that owns the node
         std::array<std::vector<double>, 2> u{
           {std::vector<double>(6), std::vector<double>(6)}};
-        const unsigned int n = mesh.node_of_point("Points", point.name);
+        const unsigned int n = mesh.node_of_point("Named points", point.name);
         if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
           for (unsigned int face = 0; face < 2; ++face)
             {

@@ -30,7 +30,8 @@ namespace Biface
             overrides.emplace_back(optarg);
             break;
           case 'o':
-            overrides.emplace_back(std::string("Output/Directory=") + optarg);
+            overrides.emplace_back(std::string("Output/Directory=") + optarg,
+                                   std::string("--output ") + optarg);
             break;
           case 'r':
             restart = true;

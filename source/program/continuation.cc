@@ -25,7 +25,7 @@ namespace Biface
     std::map<std::string, std::string> files;
     const std::string                 &points = parameters.surface.points_file;
     if (!points.empty())
-      files["Surface/Points/File"] = read_file(points, communicator);
+      files["Surface/Spline/File"] = read_file(points, communicator);
     for (const std::string &text :
          Utilities::split_string_list(parameters.laminate.tables, ','))
       {
@@ -103,7 +103,7 @@ namespace Biface
     may_change(const std::string &entry, const Progress &progress)
     {
       // compared by what the files hold
-      if (entry == "Surface/Points/File" || entry == "Laminate/Tables")
+      if (entry == "Surface/Spline/File" || entry == "Laminate/Tables")
         return true;
       if (entry == "Mesh/Distribution" || entry == "Number of stages")
         return true;

@@ -49,12 +49,13 @@ namespace Biface
 
 
     ExitCode
-    run_simulation(const Parameters       &parameters,
-                   const ParameterHandler &prm,
-                   const CommandLine      &command_line,
-                   const MPI_Comm          communicator,
-                   std::ostream           &screen,
-                   ConditionalOStream     &err)
+    run_simulation(const Parameters               &parameters,
+                   const ParameterHandler         &prm,
+                   const std::vector<std::string> &notes,
+                   const CommandLine              &command_line,
+                   const MPI_Comm                  communicator,
+                   std::ostream                   &screen,
+                   ConditionalOStream             &err)
     {
       RunLog log(screen,
                  command_line.quiet,
@@ -70,6 +71,8 @@ namespace Biface
       Simulation          simulation(parameters, communicator, log.stream());
       ConditionalOStream &out = simulation.get_stream();
       print_header(simulation, out);
+      for (const std::string &note : notes)
+        out << note << std::endl;
       if (command_line.action == CommandLine::Action::check)
         {
           out << "The parameters are in order." << std::endl;
@@ -189,15 +192,18 @@ namespace Biface
           out << "biface " << version() << std::endl;
         else
           {
-            Parameters       parameters;
-            ParameterHandler prm;
-            read_parameters(command_line.file_name,
-                            command_line.overrides,
-                            communicator,
-                            parameters,
-                            prm);
+            Parameters                     parameters;
+            ParameterHandler               prm;
+            const std::vector<std::string> notes =
+              read_parameters(command_line.file_name,
+                              command_line.overrides,
+                              communicator,
+                              parameters,
+                              prm);
             if (command_line.action == Action::print_parameters)
               {
+                for (const std::string &note : notes)
+                  err << "biface: " << note << std::endl;
                 if (is_root)
                   prm.print_parameters(
                     out_stream,
@@ -207,8 +213,13 @@ namespace Biface
                 return done;
               }
             source = command_line.file_name + ": ";
-            return run_simulation(
-              parameters, prm, command_line, communicator, out_stream, err);
+            return run_simulation(parameters,
+                                  prm,
+                                  notes,
+                                  command_line,
+                                  communicator,
+                                  out_stream,
+                                  err);
           }
         return done;
       }

@@ -4,11 +4,11 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 #include <biface/base/errors.h>
-#include <biface/input/parameter_sentence.h>
 #include <biface/input/parameter_text.h>
 #include <biface/input/read_file.h>
 #include <biface/program/parameters.h>
@@ -33,26 +33,44 @@ namespace Biface
         {
           throw InputError(parameter_sentence(exception, source, text, prm));
         }
+      catch (const InputError &error)
+        {
+          throw InputError(parameter_place(source, text, error.get_entry()) +
+                           error.what());
+        }
     }
 
 
-    /** "A/B/C=v" as the text of a parameter file. */
-    std::string
-    override_text(const Override &setting)
+    /** A text of settings. */
+    struct Source
     {
+      /** What error messages call it. */
+      std::string name;
+      std::string text;
+    };
+
+
+    /** A setting as the text of a parameter file. */
+    std::string
+    override_text(const Override &given)
+    {
+      const std::string &setting = given.setting;
+      const std::string option = given.source.substr(0, given.source.find(' '));
+      const std::string value =
+        given.source.substr(std::min(option.size() + 1, given.source.size()));
       const std::string form   = "it must have the form 'Section/Entry=value'";
       const auto        equals = setting.find('=');
       if (equals == std::string::npos || equals == 0)
-        throw InputError("--set", setting, form);
+        throw InputError(option, value, form);
       const std::vector<std::string> path =
         Utilities::split_string_list(setting.substr(0, equals), '/');
       if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
-        throw InputError("--set", setting, form);
+        throw InputError(option, value, form);
       // what would end a line of a file, or go on with the next one
       if (setting.find_first_of("\n\r#") != std::string::npos ||
           Utilities::trim(setting).back() == '\\')
-        throw InputError("--set",
-                         setting,
+        throw InputError(option,
+                         value,
                          "it must be one line without '#', and without a "
                          "backslash at its end");
 
@@ -65,17 +83,60 @@ namespace Biface
       return text;
     }
 
-    /** Read settings, later ones in place of earlier ones.
-     * @param sources what error messages call them, and their texts.
-     * @param file_name whose folder holds the files that the settings name.
-     */
+
+    /** Refuse sections of stages and materials that are not there. */
     void
-    parse_sources(
-      const std::vector<std::pair<std::string, std::string>> &sources,
-      const std::string                                      &file_name,
-      Parameters                                             &parameters,
-      ParameterHandler                                       &prm)
+    check_sections(const Source                   &source,
+                   const std::vector<std::string> &materials,
+                   const unsigned int              n_stages)
     {
+      const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
+      for (unsigned int number = 1; number < lines.size(); ++number)
+        {
+          const ParameterLine &line = lines[number];
+          if (line.keyword != "subsection" || !line.section.empty())
+            continue;
+          const auto is = [&](const std::string &kind) {
+            return line.name.rfind(kind, 0) == 0 &&
+                   line.name.size() > kind.size();
+          };
+          std::string reason;
+          if (is("Stage ") &&
+              line.name.find_first_not_of("0123456789", 6) == std::string::npos)
+            {
+              const unsigned long stage =
+                std::strtoul(line.name.c_str() + 6, nullptr, 10);
+              if (stage > n_stages)
+                reason = "raise 'Number of stages', which is " +
+                         std::to_string(n_stages);
+              else if (line.name != "Stage " + std::to_string(stage) ||
+                       stage == 0)
+                reason = "stages are numbered from 1";
+            }
+          else if (is("Material ") &&
+                   std::find(materials.begin(),
+                             materials.end(),
+                             line.name.substr(9)) == materials.end())
+            reason = "list " + quoted(line.name.substr(9)) + " in 'Materials'";
+          if (!reason.empty())
+            throw InputError(parameter_place(source.name, number) +
+                             "there is no section " + quoted(line.name) + "; " +
+                             reason + ".");
+        }
+    }
+
+
+    /** Read settings, later ones in place of earlier ones.
+     * @param file_name whose folder holds the files that the settings name.
+     * @return old names that the settings use.
+     */
+    std::vector<OldName>
+    parse_sources(std::vector<Source> sources,
+                  const std::string  &file_name,
+                  Parameters         &parameters,
+                  ParameterHandler   &prm)
+    {
+      std::vector<OldName> used_old_names;
       // these decide which sections there are
       ParameterHandler         names_only;
       unsigned int             n_stages = 1;
@@ -84,10 +145,17 @@ namespace Biface
         "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
       names_only.add_parameter(
         "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
-      for (const auto &source : sources)
+      for (Source &source : sources)
         {
-          check_parameter_text(source.first, source.second);
-          parse(names_only, source.first, source.second, true);
+          for (const OldName &old : replace_old_names(source.text, old_names))
+            if (std::none_of(used_old_names.begin(),
+                             used_old_names.end(),
+                             [&](const OldName &other) {
+                               return other.old_name == old.old_name;
+                             }))
+              used_old_names.push_back(old);
+          check_parameter_text(source.name, source.text);
+          parse(names_only, source.name, source.text, true);
         }
 
       if (materials.size() > 1000)
@@ -106,8 +174,11 @@ namespace Biface
               .what());
 
       parameters.add_parameters(prm, materials, n_stages);
-      for (const auto &source : sources)
-        parse(prm, source.first, source.second, false);
+      for (const Source &source : sources)
+        {
+          check_sections(source, materials, n_stages);
+          parse(prm, source.name, source.text, false);
+        }
 
       // absolute, so that the parameters as written find the files, too
       const auto absolute = [&](const std::string &name) {
@@ -124,7 +195,7 @@ namespace Biface
         {
           points_file = absolute(points_file);
           prm.enter_subsection("Surface");
-          prm.enter_subsection("Points");
+          prm.enter_subsection("Spline");
           prm.set("File", points_file);
           prm.leave_subsection();
           prm.leave_subsection();
@@ -156,23 +227,43 @@ namespace Biface
         {
           throw InputError(file_name + ": " + error.what());
         }
+      return used_old_names;
     }
   } // namespace
 
 
-  void
+  const std::vector<OldName> old_names{
+    {"Points", "Named points"},
+    {"Surface/Meridian=points", "Surface/Meridian=spline"},
+    {"Surface/Points/", "Surface/Spline/"},
+    {"Supports/Points", "Supports/Point supports"},
+    {"Supports/*=mean", "Supports/*=middle"},
+    {"Loads/Pressure", "Loads/Pressure type"},
+    {"Loads/Area of face loads=midway", "Loads/Area of face loads=middle"},
+    {"Contact/Plane normal", "Contact/Direction"},
+    {"Stage N/Begin from prestress", "Stage N/Start from prestress"},
+    {"Step control/Greatest growth", "Step control/Maximum growth"}};
+
+
+  std::vector<std::string>
   read_parameters(const std::string           &file_name,
                   const std::vector<Override> &overrides,
                   const MPI_Comm               communicator,
                   Parameters                  &parameters,
                   ParameterHandler            &prm)
   {
-    std::vector<std::pair<std::string, std::string>> sources;
+    std::vector<Source> sources;
     if (!file_name.empty())
-      sources.emplace_back(file_name, read_file(file_name, communicator));
+      sources.push_back({file_name, read_file(file_name, communicator)});
     for (const Override &setting : overrides)
-      sources.emplace_back("--set " + setting, override_text(setting));
-    parse_sources(sources, file_name, parameters, prm);
+      sources.push_back({setting.source, override_text(setting)});
+
+    std::vector<std::string> sentences;
+    for (const OldName &old :
+         parse_sources(sources, file_name, parameters, prm))
+      sentences.push_back("'" + old.old_name + "' is now called '" +
+                          old.new_name + "'; the old name still works.");
+    return sentences;
   }
 
 

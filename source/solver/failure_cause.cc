@@ -87,7 +87,7 @@ namespace Biface
                    "comes to rest on the foundation";
           case FailureCause::too_many_steps:
             return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
-                   "the stage, or a greater 'Step control/Greatest growth'";
+                   "the stage, or a greater 'Step control/Maximum growth'";
         }
       Assert(false, dealii::ExcInternalError());
       return {};

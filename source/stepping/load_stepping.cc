@@ -23,7 +23,7 @@ namespace Biface
                       "After how many steps of given arc length a stage ends, "
                       "whether its loads were reached or not.",
                       Patterns::Integer(1));
-    prm.add_parameter("Greatest growth",
+    prm.add_parameter("Maximum growth",
                       greatest_growth,
                       "How much longer than the first one a step of given arc "
                       "length, or one of a stage with 'Adaptive steps', may "

@@ -29,11 +29,11 @@ namespace Biface
                       "Whether the rigid foundation of the section 'Contact' "
                       "is there. It first touches the shell as deformed at the "
                       "begin of the first stage with contact (or the first "
-                      "after 'Begin from prestress').",
+                      "after 'Start from prestress').",
                       Patterns::Bool());
     prm.add_parameter("Travel",
                       travel,
-                      "How far the foundation has moved against 'Plane normal' "
+                      "How far the foundation has moved against 'Direction' "
                       "at the end of the stage, counted from where it first "
                       "touched. Unit: length.",
                       Patterns::Double());
@@ -81,7 +81,7 @@ namespace Biface
     prm.add_parameter("Adaptive steps",
                       adaptive,
                       "Whether steps of the loads or of the force grow after "
-                      "easy ones, beyond 1/Steps; see 'Greatest growth'. "
+                      "easy ones, beyond 1/Steps; see 'Maximum growth'. "
                       "Without it, all states at multiples of 1/Steps are "
                       "reached and written.",
                       Patterns::Bool());
@@ -93,7 +93,7 @@ namespace Biface
                "about the state in which the stage begins, with its stresses; "
                "contact stays one-sided). Two linear stages in a row are "
                "linearized about different states.");
-    prm.add_parameter("Begin from prestress",
+    prm.add_parameter("Start from prestress",
                       from_prestress,
                       "Whether the stage begins in the undeformed shape with "
                       "the resultants reached so far as initial ones, in "

@@ -25,7 +25,7 @@ namespace Biface
     add_choice(prm,
                "Meridian",
                meridian,
-               {"circular arc", "straight line", "points"},
+               {"circular arc", "straight line", "spline"},
                "The meridian of a surface of revolution: a circular arc "
                "(torus, sphere; alpha_1 is its angle), a straight line "
                "(cylinder, cone, annulus; alpha_1 is the length from its "
@@ -37,7 +37,7 @@ namespace Biface
     prm.enter_subsection("Straight line");
     straight_line.add_parameters(prm);
     prm.leave_subsection();
-    prm.enter_subsection("Points");
+    prm.enter_subsection("Spline");
     prm.add_parameter("File",
                       points_file,
                       "A CSV file with the points of the meridian in order: "
@@ -61,11 +61,11 @@ namespace Biface
             return std::make_shared<CircularArc>(parameters.circular_arc);
           case MeridianType::straight_line:
             return std::make_shared<StraightLine>(parameters.straight_line);
-          case MeridianType::points:
+          case MeridianType::spline:
             if (parameters.points_file.empty())
-              throw InputError("Surface/Points/File",
+              throw InputError("Surface/Spline/File",
                                "",
-                               "the meridian 'points' needs a file");
+                               "the meridian 'spline' needs a file");
             return std::make_shared<SplineCurve>(
               parse_pairs(read_file(parameters.points_file, communicator),
                           parameters.points_file,

@@ -82,12 +82,12 @@ main(int argc, char *argv[])
   const std::string material =
     "subsection Material cord\nset Type = isotropic\nset E = 1\nend\n";
   try_file("a million points",
-           material + "set Points = " + repeated("A: 0 0, ", 1000000));
+           material + "set Named points = " + repeated("A: 0 0, ", 1000000));
   try_file("a million intervals",
            "subsection Mesh\nset Intervals alpha_1 = " +
              repeated("0:1:9, ", 1000000) + "\nend");
   const std::string points =
-    "subsection Surface\nset Meridian = points\nsubsection Points\n"
+    "subsection Surface\nset Meridian = spline\nsubsection Spline\n"
     "set File = huge.csv\nend\nend\n";
   try_file(
     "a meridian of a million points", points, repeated("1, 2\n", 1000000));

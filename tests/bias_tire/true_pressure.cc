@@ -14,7 +14,7 @@ main(int argc, char *argv[])
 
   const auto dead = run_bias_tire({"Stage 2/Steps=1"});
   const auto follower =
-    run_bias_tire({"Stage 2/Steps=4", "Loads/Pressure=follower"});
+    run_bias_tire({"Stage 2/Steps=4", "Loads/Pressure type=follower"});
   check_range("P follower / P dead",
               follower.back().contact.force / dead.back().contact.force,
               1.12,

@@ -85,7 +85,7 @@ namespace
         const std::string name =
           (face == Resultants::inner ? "inner pressure" : "outer pressure");
         check_pressure(
-          name + ", midway area", pressure(face, AreaMeasure::midway), 10.25);
+          name + ", midway area", pressure(face, AreaMeasure::middle), 10.25);
         check_pressure(name + ", area of the face",
                        pressure(face, AreaMeasure::face),
                        face == Resultants::inner ? 9.5 : 11);
@@ -101,13 +101,13 @@ namespace
     check(
       "pressure all around",
       *shell,
-      pressure(Resultants::inner, AreaMeasure::midway).assemble_dead(*shell),
+      pressure(Resultants::inner, AreaMeasure::middle).assemble_dead(*shell),
       Tensor<1, 3>(),
       Tensor<1, 3>(),
       100);
     check("local tractions along the axis, midway area",
           *shell,
-          tractions(*shell, "2; 0; 0; local", "", AreaMeasure::midway),
+          tractions(*shell, "2; 0; 0; local", "", AreaMeasure::middle),
           Tensor<1, 3>({0, 2 * turn * 10.25 * 6, 0}),
           Tensor<1, 3>(),
           100);
@@ -122,7 +122,7 @@ namespace
     // x is 10 cos, and so is the pressure; the mean of cos^2 is 1/2
     check("pressure in proportion to x",
           *shell,
-          pressure(Resultants::inner, AreaMeasure::midway, "x")
+          pressure(Resultants::inner, AreaMeasure::middle, "x")
             .assemble_dead(*shell),
           Tensor<1, 3>({turn / 2 * 10 * 10.25 * 6, 0, 0}),
           Tensor<1, 3>({0, 0, -turn / 2 * 10 * 10.25 * 18}),
@@ -148,7 +148,7 @@ namespace
           10);
     check("linear tractions on the outer face, at z = 1",
           *shell,
-          tractions(*shell, "", "x; 2*pi; 3*alpha_2", AreaMeasure::midway),
+          tractions(*shell, "", "x; 2*pi; 3*alpha_2", AreaMeasure::middle),
           Tensor<1, 3>({x_dA, 16 * numbers::PI, 24}),
           Tensor<1, 3>({3 * yy_dA - 16 * numbers::PI,
                         x_dA - 3 * 16,
@@ -174,7 +174,7 @@ namespace
     const Total total(*shell, pressure(face, area).assemble_dead(*shell));
 
     // the normal is along (cos psi, sin psi), the radius r_c + R cos psi
-    const double R     = (area == AreaMeasure::midway ? 50.25
+    const double R     = (area == AreaMeasure::middle ? 50.25
                           : face == Resultants::inner ? 49.5
                                                       : 51);
     const double begin = -numbers::PI / 6, end = numbers::PI / 2;
@@ -192,7 +192,7 @@ namespace
   on_torus()
   {
     for (const auto face : {Resultants::inner, Resultants::outer})
-      for (const auto area : {AreaMeasure::midway, AreaMeasure::face})
+      for (const auto area : {AreaMeasure::middle, AreaMeasure::face})
         {
           const double coarse = deviation_on_torus(8, face, area);
           const double fine   = deviation_on_torus(16, face, area);
@@ -201,7 +201,7 @@ namespace
               std::cout << "torus, "
                         << (face == Resultants::inner ? "inner" : "outer")
                         << " pressure, "
-                        << (area == AreaMeasure::midway ? "midway area"
+                        << (area == AreaMeasure::middle ? "midway area"
                                                         : "area of the face")
                         << std::endl;
               check_small("  force along the axle", fine, 5e-3);

@@ -88,7 +88,7 @@ main(int argc, char *argv[])
         plate,
         {{"symmetry", "free", "symmetry", "free"}},
         "corner: 2 1",
-        "corner: v_3 mean");
+        "corner: v_3 middle");
   print("half of a torus section",
         torus(),
         {{"-60:60:4", "0:180:6"}},

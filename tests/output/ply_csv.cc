@@ -53,7 +53,7 @@ subsection Laminate
   set Plies             = fiber: 0.2 @ 0, fiber: 0.1 @ 90, bare: 0.3 @ 0
   set Reference surface = middle
 end
-set Points = end: 10 0, middle: 5 1
+set Named points = end: 10 0, middle: 5 1
 subsection Supports
   set alpha_1 min = fixed
   set alpha_1 max = v_1 both = 0.1; v_2 both; v_3 both

@@ -23,7 +23,7 @@ main(int argc, char *argv[])
     run_analysis(file,
                  {"Mesh/Intervals alpha_1=0:10:8",
                   "Stage 1/Adaptive steps=true",
-                  "Step control/Greatest growth=4"},
+                  "Step control/Maximum growth=4"},
                  [&](const auto &, const auto &, const State &state) {
                    adaptive_end = state;
                  });

@@ -56,7 +56,7 @@ main(int argc, char *argv[])
   overrides = by_force;
   overrides.push_back("Stage 2/Steps=8");
   overrides.push_back("Stage 2/Adaptive steps=true");
-  overrides.push_back("Step control/Greatest growth=4");
+  overrides.push_back("Step control/Maximum growth=4");
   const auto adaptive = run(overrides);
   check_small("travel, steps that adapt",
               adaptive.back().approach - travel,

@@ -43,14 +43,14 @@ main(int argc, char *argv[])
   check("Laminate/Plies=cord: 1.2 @ 52");
   check("Supports/alpha_1 min=hinged");
   check("Contact/Regularization=1e5");
-  check("Points=equator: 0 0");
+  check("Named points=equator: 0 0");
   check("Stage 1/Pressure=0.16");
   check("Stage 2/Strain theory=linear");
   check("Number of stages=1");
 
   // the same, written otherwise
   check("Contact/Regularization=10000.0");
-  check("Contact/Plane normal=1,0,0");
+  check("Contact/Direction=1,0,0");
   check("Newton/Residual tolerance=1e-9");
   check("Linear solver/Type=iterative");
   check("Output/Profile alpha_2=90");

@@ -22,7 +22,7 @@ main(int argc, char *argv[])
                  "--set",
                  "Stage 1/Adaptive steps=true",
                  "--set",
-                 "Step control/Greatest growth=4",
+                 "Step control/Maximum growth=4",
                  DATA_DIR "/../verification/cantilever_end_shear.prm"},
                 5);
   check_restart("force on the foundation",

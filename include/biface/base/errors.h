@@ -37,6 +37,16 @@ namespace Biface
 
     /** Any other sentence; unprintable characters are removed. */
     explicit InputError(const std::string &sentence);
+
+    /** The name of the entry; empty where the sentence was given. */
+    const std::string &
+    get_entry() const
+    {
+      return entry;
+    }
+
+  private:
+    std::string entry;
   };
 
 

@@ -31,7 +31,7 @@ namespace Biface
   {
     /** That of the surface midway between the faces, as in
      * @cite GrigolyukKulikovPlotnikova2004. */
-    midway,
+    middle,
     /** That of the face itself. */
     face
   };
@@ -43,7 +43,7 @@ namespace Biface
   {
     PressureKind     kind = PressureKind::dead;
     Resultants::Face face = Resultants::inner;
-    AreaMeasure      area = AreaMeasure::midway;
+    AreaMeasure      area = AreaMeasure::middle;
     /** Formula of the position, which multiplies the pressure. */
     std::string distribution = "1";
 

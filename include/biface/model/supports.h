@@ -35,7 +35,7 @@ namespace Biface
    * surface), `hinged inner`, `hinged outer`, `symmetry` (only where
    * @p across says which component is across the edge); or a list, separated by
    * semicolons, of `v_i FACE` or `v_i FACE = value` with i = 1, 2, 3 and FACE
-   * one of `inner`, `outer`, `both`, `mean`, `difference` (outer less inner).
+   * one of `inner`, `outer`, `both`, `middle`, `difference` (outer less inner).
    *
    * @param entry its name, for error messages.
    * @param across the component across an edge, or a number above 2 for a

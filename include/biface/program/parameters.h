@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/contact/contact_conditions.h>
+#include <biface/input/parameter_text.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/dead_loads.h>
@@ -61,8 +62,29 @@ namespace Biface
   };
 
 
-  /** A setting from the command line, "Section/Entry=value". */
-  using Override = std::string;
+  /** A setting from the command line. */
+  struct Override
+  {
+    /** @param setting "Section/Entry=value", from the option `--set`. */
+    Override(const std::string &setting)
+      : setting(setting), source("--set " + setting)
+    {}
+
+    Override(const char *setting) : Override(std::string(setting))
+    {}
+
+    /** @param source what error messages call it. */
+    Override(const std::string &setting, const std::string &source)
+      : setting(setting), source(source)
+    {}
+
+    std::string setting;
+    std::string source;
+  };
+
+
+  /** Names that were in use before, and still work. */
+  extern const std::vector<OldName> old_names;
 
 
   /**
@@ -77,8 +99,10 @@ namespace Biface
    * @param communicator the ranks.
    * @param parameters the result.
    * @param prm gets the declared entries and their values.
+   *
+   * @return sentences about old names that are used.
    */
-  void
+  std::vector<std::string>
   read_parameters(const std::string           &file_name,
                   const std::vector<Override> &overrides,
                   const MPI_Comm               communicator,

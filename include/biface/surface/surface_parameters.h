@@ -29,7 +29,7 @@ namespace Biface
     {
       circular_arc,
       straight_line,
-      points
+      spline
     };
 
     Type                     type     = Type::revolution;

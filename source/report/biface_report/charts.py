@@ -104,7 +104,7 @@ def first_step_counted(run):
     first = run.steps[0]
     for i, name in stages(run.parameters) if run.parameters else []:
         chosen = run.history["stage"] == name
-        if (run.setting(f"Stage {i}/Begin from prestress") == "true"
+        if (run.setting(f"Stage {i}/Start from prestress") == "true"
                 and chosen.any()):
             first = run.steps[chosen][0]
     return first

@@ -58,7 +58,7 @@ def curve(run):
                        f"approach. {contact_range(run)}",
                        "One point for each step in contact.")
         return Section("curve", "Load and deflection", html)
-    probes = run.probes() if run.setting("Points", "?") != "" else None
+    probes = run.probes() if run.setting("Named points", "?") != "" else None
     name = "Load and deflection"
     if len(run.steps) < 2:
         return LeftOut(

@@ -11,7 +11,7 @@ from .page import LeftOut, Section, figure, number, paragraph, table
 def points(run):
     """Displacements of the named points in the step."""
     name = "Named points"
-    if run.setting("Points", "?") == "":
+    if run.setting("Named points", "?") == "":
         return LeftOut(name, "The input names no points.")
     probes = run.probes()
     if probes is None:
@@ -37,7 +37,7 @@ def ply_stresses(run):
     if run.setting("Output/Points per ply") == "0":
         return LeftOut(
             name, "The input asks for none: the entry Output/Points per ply is 0.")
-    if run.setting("Points", "?") == "":
+    if run.setting("Named points", "?") == "":
         return LeftOut(
             name, "There are none, since the input names no points.")
     values = run.plies()

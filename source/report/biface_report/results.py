@@ -211,7 +211,7 @@ class Run:
 
     def plane_normal(self):
         """The normal of the foundation, of length 1, or None if unknown."""
-        numbers = re.split(r"[\s,]+", self.setting("Contact/Plane normal", ""))
+        numbers = re.split(r"[\s,]+", self.setting("Contact/Direction", ""))
         try:
             normal = np.array([float(number) for number in numbers])
         except ValueError:
