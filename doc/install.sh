@@ -1,28 +1,27 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Installs the Debian 12 packages that biface needs and that are not there:
+# Installs the Debian 12 packages that biface needs and that are missing:
 #   doc/install.sh         to build and run the program
-#   doc/install.sh tests   to run the tests and build the documentation, too
-#   doc/install.sh report  to turn results into a page with biface-report, too
+#   doc/install.sh report  and to turn results into a page with biface-report
+#   doc/install.sh tests   and to run all tests and build the documentation
 
 set -eu
 
 packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
+report="python3-matplotlib xvfb xauth"
+# ParaView brings its own VTK and conflicts with Debian's
+status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
+  2>/dev/null) || :
+[ "$status" = installed ] || report="$report python3-vtk9"
 case ${1-} in
   "") ;;
-  tests) packages="$packages numdiff clang clang-format-14 doxygen
-    texlive-binaries python3" ;;
-  report)
-    packages="$packages python3-matplotlib xvfb xauth"
-    # ParaView has a VTK of its own and would have to go for Debian's
-    status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
-      2>/dev/null) || :
-    [ "$status" = installed ] || packages="$packages python3-vtk9"
-    ;;
+  report) packages="$packages $report" ;;
+  tests) packages="$packages $report numdiff clang clang-format-14 doxygen
+    texlive-binaries" ;;
   *)
-    echo "Usage: doc/install.sh [tests | report]" >&2
+    echo "Usage: doc/install.sh [report | tests]" >&2
     exit 1
     ;;
 esac
@@ -43,7 +42,7 @@ apt()
   fi
 }
 
-# the lists of packages may be absent, or older than the archive
+# the package lists may be missing or older than the archive
 # shellcheck disable=SC2086
 {
   apt-get install --simulate $missing >/dev/null 2>&1 || apt update

@@ -26,6 +26,8 @@ export OPENBLAS_NUM_THREADS=1
 export OMPI_MCA_mpi_yield_when_idle=1
 # without /sys, hwloc would print an error into the output of the tests
 export HWLOC_HIDE_ERRORS=2
+# a machine that is not in its own /etc/hosts: MPI would wait 5 s for DNS per run
+export RES_OPTIONS="${RES_OPTIONS-timeout:1 attempts:1}"
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi

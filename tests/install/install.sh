@@ -4,6 +4,7 @@
 # The installation is usable: another project finds the package, links the
 # library and computes with it; the installed program runs.
 #   install.sh BUILD_DIRECTORY PROGRAM
+# The environment names the generator and the compilers: CMAKE_GENERATOR, CC, CXX.
 
 set -eu
 build=$1
