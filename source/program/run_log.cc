@@ -80,7 +80,7 @@ namespace Biface
     for (const Stage &stage : stages)
       {
         planned += stage.n_steps;
-        if (stage.adaptive || stage.control == Stage::Control::arc_length)
+        if (!make_control(stage)->has_equal_steps())
           predictable = false;
       }
   }
@@ -94,9 +94,7 @@ namespace Biface
       sum += stages[i].n_steps;
     const Stage &stage = stages[progress.stage];
     if (progress.stage_begun)
-      sum += stage.n_steps * (stage.control == Stage::Control::displacement
-                                ? progress.value_fraction
-                                : progress.fraction);
+      sum += stage.n_steps * progress.control.done;
     return sum;
   }
 

@@ -135,9 +135,8 @@ namespace Biface
     , state(equations.initial_state())
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
-      if (parameters.stages[i].control == Stage::Control::displacement)
-        mesh->node_of_point("Stage " + std::to_string(i + 1) + "/Control point",
-                            parameters.stages[i].control_point);
+      make_control(parameters.stages[i])
+        ->check("Stage " + std::to_string(i + 1), *mesh);
 
     ChartGrid grid = mesh->grid;
     for (unsigned int i = 0; i < parameters.mesh.n_coarse; ++i)
@@ -186,8 +185,7 @@ namespace Biface
     auto nested = std::make_unique<NestedPredictor>(grid, parameters.stages);
     const LoadSteppingResult result = coarse.run(
       [&](const StepReport &report, const State &state) {
-        if (report.instant)
-          nested->learn(*report.instant, GridState(*coarse.mesh, state));
+        nested->learn(report.instant, GridState(*coarse.mesh, state));
       },
       stop);
     if (!result.success)

@@ -61,8 +61,9 @@ namespace Biface
           tables.emplace_back("predictor resultants",
                               rows_of(step->resultants, mesh));
         }
-      if (progress.n_arc_steps > 0)
-        tables.emplace_back("last change", rows_of(progress.last_change, mesh));
+      for (const auto &vector : progress.control.vectors)
+        tables.emplace_back("control: " + vector.first,
+                            rows_of(vector.second, mesh));
       return tables;
     }
   } // namespace
@@ -185,7 +186,7 @@ namespace Biface
         step.size         = record.predictor_size;
         progress.predictor.restore(step);
       }
-    if (reader->has("last change"))
-      progress.last_change = vector("last change");
+    for (auto &known : progress.control.vectors)
+      known.second = vector("control: " + known.first);
   }
 } // namespace Biface

@@ -1,10 +1,85 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  bool
+  ActiveSetCycle::closes_with(const ActiveSet &active)
+  {
+    sets.push_front(active);
+    if (sets.size() > 2 * longest + 1)
+      sets.pop_back();
+
+    // differs[p-1]: the newest sets and those p before them, one turn and one
+    // set long
+    std::vector<unsigned int> differs(longest, 1);
+    for (unsigned int p = 1; p <= longest && 2 * p < sets.size(); ++p)
+      {
+        differs[p - 1] = 0;
+        for (unsigned int j = 0; j <= p; ++j)
+          if (sets[j] != sets[j + p])
+            differs[p - 1] = 1;
+      }
+    Utilities::MPI::max(differs, communicator, differs);
+
+    // a set that stays is at rest
+    const auto period =
+      1 + (std::find(differs.begin(), differs.end(), 0u) - differs.begin());
+    if (period == 1 || period > longest)
+      return false;
+
+    toggling.assign(active.size(), 0);
+    for (unsigned int j = 1; j < period; ++j)
+      for (unsigned int n = 0; n < active.size(); ++n)
+        if (sets[j][n] != active[n])
+          toggling[n] = 1;
+    return true;
+  }
+
+
+  std::string
+  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked)
+  {
+    constexpr unsigned int most = 5;
+
+    AssertDimension(marked.size(), mesh.nodes.size());
+    using Named = std::tuple<types::global_cell_index, double, double>;
+    std::vector<Named> mine;
+    for (unsigned int n = 0; n < marked.size(); ++n)
+      {
+        const Node &node = mesh.nodes[n];
+        if (marked[n] && node.locally_owned)
+          mine.emplace_back(node.number, node.alpha[0], node.alpha[1]);
+      }
+    std::vector<Named> all;
+    for (const auto &part : Utilities::MPI::all_gather(mesh.communicator, mine))
+      all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end());
+
+    const ReferenceSurface &surface = mesh.get_surface();
+    std::string             text    = std::to_string(all.size()) +
+                       (all.size() == 1 ? " node at " : " nodes at ");
+    for (unsigned int i = 0; i < std::min<std::size_t>(all.size(), most); ++i)
+      text +=
+        (i > 0 ? ", (" : "(") +
+        number_to_string(std::get<1>(all[i]) / surface.coordinate_unit(0)) +
+        ", " +
+        number_to_string(std::get<2>(all[i]) / surface.coordinate_unit(1)) +
+        ")";
+    return text + (all.size() > most ? ", ..." : "");
+  }
+
 
   ActiveSetIteration::ActiveSetIteration(const ShellEquations &equations,
                                          ConditionalOStream   &out)
@@ -26,13 +101,12 @@ namespace Biface
     cycle.restart();
     if (was_held)
       {
-        message = "the contact zone goes round in a circle, also after it was "
-                  "broken once; in turn in contact and apart: " +
-                  nodes;
+        message =
+          "active set is cycling again after it was broken once: " + nodes;
         return n_changes;
       }
-    out << "    the contact zone goes round in a circle; held in contact: "
-        << nodes << std::endl;
+    out << "    active set is cycling; holding in contact: " << nodes
+        << std::endl;
     was_held = true;
     held     = cycle.toggling_nodes();
     return n_changes + equations.update_active_set(state, loads, held);
@@ -44,7 +118,7 @@ namespace Biface
   {
     if (held.empty())
       return 0;
-    out << "    nodes that were held in contact are released" << std::endl;
+    out << "    releasing the nodes held in contact" << std::endl;
     held.clear();
     cycle.restart();
     return equations.update_active_set(state, loads);

@@ -90,139 +90,207 @@ namespace Biface
   } // namespace
 
 
-  NewtonResult
-  Newton::solve(State                &state,
-                const Path           &path,
-                double               &number,
-                const NewtonIteration iteration,
-                const bool            zone_given)
+  /** Where an iteration is. */
+  struct Newton::Iterate
   {
-    const ShellMesh &mesh = equations.mesh;
+    Iterate(State                   &state,
+            const ParametrizedLoads &path,
+            double                  &mu,
+            const NewtonIteration    iteration,
+            const bool               zone_given,
+            const ShellEquations    &equations,
+            ConditionalOStream      &out)
+      : state(state)
+      , parametrized(path)
+      , mu(mu)
+      , iteration(iteration)
+      , zone_given(zone_given)
+      , loads(path.at(mu))
+      , zone(equations, out)
+      , n_changes(zone_given ? 0 : zone.update(state, loads))
+      , total(equations.mesh.owned_vector())
+    {}
 
-    NewtonResult       result;
-    ActiveSetIteration zone(equations, out);
-    Loads              loads     = path.loads(number);
-    unsigned int       n_changes = (zone_given ? 0 : zone.update(state, loads));
-    double             last_update = std::numeric_limits<double>::infinity();
-    LA::Vector         increment   = mesh.owned_vector();
-    LA::Vector         total       = mesh.owned_vector();
+    State                   &state;
+    const ParametrizedLoads &parametrized;
+    double                  &mu;
+    const NewtonIteration    iteration;
+    const bool               zone_given;
+    Loads                    loads;
+    ActiveSetIteration       zone;
+    /** Of the active set, after the last update. */
+    unsigned int n_changes;
+    /** Change of the displacements since the start, and the largest entry of
+     * the last increment. */
+    LA::Vector total;
+    double     last_update = std::numeric_limits<double>::infinity();
 
-    const auto fail = [&](const FailureCause cause, const std::string &why) {
-      result.cause   = cause;
-      result.message = why;
+    NewtonResult result;
+  };
+
+
+  NewtonResult
+  Newton::solve(State                   &state,
+                const ParametrizedLoads &loads,
+                double                  &mu,
+                const NewtonIteration    iteration,
+                const bool               zone_given)
+  {
+    Iterate iterate(state, loads, mu, iteration, zone_given, equations, out);
+    NewtonResult &result = iterate.result;
+    Increment     increment;
+    increment.displacement = equations.mesh.owned_vector();
+
+    const auto fail = [&](const Failure &why) {
+      result.failure = why;
       return result;
     };
-    const auto print = [&](const std::string &update) {
-      char line[128];
-      std::snprintf(line,
-                    sizeof(line),
-                    "    iteration %2u  residual %9.3e  update %9s  active %4u"
-                    "  changes %4u",
-                    result.iterations,
-                    result.residuals.back(),
-                    update.c_str(),
-                    equations.count_active(state),
-                    n_changes);
-      out << line << std::endl;
-    };
-
     while (true)
       {
         if (stop && stop())
           {
-            result.message = "stopped";
             result.stopped = true;
-            return result;
+            return fail({FailureCause::too_many_iterations, "stopped"});
           }
-        {
-          TimerOutput::Scope scope(timer, "Assembly");
-          equations.assemble(state, loads);
-        }
-        result.residuals.push_back(equations.relative_residual());
-        if (!std::isfinite(result.residuals.back()))
-          return fail(FailureCause::divergence, "the residual is not a number");
 
-        // a condition on the path needs an iteration to be satisfied
-        const bool at_rest =
-          (result.iterations == 0 ? path.control == nullptr && !zone_given
-                                  : n_changes == 0);
-        const double small = parameters.update_tolerance * mesh.thickness();
-        if (at_rest &&
-            equations.support_violation() <=
-              std::max(small, 1e-12 * mesh.size()) &&
-            (result.residuals.back() <= parameters.residual_tolerance ||
-             // with forces far from balance, no update means no solution
-             (last_update <= small && result.residuals.back() <= 1e-3) ||
-             result.residuals.back() <= equations.relative_roundoff(state)))
+        assemble(iterate);
+        if (!std::isfinite(result.residuals.back()))
+          return fail(
+            {FailureCause::divergence, "the residual is not a number"});
+
+        if (is_converged(iterate))
           {
-            n_changes = zone.release(state, loads);
-            if (n_changes > 0)
+            iterate.n_changes = iterate.zone.release(state, iterate.loads);
+            if (iterate.n_changes > 0)
               {
                 result.residuals.pop_back();
                 continue;
               }
+            TimerOutput::Scope scope(timer, "Update of the state");
+            equations.settle_resultants(state);
             result.converged = true;
-            break;
+            return result;
           }
         if (result.iterations == parameters.max_iterations)
-          return fail(FailureCause::too_many_iterations,
-                      "no convergence in " + std::to_string(result.iterations) +
-                        " iterations");
+          return fail({FailureCause::too_many_iterations,
+                       "no convergence in " +
+                         std::to_string(result.iterations) + " iterations"});
 
-        LinearSolverResult linear = linear_solver.factorize(
-          equations.tangent(), equations.is_symmetric());
-        result.n_negative_pivots = linear.n_negative_pivots;
-        // Small errors of large displacements make contact wander, which is
-        // stiff. What begins on a coarser mesh has small ones left.
-        const double exactness = forcing_term(result.residuals,
-                                              parameters.residual_tolerance,
-                                              zone_given ? 1e-3 : 1e-6);
-        if (linear.success)
-          linear =
-            linear_solver.solve(increment, equations.residual(), exactness);
-        if (linear.success)
-          equations.distribute(increment);
-        if (linear.success && path.control != nullptr)
-          {
-            const PathControl::Iteration here{equations, state, loads, total};
-            LA::Vector                   per_load = mesh.owned_vector();
-            linear                                = linear_solver.solve(
-              per_load, path.control->load_direction(here), exactness);
-            // supports hold still while the load grows
-            mesh.constraints.distribute(per_load);
-            const double change =
-              path.control->load_change(here, increment, per_load);
-            if (linear.success && !std::isfinite(change))
-              return fail(FailureCause::control,
-                          "what is controlled does not depend on the loads");
-            increment.add(change, per_load);
-            number += change;
-            loads = path.loads(number);
-          }
-        if (!linear.success)
-          return fail(linear.cause, linear.message);
-
-        TimerOutput::Scope scope(timer, "Update of the state");
-        total += increment;
-        equations.update(state, increment, iteration);
-        n_changes   = zone.update(state, loads);
-        last_update = increment.linfty_norm();
-        ++result.iterations;
-        if (!(last_update <= 1e3 * mesh.size()))
-          return fail(FailureCause::divergence,
-                      "the iteration diverged: an update exceeded 1000 times "
-                      "the size of the shell");
-        if (!zone.failure().empty())
-          return fail(FailureCause::contact_cycle, zone.failure());
-
-        char update[16];
-        std::snprintf(update, sizeof(update), "%9.3e", last_update);
-        print(update);
+        if (const auto failure = compute_increment(iterate, increment))
+          return fail(*failure);
+        if (const auto failure = move(iterate, increment))
+          return fail(*failure);
       }
+  }
 
+
+  void
+  Newton::assemble(Iterate &iterate)
+  {
+    TimerOutput::Scope scope(timer, "Assembly");
+    equations.assemble(iterate.state, iterate.loads);
+
+    NewtonResult &result = iterate.result;
+    result.residuals.push_back(equations.relative_residual());
+    char update[16] = "";
+    if (result.iterations > 0)
+      std::snprintf(update, sizeof(update), "%9.3e", iterate.last_update);
+    char line[128];
+    std::snprintf(line,
+                  sizeof(line),
+                  "    iteration %2u  residual %9.3e  update %9s  active %4u"
+                  "  changes %4u",
+                  result.iterations,
+                  result.residuals.back(),
+                  update,
+                  equations.count_active(iterate.state),
+                  iterate.n_changes);
+    out << line << std::endl;
+  }
+
+
+  bool
+  Newton::is_converged(const Iterate &iterate) const
+  {
+    const NewtonResult &result = iterate.result;
+    // an equation for the load parameter takes an iteration to be satisfied
+    const bool at_rest =
+      (result.iterations == 0
+         ? iterate.parametrized.equation == nullptr && !iterate.zone_given
+         : iterate.n_changes == 0);
+    const double small =
+      parameters.update_tolerance * equations.mesh.thickness();
+    const double residual = result.residuals.back();
+    return at_rest &&
+           equations.support_violation() <=
+             std::max(small, 1e-12 * equations.mesh.size()) &&
+           (residual <= parameters.residual_tolerance ||
+            // with forces far from balance, no update means no solution
+            (iterate.last_update <= small && residual <= 1e-3) ||
+            residual <= equations.relative_roundoff(iterate.state));
+  }
+
+
+  std::optional<Failure>
+  Newton::compute_increment(Iterate &iterate, Increment &increment)
+  {
+    // Small errors of large displacements make contact wander, which is
+    // stiff. What begins on a coarser mesh has small ones left.
+    const double exactness = forcing_term(iterate.result.residuals,
+                                          parameters.residual_tolerance,
+                                          iterate.zone_given ? 1e-3 : 1e-6);
+
+    LinearSolverResult linear =
+      linear_solver.factorize(equations.tangent(), equations.is_symmetric());
+    iterate.result.n_negative_pivots = linear.n_negative_pivots;
+    if (linear.success)
+      linear = linear_solver.solve(
+        increment.displacement, equations.residual(), exactness);
+    if (!linear.success)
+      return Failure{linear.cause, linear.message};
+    equations.distribute(increment.displacement);
+    increment.mu = 0;
+
+    if (const ControlEquation *equation = iterate.parametrized.equation)
+      {
+        const ControlEquation::Iteration here{
+          equations, iterate.state, iterate.loads, iterate.total};
+        LA::Vector per_parameter = equations.mesh.owned_vector();
+        linear                   = linear_solver.solve(
+          per_parameter, equation->load_direction(here), exactness);
+        if (!linear.success)
+          return Failure{linear.cause, linear.message};
+        // supports hold still while the load grows
+        equations.mesh.constraints.distribute(per_parameter);
+        increment.mu = equation->parameter_change(
+          here, increment.displacement, per_parameter);
+        if (!std::isfinite(increment.mu))
+          return Failure{FailureCause::control,
+                         "what is controlled does not depend on the loads"};
+        increment.displacement.add(increment.mu, per_parameter);
+      }
+    return {};
+  }
+
+
+  std::optional<Failure>
+  Newton::move(Iterate &iterate, const Increment &increment)
+  {
     TimerOutput::Scope scope(timer, "Update of the state");
-    print("");
-    equations.settle_resultants(state);
-    return result;
+    iterate.mu += increment.mu;
+    iterate.loads = iterate.parametrized.at(iterate.mu);
+    iterate.total += increment.displacement;
+    equations.update(iterate.state, increment.displacement, iterate.iteration);
+    iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
+    iterate.last_update = increment.displacement.linfty_norm();
+    ++iterate.result.iterations;
+
+    if (!(iterate.last_update <= 1e3 * equations.mesh.size()))
+      return Failure{FailureCause::divergence,
+                     "the iteration diverged: an update exceeded 1000 times "
+                     "the size of the shell"};
+    if (!iterate.zone.failure().empty())
+      return Failure{FailureCause::contact_cycle, iterate.zone.failure()};
+    return {};
   }
 } // namespace Biface

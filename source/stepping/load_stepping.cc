@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-#include <cmath>
+#include <deal.II/base/timer.h>
 
-#include <biface/base/errors.h>
+#include <memory>
+
 #include <biface/stepping/load_stepping.h>
 
 namespace Biface
@@ -13,22 +13,7 @@ namespace Biface
   void
   LoadStepping::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Maximum cuts",
-                      max_cuts,
-                      "How often a step that does not converge is halved "
-                      "before the run ends.",
-                      Patterns::Integer(0, 30));
-    prm.add_parameter("Maximum arc steps",
-                      max_arc_steps,
-                      "After how many steps of given arc length a stage ends, "
-                      "whether its loads were reached or not.",
-                      Patterns::Integer(1));
-    prm.add_parameter("Maximum growth",
-                      greatest_growth,
-                      "How much longer than the first one a step of given arc "
-                      "length, or one of a stage with 'Adaptive steps', may "
-                      "become. No unit.",
-                      Patterns::Double(1));
+    control.add_parameters(prm);
     prm.add_parameter("Predictor",
                       predict,
                       "Whether a step of given loads or a given force begins "
@@ -59,17 +44,24 @@ namespace Biface
   {
     while (true)
       {
-        const Stage &stage = stages[progress.stage];
-        if (!progress.stage_begun)
-          begin_stage(stage, progress, state);
-        while (!progress.at_end_of(stage))
+        const Stage   &stage   = stages[progress.stage];
+        const auto     control = make_control(stage, parameters.control);
+        const StageRun run{stage, *control, progress, state};
+
+        if (progress.stage_begun)
+          control->restore(progress.control);
+        else
+          begin_stage(run);
+
+        while (control->done() < 1)
           {
-            const LoadSteppingResult result = next_step(stage, progress, state);
-            if (!result.success)
-              return result;
-            observer(report, state);
+            const auto step = next_step(run);
+            if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
+              return *failure;
+            observer(std::get<StepReport>(step), state);
           }
-        if (progress.stage + 1 >= stages.size())
+
+        if (progress.stage + 1 == stages.size())
           return {};
         ++progress.stage;
         progress.stage_begun = false;
@@ -78,144 +70,192 @@ namespace Biface
 
 
   void
-  LoadStepping::begin_stage(const Stage &stage,
-                            Progress    &progress,
-                            State       &state)
+  LoadStepping::begin_stage(const StageRun &run)
   {
+    const Stage &stage    = run.stage;
+    Progress    &progress = run.progress;
     if (stage.from_prestress)
       {
-        equations.take_as_prestress(state);
+        equations.take_as_prestress(run.state);
         progress.reached = LoadLevel();
         progress.touching_travel.reset();
       }
     if (stage.contact && !progress.touching_travel)
-      progress.touching_travel = equations.touching_travel(state);
-    equations.set_theory(stage.theory, state);
+      progress.touching_travel = equations.touching_travel(run.state);
+    equations.set_theory(stage.theory, run.state);
 
-    progress.begin            = progress.reached;
-    progress.begin_value      = 0;
-    progress.fraction         = 0;
-    progress.value_fraction   = 0;
-    progress.size             = StepSize(1. / stage.n_steps);
-    progress.n_arc_steps      = 0;
-    progress.first_arc_length = 0;
+    run.control.begin(last_converged(run));
+    progress.control = run.control.get_memory();
     progress.predictor.reset();
     progress.stage_begun = true;
-    if (stage.control == Stage::Control::load)
-      return;
-    if (stage.control == Stage::Control::force)
-      {
-        progress.begin_value =
-          equations
-            .contact_force(state, loads_at(progress.reached, stage, progress))
-            .value;
-        return;
-      }
-
-    // the loads follow: there must be some, and nothing else may move with them
-    const LoadLevel  &reached = progress.reached;
-    const std::string what    = "the stage '" + stage.name +
-                             "' is controlled by a displacement or an arc "
-                             "length, but ";
-    if (stage.pressure == reached.pressure && stage.factor == reached.factor)
-      throw InputError(what + "neither its pressure nor its load factor "
-                              "differs from that of the stage before.");
-    if (stage.contact && stage.travel != reached.travel)
-      throw InputError(what + "its foundation moves, too.");
-    if (!equations.mesh.prescribed.empty())
-      throw InputError(what + "supports prescribe displacements, too.");
-
-    if (stage.control == Stage::Control::displacement)
-      {
-        LA::Vector displacement = equations.mesh.owned_vector();
-        displacement            = state.displacement;
-        progress.begin_value    = equations.mesh.displacement_functional(
-                                 stage.control_point, stage.control_component) *
-                               displacement;
-      }
   }
 
 
-  LoadSteppingResult
-  LoadStepping::next_step(const Stage &stage, Progress &progress, State &state)
+  std::variant<StepReport, LoadSteppingResult>
+  LoadStepping::next_step(const StageRun &run)
   {
-    const bool by_arc = (stage.control == Stage::Control::arc_length);
-    if (by_arc && progress.n_arc_steps > 0 &&
-        progress.n_arc_steps >= parameters.max_arc_steps)
-      {
-        LoadSteppingResult result;
-        result.success = false;
-        result.cause   = FailureCause::too_many_steps;
-        result.message = "the loads of the stage '" + stage.name +
-                         "' were not reached in " +
-                         std::to_string(progress.n_arc_steps) + " steps";
-        result.reached = result.tried = progress.reached;
-        result.in_contact             = stage.contact;
-        return result;
-      }
+    LoadSteppingResult failure;
+    failure.success    = false;
+    failure.in_contact = run.stage.contact;
+    failure.reached = failure.tried = run.progress.reached;
+    failure.message                 = run.control.exhausted();
+    failure.cause                   = FailureCause::too_many_steps;
+    if (!failure.message.empty())
+      return failure;
 
-    // attempts that come to nothing leave no trace
-    const StepSize first_size = progress.size;
     while (true)
       {
-        const Attempt attempt = by_arc ? step_of_arc(stage, progress, state)
-                                : stage.control == Stage::Control::displacement
-                                  ? step_of_displacement(stage, progress, state)
-                                  : step_of_loads(stage, progress, state);
-        if (attempt == Attempt::converged)
-          return {};
-        if (attempt == Attempt::failed &&
-            progress.size.failed(parameters.max_cuts, out))
-          continue;
+        Timer                timer;
+        const Control::Trial trial   = run.control.propose(last_converged(run));
+        Attempt              attempt = try_step(run, trial);
+        if (attempt.result.converged)
+          if (const auto other = run.control.replace(trial, attempt.mu))
+            {
+              out << "  beyond the loads of the stage: trying these"
+                  << std::endl;
+              const unsigned int spent = attempt.result.iterations;
+              attempt                  = try_step(run, *other);
+              attempt.result.iterations += spent;
+            }
+        if (attempt.result.converged)
+          {
+            StepReport report = accept(run, trial, attempt);
+            report.seconds    = timer.wall_time();
+            return report;
+          }
 
-        progress.size = first_size;
-        LoadSteppingResult result;
-        result.success    = false;
-        result.stopped    = (attempt == Attempt::stopped);
-        result.cause      = last_failure.cause;
-        result.in_contact = stage.contact;
-        result.reached    = progress.reached;
-        result.tried      = last_tried;
-        result.message =
-          (result.stopped
-             ? last_failure.message
-             : "step " + std::to_string(progress.n_steps + 1) + " (" +
-                 stage.name + ") did not converge, though cut in half " +
-                 std::to_string(parameters.max_cuts) +
-                 (parameters.max_cuts == 1 ? " time: " : " times: ") +
-                 last_failure.message);
-        return result;
+        const Failure &why = attempt.result.failure;
+        if (!attempt.result.stopped)
+          {
+            out << "  not converged: " << why.message << std::endl;
+            if (run.control.cut())
+              {
+                out << "  halving the step" << std::endl;
+                continue;
+              }
+          }
+        failure.stopped = attempt.result.stopped;
+        failure.cause   = why.cause;
+        failure.tried   = trial.level(trial.mu);
+        failure.message = why.message;
+        if (!failure.stopped)
+          failure.message =
+            "step " + std::to_string(run.progress.n_steps + 1) + " (" +
+            run.stage.name + ") did not converge after " +
+            std::to_string(parameters.control.max_cuts) +
+            (parameters.control.max_cuts == 1 ? " bisection: "
+                                              : " bisections: ") +
+            why.message;
+        return failure;
       }
-  }
-
-
-  Loads
-  LoadStepping::rate(const Stage &stage, const Progress &progress)
-  {
-    Loads rate;
-    rate.pressure = stage.pressure - progress.begin.pressure;
-    rate.factor   = stage.factor - progress.begin.factor;
-    return rate;
   }
 
 
   LoadStepping::Attempt
-  LoadStepping::fraction_step(const Stage       &stage,
-                              const double       guess,
-                              const PathControl *control,
-                              Progress          &progress,
-                              State             &state)
+  LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
   {
-    double     fraction = guess;
-    const auto point    = [&](const double fraction) {
-      return point_at(stage, progress, fraction);
-    };
-    const double size =
-      (stage.control == Stage::Control::load ? guess - progress.fraction : 0.);
-    const Attempt attempt =
-      step(stage, point, fraction, size, control, progress, state);
-    if (attempt == Attempt::converged)
-      progress.fraction = fraction;
+    const LoadLevel first = trial.level(trial.mu);
+    out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
+        << ": pressure " << first.pressure << ", load factor " << first.factor;
+    if (run.stage.contact)
+      out << ", approach " << first.travel;
+    out << (trial.equation ? " at its start" : "") << std::endl;
+
+    const NewtonIteration iteration = newton.parameters.iteration;
+    Attempt               attempt   = iterate(run, trial, iteration, true);
+    const NewtonResult   &result    = attempt.result;
+    if (result.converged || result.stopped ||
+        iteration != NewtonIteration::mixed)
+      return attempt;
+
+    out << "  not converged: " << result.failure.message
+        << "; trying the substituted iteration" << std::endl;
+    // the secant may have led astray; the coarser mesh has been there
+    Attempt other = iterate(run, trial, NewtonIteration::substituted, false);
+    other.result.iterations += result.iterations;
+    return other;
+  }
+
+
+  LoadStepping::Attempt
+  LoadStepping::iterate(const StageRun       &run,
+                        const Control::Trial &trial,
+                        const NewtonIteration iteration,
+                        const bool            secant)
+  {
+    Attempt attempt;
+    attempt.state = run.state;
+    attempt.mu    = trial.mu;
+
+    const Progress &progress = run.progress;
+    const Instant   from{progress.stage, run.control.done()};
+    const Instant   to{from.stage, from.fraction + trial.size};
+    const bool      zone_given =
+      trial.size > 0 && nested != nullptr &&
+      nested->predict(equations.mesh, from, to, attempt.state);
+    if (trial.size > 0 && !zone_given && secant && parameters.predict)
+      progress.predictor.predict(attempt.state, trial.size);
+
+    const ParametrizedLoads loads{
+      [&](const double mu) { return loads_at(trial.level(mu), run); },
+      trial.equation.get()};
+    attempt.result =
+      newton.solve(attempt.state, loads, attempt.mu, iteration, zone_given);
     return attempt;
+  }
+
+
+  StepReport
+  LoadStepping::accept(const StageRun       &run,
+                       const Control::Trial &trial,
+                       const Attempt        &attempt)
+  {
+    const NewtonResult &result   = attempt.result;
+    Progress           &progress = run.progress;
+    run.control.accept(
+      {trial, attempt.mu, result.iterations, run.state, attempt.state});
+    if (trial.size > 0)
+      progress.predictor.learn(run.state, attempt.state, trial.size);
+    run.state        = attempt.state;
+    progress.reached = trial.level(attempt.mu);
+    progress.control = run.control.get_memory();
+    ++progress.n_steps;
+
+    StepReport report;
+    report.step       = progress.n_steps;
+    report.instant    = {progress.stage, run.control.done()};
+    report.stage      = run.stage.name;
+    report.in_contact = run.stage.contact;
+    report.loads      = loads_at(progress.reached, run);
+    report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
+    report.contact    = equations.summarize_contact(run.state, report.loads);
+    report.iterations = result.iterations;
+    report.residuals  = result.residuals;
+    report.n_negative_pivots = result.n_negative_pivots;
+    return report;
+  }
+
+
+  Control::Equilibrium
+  LoadStepping::last_converged(const StageRun &run) const
+  {
+    return {
+      equations,
+      run.state,
+      run.progress.reached,
+      [this, &run](const LoadLevel &level) { return loads_at(level, run); }};
+  }
+
+
+  Loads
+  LoadStepping::loads_at(const LoadLevel &level, const StageRun &run) const
+  {
+    Loads loads;
+    loads.pressure = level.pressure;
+    loads.factor   = level.factor;
+    if (run.stage.contact)
+      loads.foundation =
+        equations.foundation(*run.progress.touching_travel + level.travel);
+    return loads;
   }
 } // namespace Biface

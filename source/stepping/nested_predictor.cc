@@ -19,7 +19,7 @@ namespace Biface
   void
   NestedPredictor::learn(const Instant &instant, GridState &&state)
   {
-    path.insert_or_assign(instant, std::move(state));
+    states.insert_or_assign(instant, std::move(state));
   }
 
 
@@ -30,15 +30,16 @@ namespace Biface
     constexpr double tolerance = 1e-9;
 
     const auto after =
-      path.lower_bound({instant.stage, instant.fraction - tolerance});
+      states.lower_bound({instant.stage, instant.fraction - tolerance});
     const bool exact =
-      (after != path.end() && after->first.stage == instant.stage &&
+      (after != states.end() && after->first.stage == instant.stage &&
        after->first.fraction <= instant.fraction + tolerance);
     if (exact)
       return {&after->second, &after->second, 1};
 
     const bool first_of_stage =
-      (after == path.begin() || std::prev(after)->first.stage != instant.stage);
+      (after == states.begin() ||
+       std::prev(after)->first.stage != instant.stage);
     const GridState *before = &undeformed;
     double           begin  = 0;
     if (!first_of_stage)
@@ -46,12 +47,12 @@ namespace Biface
         before = &std::prev(after)->second;
         begin  = std::prev(after)->first.fraction;
       }
-    else if (after != path.begin() && !stages[instant.stage].from_prestress)
+    else if (after != states.begin() && !stages[instant.stage].from_prestress)
       before = &std::prev(after)->second;
 
     if (instant.fraction <= begin + tolerance)
       return {before, before, 1};
-    if (after == path.end() || after->first.stage != instant.stage)
+    if (after == states.end() || after->first.stage != instant.stage)
       return {nullptr, nullptr, 0};
     return {before,
             &after->second,

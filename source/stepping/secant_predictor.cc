@@ -6,20 +6,6 @@ namespace Biface
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** The locally owned entries of a vector that can be read beyond them. */
-    LA::Vector
-    owned_part(const LA::Vector &ghosted)
-    {
-      LA::Vector owned(ghosted.locally_owned_elements(),
-                       ghosted.get_mpi_communicator());
-      owned = ghosted;
-      return owned;
-    }
-  } // namespace
-
-
   void
   SecantPredictor::learn(const State &before,
                          const State &after,

@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/stepping/controls/control.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
@@ -122,31 +123,15 @@ namespace Biface
       throw InputError(section + "/Load factor",
                        number_to_string(factor),
                        "it must be a number");
-    if (control != Control::load && theory == StrainTheory::linear)
+    if (control != ControlType::load && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",
                        "a linear stage must have 'Control = load'");
-    if (control == Control::displacement && control_point.empty())
-      throw InputError(section + "/Control point",
-                       control_point,
-                       "control by a displacement needs a point");
-    if (control == Control::force)
-      {
-        if (!contact)
-          throw InputError(section + "/Control",
-                           "foundation force",
-                           "without 'Contact = true' there is no foundation");
-        if (travel != 0)
-          throw InputError(section + "/Travel",
-                           number_to_string(travel),
-                           "with 'Control = foundation force' it is found, and "
-                           "must not be given");
-        check_positive(section + "/Force", force);
-      }
-    else if (force != 0)
+    if (control != ControlType::force && force != 0)
       throw InputError(section + "/Force",
                        number_to_string(force),
                        "it needs 'Control = foundation force'");
+    make_control(*this)->check(section);
     if (!contact && travel != 0)
       throw InputError(section + "/Travel",
                        number_to_string(travel),

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/solver/active_set_cycle.h>
+#include <biface/solver/active_set_iteration.h>
 
 using namespace dealii;
 using namespace Biface;

@@ -64,14 +64,14 @@ main(int argc, char *argv[])
   IdleSolver         solver;
   Newton newton(parameters, equations, solver, out, timer, Newton::Stop());
 
-  Newton::Path path;
-  path.loads = [](const double factor) {
+  ParametrizedLoads loads;
+  loads.at = [](const double factor) {
     Loads loads;
     loads.pressure = 0.15 * factor;
     return loads;
   };
   double             factor = 1;
   const NewtonResult result =
-    newton.solve(state, path, factor, NewtonIteration::mixed, false);
-  std::cout << (result.converged ? "converged" : result.message) << std::endl;
+    newton.solve(state, loads, factor, NewtonIteration::mixed);
+  std::cout << (result.converged ? "converged" : result.failure.message) << std::endl;
 }

@@ -14,6 +14,17 @@ namespace Biface
     using Vector       = dealii::TrilinosWrappers::MPI::Vector;
     using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   } // namespace LA
+
+
+  /** The locally owned entries of a vector that can be read beyond them. */
+  inline LA::Vector
+  owned_part(const LA::Vector &ghosted)
+  {
+    LA::Vector owned(ghosted.locally_owned_elements(),
+                     ghosted.get_mpi_communicator());
+    owned = ghosted;
+    return owned;
+  }
 } // namespace Biface
 
 #endif

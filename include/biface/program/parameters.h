@@ -19,7 +19,7 @@
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
 #include <biface/program/checkpoint_writer.h>
-#include <biface/solver/linear/linear_solver_parameters.h>
+#include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
 #include <biface/surface/chart_grid.h>
@@ -43,7 +43,7 @@ namespace Biface
     PressureLoad                    pressure;
     ContactConditions::Parameters   contact;
     std::vector<Stage>              stages;
-    LinearSolverParameters          linear_solver;
+    LinearSolver::Parameters        linear_solver;
     Newton::Parameters              newton;
     LoadStepping::Parameters        load_stepping;
     ResultsWriter::Parameters       output;

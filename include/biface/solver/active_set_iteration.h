@@ -5,19 +5,74 @@
 
 #include <deal.II/base/conditional_ostream.h>
 
+#include <mpi.h>
+
+#include <deque>
 #include <string>
 
+#include <biface/contact/contact_conditions.h>
 #include <biface/model/shell_equations.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
-#include <biface/solver/active_set_cycle.h>
 
 namespace Biface
 {
   /**
-   * The active set of the contact in the iterations of one step. Where it goes
-   * round in a circle, the nodes that toggle are held in contact, until the
-   * iteration has converged with them and they are released. A second circle is
-   * not broken.
+   * Notices that the active sets of an iteration are cycling: the same two to
+   * four sets come in turn, which the primal-dual active set method is not
+   * safe from where the matrix is no M-matrix
+   * @cite HintermuellerItoKunisch2002.
+   */
+  class ActiveSetCycle
+  {
+  public:
+    using ActiveSet = ContactConditions::ActiveSet;
+
+    explicit ActiveSetCycle(const MPI_Comm communicator)
+      : communicator(communicator)
+    {}
+
+    /** Take the set after one more iteration, of the nodes of this rank.
+     * @return whether sets have come in the same turn twice, the same on all
+     * ranks. */
+    bool
+    closes_with(const ActiveSet &active);
+
+    /** The nodes that are in some sets of the cycle that was found, and not in
+     * others. */
+    const ActiveSet &
+    toggling_nodes() const
+    {
+      return toggling;
+    }
+
+    /** Forget the sets taken so far. */
+    void
+    restart()
+    {
+      sets.clear();
+    }
+
+  private:
+    static constexpr unsigned int longest = 4;
+
+    const MPI_Comm communicator;
+    /** Newest first. */
+    std::deque<ActiveSet> sets;
+    ActiveSet             toggling;
+  };
+
+
+  /** How many nodes are marked, and where the first of them are on the
+   * reference surface, in its coordinates: the same on any number of ranks. */
+  std::string
+  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked);
+
+
+  /**
+   * The active set of the contact in the iterations of one step. Where it is
+   * cycling, the nodes that toggle are held in contact, until the iteration has
+   * converged with them and they are released. A second cycle is not broken.
    */
   class ActiveSetIteration
   {
@@ -36,7 +91,7 @@ namespace Biface
     unsigned int
     release(State &state, const Loads &loads);
 
-    /** Of the circle that was not broken: a sentence; empty without one. */
+    /** Of the cycle that was not broken: a sentence; empty without one. */
     const std::string &
     failure() const
     {

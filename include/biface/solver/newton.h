@@ -14,20 +14,28 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
-#include <biface/solver/failure_cause.h>
+#include <biface/solver/control_equation.h>
+#include <biface/solver/failure.h>
 #include <biface/solver/linear/linear_solver.h>
-#include <biface/solver/path_control.h>
 
 namespace Biface
 {
+  /** The loads as functions of one load parameter @f$\mu@f$. */
+  struct ParametrizedLoads
+  {
+    std::function<Loads(const double)> at;
+    /** What determines @f$\mu@f$; null where it is given. */
+    const ControlEquation *equation = nullptr;
+  };
+
+
   /** How a Newton iteration ended. */
   struct NewtonResult
   {
     bool         converged  = false;
     unsigned int iterations = 0;
     /** Where it did not converge: why. */
-    std::string  message;
-    FailureCause cause = FailureCause::too_many_iterations;
+    Failure failure;
     /** Whether it was asked to stop. */
     bool stopped = false;
     /** Relative residuals before each iteration, and after the last. */
@@ -43,9 +51,8 @@ namespace Biface
    * resultants of every element @cite GrigolyukKulikovPlotnikova2004, with the
    * primal-dual active set of the contact inside: the set is decided anew after
    * every iteration, and the iteration ends when it is at rest and the residual
-   * or the update is small. Where the set goes round in a circle, the nodes
-   * that toggle are held in contact until all is at rest, and then released,
-   * once in a step.
+   * or the update is small. Where the set cycles, the nodes that toggle are
+   * held in contact until all is at rest, and then released, once in a step.
    */
   class Newton
   {
@@ -77,37 +84,53 @@ namespace Biface
            dealii::TimerOutput        &timer,
            const Stop                 &stop = {});
 
-    /** The loads by one number, such as a fraction of a stage, and which
-     * condition chooses it. */
-    struct Path
-    {
-      std::function<Loads(const double)> loads;
-      /** Null where the number is given. */
-      const PathControl *control = nullptr;
-    };
-
     /**
      * Bring a state into equilibrium.
      *
      * @param state the start, then the result; where the iteration did not
      * converge, of no use.
-     * @param path the loads.
-     * @param number of the path: the start, then where a condition chooses it,
-     * the result.
+     * @param loads as functions of the load parameter.
+     * @param mu the load parameter: the start, then, where an equation
+     * determines it, the result.
      * @param iteration see NewtonIteration.
      * @param zone_given whether the first iteration takes the contact zone of
      * the state as it is, though its displacements may tell of another.
      */
     NewtonResult
-    solve(State                &state,
-          const Path           &path,
-          double               &number,
-          const NewtonIteration iteration,
-          const bool            zone_given = false);
+    solve(State                   &state,
+          const ParametrizedLoads &loads,
+          double                  &mu,
+          const NewtonIteration    iteration,
+          const bool               zone_given = false);
 
     const Parameters parameters;
 
   private:
+    struct Iterate;
+
+    /** An increment of the displacements and of the load parameter. */
+    struct Increment
+    {
+      LA::Vector displacement;
+      double     mu = 0;
+    };
+
+    void
+    assemble(Iterate &iterate);
+
+    bool
+    is_converged(const Iterate &iterate) const;
+
+    /** Solve the linear systems of an iteration.
+     * @return why not, where that failed. */
+    std::optional<Failure>
+    compute_increment(Iterate &iterate, Increment &increment);
+
+    /** Add an increment, and decide the active set anew.
+     * @return why not to go on from there, if so. */
+    std::optional<Failure>
+    move(Iterate &iterate, const Increment &increment);
+
     ShellEquations             &equations;
     LinearSolver               &linear_solver;
     dealii::ConditionalOStream &out;

@@ -13,22 +13,6 @@
 
 namespace Biface
 {
-  /** A instant of an analysis: the position of a stage among the stages, and
-   * the fraction of its way. */
-  struct Instant
-  {
-    unsigned int stage    = 0;
-    double       fraction = 0;
-
-    bool
-    operator<(const Instant &other) const
-    {
-      return stage != other.stage ? stage < other.stage
-                                  : fraction < other.fraction;
-    }
-  };
-
-
   /**
    * Where the next step probably ends, from the same analysis on a coarser
    * mesh: displacements and resultants change as they did there, and its
@@ -42,7 +26,7 @@ namespace Biface
   class NestedPredictor
   {
   public:
-    /** The beginning, before any stage. */
+    /** At the start, before any stage. */
     NestedPredictor(const ChartGrid &coarse, const std::vector<Stage> &stages);
 
     /** Learn a converged step of the coarser mesh; in rising order. */
@@ -76,7 +60,7 @@ namespace Biface
 
     const GridState              undeformed;
     const std::vector<Stage>     stages;
-    std::map<Instant, GridState> path;
+    std::map<Instant, GridState> states;
   };
 } // namespace Biface
 

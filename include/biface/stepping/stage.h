@@ -11,6 +11,39 @@
 
 namespace Biface
 {
+  /** Loads and foundation travel at some point of an analysis. */
+  struct LoadLevel
+  {
+    double pressure = 0;
+    double factor   = 0;
+    /** Counted from where the foundation first touched the shell. */
+    double travel = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &pressure &factor &travel;
+    }
+  };
+
+
+  /** An instant of an analysis: the position of a stage among the stages, and
+   * the part of it that is done. */
+  struct Instant
+  {
+    unsigned int stage    = 0;
+    double       fraction = 0;
+
+    bool
+    operator<(const Instant &other) const
+    {
+      return stage != other.stage ? stage < other.stage
+                                  : fraction < other.fraction;
+    }
+  };
+
+
   /** A stage of loading: from the loads of the stage before to its own, in
    * equal steps. */
   struct Stage
@@ -26,19 +59,15 @@ namespace Biface
     double       factor  = 0;
     unsigned int n_steps = 1;
 
-    /** What is given in every step. */
-    enum class Control
+    /** What is given in every step, see Control and the classes derived. */
+    enum class ControlType
     {
-      /** All loads. */
       load,
-      /** A displacement; the loads follow. */
       displacement,
-      /** The length of the way of all displacements; the loads follow. */
       arc_length,
-      /** The force on the foundation; its travel follows. */
       force
     };
-    Control control = Control::load;
+    ControlType control = ControlType::load;
     /** The displacement that is given: a named point, its component (0 to 2 for
      * x to z), and its value at the end of the stage. */
     std::string  control_point;
@@ -52,6 +81,13 @@ namespace Biface
 
     /** Begin with the stresses reached so far, but undeformed and unloaded. */
     bool from_prestress = false;
+
+    /** The loads at the end of the stage. */
+    LoadLevel
+    end() const
+    {
+      return {pressure, factor, travel};
+    }
 
     /** @param number of the stage, for its default name. */
     void

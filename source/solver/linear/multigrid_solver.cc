@@ -17,7 +17,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  MultigridSolver::Parameters::add_parameters(ParameterHandler &prm)
+  LinearSolver::Parameters::Multigrid::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Maximum iterations",
                       max_iterations,

@@ -3,11 +3,16 @@
 #ifndef biface_solver_linear_linear_solver_h
 #define biface_solver_linear_linear_solver_h
 
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/solver/failure_cause.h>
+#include <biface/model/shell_mesh.h>
+#include <biface/solver/failure.h>
 
 namespace Biface
 {
@@ -29,6 +34,34 @@ namespace Biface
   class LinearSolver
   {
   public:
+    struct Parameters
+    {
+      enum class Type
+      {
+        direct,
+        amesos,
+        iterative
+      };
+
+      Type type = Type::direct;
+
+      /** See MultigridSolver. */
+      struct Multigrid
+      {
+        unsigned int max_iterations = 1000;
+        unsigned int restart_length = 500;
+        unsigned int sweeps         = 2;
+
+        void
+        add_parameters(dealii::ParameterHandler &prm);
+      };
+
+      Multigrid multigrid;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+    };
+
     virtual ~LinearSolver() = default;
 
     /**
@@ -51,6 +84,15 @@ namespace Biface
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;
   };
+
+
+  /** The linear solver that the parameters describe. The objects are kept by
+   * reference.
+   * @param timer gets the sections "Linear solver: ...". */
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const LinearSolver::Parameters &parameters,
+                     const ShellMesh                &mesh,
+                     dealii::TimerOutput            &timer);
 
 
   /**

@@ -35,15 +35,7 @@ namespace Biface
   class MultigridSolver : public LinearSolver
   {
   public:
-    struct Parameters
-    {
-      unsigned int max_iterations = 1000;
-      unsigned int restart_length = 500;
-      unsigned int sweeps         = 2;
-
-      void
-      add_parameters(dealii::ParameterHandler &prm);
-    };
+    using Parameters = LinearSolver::Parameters::Multigrid;
 
     /** @param timer gets the sections "Linear solver: ...". */
     MultigridSolver(const Parameters    &parameters,

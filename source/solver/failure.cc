@@ -2,7 +2,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <biface/solver/failure_cause.h>
+#include <biface/solver/failure.h>
 
 namespace Biface
 {

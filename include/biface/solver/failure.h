@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_solver_failure_cause_h
-#define biface_solver_failure_cause_h
+#ifndef biface_solver_failure_h
+#define biface_solver_failure_h
 
 #include <string>
 
 namespace Biface
 {
-  /** Why a step came to nothing. */
+  /** Why a step failed. */
   enum class FailureCause
   {
     /** The iteration neither settled nor diverged. */
     too_many_iterations,
-    /** It left all bounds, or met a number that is none. */
+    /** It diverged or became NaN. */
     divergence,
-    /** The active set of the contact went round in a circle. */
+    /** The active set of the contact is cycling. */
     contact_cycle,
     /** The tangent has no inverse. */
     singular_tangent,
@@ -25,6 +25,14 @@ namespace Biface
     control,
     /** There may be no more steps. */
     too_many_steps
+  };
+
+
+  struct Failure
+  {
+    FailureCause cause = FailureCause::too_many_iterations;
+    /** What happened: part of a sentence. */
+    std::string message;
   };
 
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_controls_arc_length_control_h
+#define biface_stepping_controls_arc_length_control_h
+
+#include <biface/stepping/controls/control.h>
+
+namespace Biface
+{
+  /**
+   * The norm of the change of all displacements is given in every step: the
+   * load parameter is the part of the stage that the loads have gone, which
+   * follows, through turning points, until it is 1. The first step is one of
+   * given loads, and gives the length of the later ones, which adapt.
+   */
+  class ArcLengthControl : public Control
+  {
+  public:
+    using Control::check;
+    using Control::Control;
+
+    void
+    check(const std::string &section, const ShellMesh &mesh) const override;
+
+    void
+    begin(const Equilibrium &from) override;
+
+    Trial
+    propose(const Equilibrium &from) const override;
+
+    /** Where a step went beyond the loads of the stage: one that ends there. */
+    std::optional<Trial>
+    replace(const Trial &trial, const double mu) const override;
+
+    void
+    accept(const Step &step) override;
+
+    double
+    done() const override
+    {
+      return load_fraction;
+    }
+
+    std::string
+    exhausted() const override;
+
+    Memory
+    get_memory() const override;
+
+    void
+    restore(const Memory &memory) override;
+
+  protected:
+    void
+    change_way(const Stage &now, const LoadLevel &reached) override;
+
+    void
+    change_size() override;
+
+  private:
+    double       load_fraction = 0;
+    unsigned int n_steps       = 0;
+    double       first_length  = 0;
+    /** What the last step changed the displacements by (locally owned entries).
+     */
+    LA::Vector last_change;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_controls_displacement_control_h
+#define biface_stepping_controls_displacement_control_h
+
+#include <biface/stepping/controls/control.h>
+
+namespace Biface
+{
+  /** One component of the displacement of a named point is given in every step:
+   * the load parameter is the part of their way that the loads have gone, which
+   * follows, and may end anywhere. */
+  class DisplacementControl : public EqualSteps
+  {
+  public:
+    using EqualSteps::EqualSteps;
+
+    void
+    check(const std::string &section) const override;
+
+    void
+    check(const std::string &section, const ShellMesh &mesh) const override;
+
+    void
+    begin(const Equilibrium &from) override;
+
+    Trial
+    propose(const Equilibrium &from) const override;
+
+    void
+    accept(const Step &step) override;
+
+    Memory
+    get_memory() const override;
+
+    void
+    restore(const Memory &memory) override;
+
+  protected:
+    void
+    change_way(const Stage &now, const LoadLevel &reached) override;
+
+  private:
+    double start_value   = 0;
+    double load_fraction = 0;
+  };
+} // namespace Biface
+
+#endif

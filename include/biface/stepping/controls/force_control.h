@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_controls_force_control_h
+#define biface_stepping_controls_force_control_h
+
+#include <biface/stepping/controls/control.h>
+
+namespace Biface
+{
+  /** The force on the foundation is given in every step, and all loads: the
+   * load parameter is the travel of the foundation, which follows. */
+  class ForceControl : public EqualSteps
+  {
+  public:
+    using EqualSteps::check;
+    using EqualSteps::EqualSteps;
+
+    void
+    check(const std::string &section) const override;
+
+    void
+    begin(const Equilibrium &from) override;
+
+    Trial
+    propose(const Equilibrium &from) const override;
+
+    Memory
+    get_memory() const override;
+
+    void
+    restore(const Memory &memory) override;
+
+  protected:
+    void
+    change_way(const Stage &now, const LoadLevel &reached) override;
+
+  private:
+    /** The force at a part of the stage. */
+    double
+    force_at(const double fraction) const;
+
+    double start_force = 0;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_controls_load_control_h
+#define biface_stepping_controls_load_control_h
+
+#include <biface/stepping/controls/control.h>
+
+namespace Biface
+{
+  /** All loads and the travel of the foundation are given in every step: the
+   * load parameter is the part of the stage. */
+  class LoadControl : public EqualSteps
+  {
+  public:
+    using EqualSteps::EqualSteps;
+
+    Trial
+    propose(const Equilibrium &from) const override;
+
+  protected:
+    void
+    change_way(const Stage &now, const LoadLevel &reached) override;
+  };
+} // namespace Biface
+
+#endif

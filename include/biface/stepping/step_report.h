@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_step_report_h
+#define biface_stepping_step_report_h
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/model/state.h>
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /** A converged step, as reported: all that output has to know of it beside
+   * the State. */
+  struct StepReport
+  {
+    /** Counted from 1 through all stages. */
+    unsigned int step = 0;
+    /** Where the step ended. */
+    Instant instant;
+    /** Name of the stage, and whether it has a foundation. */
+    std::string stage;
+    bool        in_contact = false;
+    Loads       loads;
+    /** Travel of the foundation since it touched the shell. */
+    double         approach = 0;
+    ContactSummary contact;
+    unsigned int   iterations = 0;
+    /** Relative residuals before each iteration, and after the last. */
+    std::vector<double> residuals;
+    /** See NewtonResult. */
+    std::optional<unsigned int> n_negative_pivots;
+    double                      seconds = 0;
+  };
+} // namespace Biface
+
+#endif

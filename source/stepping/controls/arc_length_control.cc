@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include <biface/stepping/controls/arc_length_control.h>
+
+namespace Biface
+{
+  namespace
+  {
+    /**
+     * The displacements are to change by a given length in all, @f$|\Delta
+     * \mathbf V| = s@f$ @cite Crisfield1981. In the first iteration the load
+     * changes so that the displacements go on in the direction of the step
+     * before: turning points of the load are passed without being asked.
+     * Later, the equation is linearized.
+     */
+    class ArcLengthEquation : public LoadFractionEquation
+    {
+    public:
+      /**
+       * @param length s.
+       * @param previous what the displacements changed by in the step before.
+       */
+      ArcLengthEquation(const Loads      &rate,
+                        const double      length,
+                        const LA::Vector &previous)
+        : LoadFractionEquation(rate), length(length), previous(previous)
+      {}
+
+      double
+      parameter_change(const Iteration  &iteration,
+                       const LA::Vector &dV_R,
+                       const LA::Vector &dV_q) const override
+      {
+        const LA::Vector &total = iteration.total;
+        const double      size  = total.norm_sqr();
+        if (size == 0)
+          return (previous * dV_q < 0 ? -length : length) / dV_q.l2_norm();
+        return ((length * length - size) / 2 - total * dV_R) / (total * dV_q);
+      }
+
+    private:
+      const double     length;
+      const LA::Vector previous;
+    };
+  } // namespace
+
+
+  void
+  ArcLengthControl::check(const std::string & /*section*/,
+                          const ShellMesh &mesh) const
+  {
+    check_nothing_prescribed(stage, mesh);
+  }
+
+
+  void
+  ArcLengthControl::begin(const Equilibrium &from)
+  {
+    check_loads_follow(stage, from.level);
+    Control::begin(from);
+    load_fraction = 0;
+    n_steps       = 0;
+    first_length  = 0;
+  }
+
+
+  Control::Trial
+  ArcLengthControl::propose(const Equilibrium & /*from*/) const
+  {
+    Trial trial;
+    trial.level = [this](const double mu) { return level_at(mu); };
+    trial.mu    = (n_steps == 0 ? size.get() : load_fraction);
+    if (n_steps > 0)
+      trial.equation = std::make_shared<const ArcLengthEquation>(
+        load_rate(), size.get(), last_change);
+    return trial;
+  }
+
+
+  std::optional<Control::Trial>
+  ArcLengthControl::replace(const Trial &trial, const double mu) const
+  {
+    if (!trial.equation || mu <= 1)
+      return {};
+    Trial to_the_end    = trial;
+    to_the_end.mu       = 1;
+    to_the_end.equation = nullptr;
+    return to_the_end;
+  }
+
+
+  void
+  ArcLengthControl::accept(const Step &step)
+  {
+    // iterations of a step whose length is right
+    constexpr double wanted_iterations = 5;
+
+    load_fraction = step.mu;
+    last_change   = owned_part(step.after.displacement);
+    last_change -= owned_part(step.before.displacement);
+    ++n_steps;
+    if (n_steps == 1)
+      {
+        first_length = last_change.l2_norm();
+        size         = StepSize(first_length);
+      }
+    else
+      size.succeeded(
+        std::min(
+          2., std::max(0.5, step_growth(wanted_iterations, step.iterations))),
+        parameters.maximum_growth * first_length);
+  }
+
+
+  std::string
+  ArcLengthControl::exhausted() const
+  {
+    if (n_steps == 0 || n_steps < parameters.max_arc_steps)
+      return {};
+    return "the loads of the stage '" + stage.name + "' were not reached in " +
+           std::to_string(n_steps) + " steps";
+  }
+
+
+  Control::Memory
+  ArcLengthControl::get_memory() const
+  {
+    Memory memory                  = Control::get_memory();
+    memory.numbers["steps"]        = n_steps;
+    memory.numbers["first length"] = first_length;
+    if (n_steps > 0)
+      memory.vectors["last change"] = last_change;
+    return memory;
+  }
+
+
+  void
+  ArcLengthControl::restore(const Memory &memory)
+  {
+    Control::restore(memory);
+    load_fraction = memory.done;
+    n_steps       = static_cast<unsigned int>(memory.numbers.at("steps"));
+    first_length  = memory.numbers.at("first length");
+    if (n_steps > 0)
+      last_change = memory.vectors.at("last change");
+  }
+
+
+  void
+  ArcLengthControl::change_way(const Stage &now, const LoadLevel &reached)
+  {
+    const std::optional<double> part =
+      common_part(ways_of_loads(reached, now.end()));
+    if (!part)
+      start = reached;
+    load_fraction = part.value_or(0);
+  }
+
+
+  void
+  ArcLengthControl::change_size()
+  {
+    // a length that was found stays
+    if (first_length == 0)
+      Control::change_size();
+  }
+} // namespace Biface

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/stepping/controls/arc_length_control.h>
+#include <biface/stepping/controls/control.h>
+#include <biface/stepping/controls/displacement_control.h>
+#include <biface/stepping/controls/force_control.h>
+#include <biface/stepping/controls/load_control.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  std::unique_ptr<Control>
+  make_control(const Stage &stage, const Control::Parameters &parameters)
+  {
+    switch (stage.control)
+      {
+        case Stage::ControlType::load:
+          return std::make_unique<LoadControl>(stage, parameters);
+        case Stage::ControlType::displacement:
+          return std::make_unique<DisplacementControl>(stage, parameters);
+        case Stage::ControlType::arc_length:
+          return std::make_unique<ArcLengthControl>(stage, parameters);
+        case Stage::ControlType::force:
+          return std::make_unique<ForceControl>(stage, parameters);
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
+
+
+  void
+  StepSize::succeeded(const double growth, const double maximum)
+  {
+    value  = std::min(growth * value, maximum);
+    n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
+  }
+
+
+  bool
+  StepSize::failed(const unsigned int max_cuts)
+  {
+    if (n_cuts >= max_cuts)
+      return false;
+    ++n_cuts;
+    value /= 2;
+    return true;
+  }
+
+
+  void
+  Control::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Maximum cuts",
+                      max_cuts,
+                      "How often a step that does not converge is halved "
+                      "before the run ends.",
+                      Patterns::Integer(0, 30));
+    prm.add_parameter("Maximum arc steps",
+                      max_arc_steps,
+                      "After how many steps of given arc length a stage ends, "
+                      "whether its loads were reached or not.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Maximum growth",
+                      maximum_growth,
+                      "How much longer than the first one a step of given arc "
+                      "length, or one of a stage with 'Adaptive steps', may "
+                      "become. No unit.",
+                      Patterns::Double(1));
+  }
+
+
+  Control::Control(const Stage &stage, const Parameters &parameters)
+    : stage(stage), parameters(parameters)
+  {}
+
+
+  void
+  Control::begin(const Equilibrium &from)
+  {
+    start = from.level;
+    size  = StepSize(1. / stage.n_steps);
+  }
+
+
+  Control::Memory
+  Control::get_memory() const
+  {
+    Memory memory;
+    memory.start = start;
+    memory.size  = size;
+    memory.done  = done();
+    return memory;
+  }
+
+
+  void
+  Control::restore(const Memory &memory)
+  {
+    start = memory.start;
+    size  = memory.size;
+  }
+
+
+  bool
+  Control::change_stage(const Stage &now, const LoadLevel &reached)
+  {
+    const bool same_way =
+      stage.pressure == now.pressure && stage.factor == now.factor &&
+      stage.travel == now.travel && stage.force == now.force &&
+      stage.control_value == now.control_value;
+    if (same_way && stage.n_steps == now.n_steps &&
+        stage.adaptive == now.adaptive)
+      return false;
+
+    if (!same_way)
+      change_way(now, reached);
+    stage = now;
+    change_size();
+    return !same_way;
+  }
+
+
+  std::optional<double>
+  Control::common_part(const std::vector<Way> &ways)
+  {
+    std::optional<double> part;
+    for (const Way &way : ways)
+      if (!part && way.end != way.start)
+        part = (way.now - way.start) / (way.end - way.start);
+    for (const Way &way : ways)
+      {
+        const double done     = way.now - way.start;
+        const double expected = part.value_or(0) * (way.end - way.start);
+        if (std::abs(done - expected) >
+            1e-9 * std::max(std::abs(done), std::abs(expected)))
+          return {};
+      }
+    return part;
+  }
+
+
+  std::vector<Control::Way>
+  Control::ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const
+  {
+    return {{start.pressure, reached.pressure, end.pressure},
+            {start.factor, reached.factor, end.factor},
+            {start.travel, reached.travel, end.travel}};
+  }
+
+
+  LoadLevel
+  Control::level_at(const double fraction) const
+  {
+    const LoadLevel end = stage.end();
+    if (fraction == 1)
+      return end;
+    return {start.pressure + fraction * (end.pressure - start.pressure),
+            start.factor + fraction * (end.factor - start.factor),
+            start.travel + fraction * (end.travel - start.travel)};
+  }
+
+
+  Loads
+  Control::load_rate() const
+  {
+    Loads rate;
+    rate.pressure = stage.end().pressure - start.pressure;
+    rate.factor   = stage.end().factor - start.factor;
+    return rate;
+  }
+
+
+  void
+  EqualSteps::begin(const Equilibrium &from)
+  {
+    Control::begin(from);
+    fraction = 0;
+  }
+
+
+  void
+  EqualSteps::accept(const Step &step)
+  {
+    // fewer iterations than this are an easy step
+    constexpr double many_iterations = 8;
+
+    const double first  = 1. / stage.n_steps;
+    const double target = next_target();
+    fraction            = next();
+    if (stage.adaptive)
+      size.succeeded(
+        std::min(2.,
+                 std::max(1., step_growth(many_iterations, step.iterations))),
+        parameters.maximum_growth * first);
+    else if (fraction == target)
+      size = StepSize(first);
+    else
+      size.succeeded(2, first);
+  }
+
+
+  void
+  EqualSteps::restore(const Memory &memory)
+  {
+    Control::restore(memory);
+    fraction = memory.done;
+  }
+
+
+  double
+  EqualSteps::next() const
+  {
+    const double target = next_target();
+    return size.get() < (target - fraction) * (1 - 1e-9) ? fraction + size.get()
+                                                         : target;
+  }
+
+
+  double
+  EqualSteps::next_target() const
+  {
+    const unsigned int n_targets = (stage.adaptive ? 1 : stage.n_steps);
+    const double       k         = std::floor(fraction * n_targets + 1e-10) + 1;
+    return std::min<double>(k, n_targets) / n_targets;
+  }
+
+
+  bool
+  EqualSteps::go_on_from(const std::optional<double> &part,
+                         const LoadLevel             &reached)
+  {
+    const bool is_part = (part && 0 <= *part && *part <= 1);
+    if (!is_part)
+      start = reached;
+    fraction = (is_part ? *part : 0.);
+    return is_part;
+  }
+
+
+  double
+  step_growth(const double wanted, const unsigned int iterations)
+  {
+    return std::sqrt(wanted / std::max(1u, iterations));
+  }
+
+
+  void
+  check_loads_follow(const Stage &stage, const LoadLevel &start)
+  {
+    const std::string what = "the stage '" + stage.name +
+                             "' is controlled by a displacement or an arc "
+                             "length, but ";
+    const LoadLevel end = stage.end();
+    if (end.pressure == start.pressure && end.factor == start.factor)
+      throw InputError(what + "neither its pressure nor its load factor "
+                              "differs from that of the stage before.");
+    if (stage.contact && end.travel != start.travel)
+      throw InputError(what + "its foundation moves, too.");
+  }
+
+
+  void
+  check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh)
+  {
+    if (!mesh.prescribed.empty())
+      throw InputError("the stage '" + stage.name +
+                       "' is controlled by a displacement or an arc length, "
+                       "but supports prescribe displacements, too.");
+  }
+} // namespace Biface

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/errors.h>
+#include <biface/stepping/controls/displacement_control.h>
+
+namespace Biface
+{
+  namespace
+  {
+    /** A displacement, @f$\mathbf l\cdot\mathbf V@f$, is to change by a given
+     * amount in the step. */
+    class DisplacementEquation : public LoadFractionEquation
+    {
+    public:
+      DisplacementEquation(const Loads      &rate,
+                           const LA::Vector &functional,
+                           const double      change)
+        : LoadFractionEquation(rate), functional(functional), change(change)
+      {}
+
+      double
+      parameter_change(const Iteration  &iteration,
+                       const LA::Vector &dV_R,
+                       const LA::Vector &dV_q) const override
+      {
+        return (change - functional * iteration.total - functional * dV_R) /
+               (functional * dV_q);
+      }
+
+    private:
+      const LA::Vector functional;
+      const double     change;
+    };
+  } // namespace
+
+
+  void
+  DisplacementControl::check(const std::string &section) const
+  {
+    if (stage.control_point.empty())
+      throw InputError(section + "/Control point",
+                       stage.control_point,
+                       "control by a displacement needs a point");
+  }
+
+
+  void
+  DisplacementControl::check(const std::string &section,
+                             const ShellMesh   &mesh) const
+  {
+    mesh.node_of_point(section + "/Control point", stage.control_point);
+    check_nothing_prescribed(stage, mesh);
+  }
+
+
+  void
+  DisplacementControl::begin(const Equilibrium &from)
+  {
+    check_loads_follow(stage, from.level);
+    EqualSteps::begin(from);
+    load_fraction                 = 0;
+    const ShellMesh &mesh         = from.equations.mesh;
+    LA::Vector       displacement = mesh.owned_vector();
+    displacement                  = from.state.displacement;
+    start_value = mesh.displacement_functional(stage.control_point,
+                                               stage.control_component) *
+                  displacement;
+  }
+
+
+  Control::Trial
+  DisplacementControl::propose(const Equilibrium &from) const
+  {
+    Trial trial;
+    trial.level    = [this](const double mu) { return level_at(mu); };
+    trial.mu       = load_fraction;
+    trial.equation = std::make_shared<const DisplacementEquation>(
+      load_rate(),
+      from.equations.mesh.displacement_functional(stage.control_point,
+                                                  stage.control_component),
+      (next() - fraction) * (stage.control_value - start_value));
+    return trial;
+  }
+
+
+  void
+  DisplacementControl::accept(const Step &step)
+  {
+    EqualSteps::accept(step);
+    load_fraction = step.mu;
+  }
+
+
+  Control::Memory
+  DisplacementControl::get_memory() const
+  {
+    Memory memory                   = EqualSteps::get_memory();
+    memory.numbers["start value"]   = start_value;
+    memory.numbers["load fraction"] = load_fraction;
+    return memory;
+  }
+
+
+  void
+  DisplacementControl::restore(const Memory &memory)
+  {
+    EqualSteps::restore(memory);
+    start_value   = memory.numbers.at("start value");
+    load_fraction = memory.numbers.at("load fraction");
+  }
+
+
+  void
+  DisplacementControl::change_way(const Stage &now, const LoadLevel &reached)
+  {
+    const double value =
+      start_value + fraction * (stage.control_value - start_value);
+    const std::optional<double> load_part =
+      common_part(ways_of_loads(reached, now.end()));
+    std::optional<double> part;
+    if (load_part)
+      part = common_part({{start_value, value, now.control_value}});
+    if (go_on_from(part, reached))
+      load_fraction = *load_part;
+    else
+      {
+        load_fraction = 0;
+        start_value   = value;
+      }
+  }
+} // namespace Biface

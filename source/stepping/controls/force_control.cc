@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/controls/force_control.h>
+
+namespace Biface
+{
+  namespace
+  {
+    /** The force on the foundation is to have a given value; the load parameter
+     * is how far the foundation has moved. */
+    class ForceEquation : public ControlEquation
+    {
+    public:
+      /** @param force compressive. */
+      explicit ForceEquation(const double force) : force(force)
+      {}
+
+      LA::Vector
+      load_direction(const Iteration &iteration) const override
+      {
+        return iteration.equations.travel_direction(iteration.state,
+                                                    iteration.loads);
+      }
+
+      double
+      parameter_change(const Iteration  &iteration,
+                       const LA::Vector &dV_R,
+                       const LA::Vector &dV_q) const override
+      {
+        const auto F =
+          iteration.equations.contact_force(iteration.state, iteration.loads);
+        return (force - F.value - F.gradient * dV_R) /
+               (F.gradient * dV_q + F.per_travel);
+      }
+
+    private:
+      const double force;
+    };
+  } // namespace
+
+
+  void
+  ForceControl::check(const std::string &section) const
+  {
+    if (!stage.contact)
+      throw InputError(section + "/Control",
+                       "foundation force",
+                       "without 'Contact = true' there is no foundation");
+    if (stage.travel != 0)
+      throw InputError(section + "/Travel",
+                       number_to_string(stage.travel),
+                       "with 'Control = foundation force' it is found, and "
+                       "must not be given");
+    check_positive(section + "/Force", stage.force);
+  }
+
+
+  void
+  ForceControl::begin(const Equilibrium &from)
+  {
+    EqualSteps::begin(from);
+    start_force =
+      from.equations.contact_force(from.state, from.loads(from.level)).value;
+  }
+
+
+  Control::Trial
+  ForceControl::propose(const Equilibrium &from) const
+  {
+    // how far the foundation goes beyond touching, to find something to press
+    // on
+    const double nudge = 0.01 * from.equations.mesh.thickness();
+
+    const double part = next();
+    Trial        trial;
+    trial.level = [this, part](const double travel) {
+      LoadLevel level = level_at(part);
+      level.travel    = travel;
+      return level;
+    };
+    trial.mu = from.level.travel;
+    if (from.equations.count_active(from.state) == 0)
+      trial.mu +=
+        from.equations.travel_to_touch(from.state, from.loads(from.level)) +
+        nudge;
+    trial.equation = std::make_shared<const ForceEquation>(force_at(part));
+    trial.size     = part - fraction;
+    return trial;
+  }
+
+
+  double
+  ForceControl::force_at(const double fraction) const
+  {
+    return start_force + fraction * (stage.force - start_force);
+  }
+
+
+  Control::Memory
+  ForceControl::get_memory() const
+  {
+    Memory memory                 = EqualSteps::get_memory();
+    memory.numbers["start force"] = start_force;
+    return memory;
+  }
+
+
+  void
+  ForceControl::restore(const Memory &memory)
+  {
+    EqualSteps::restore(memory);
+    start_force = memory.numbers.at("start force");
+  }
+
+
+  void
+  ForceControl::change_way(const Stage &now, const LoadLevel &reached)
+  {
+    const double     force = force_at(fraction);
+    std::vector<Way> ways  = ways_of_loads(reached, now.end());
+    // the travel follows
+    ways.back() = {start_force, force, now.force};
+    if (!go_on_from(common_part(ways), reached))
+      start_force = force;
+  }
+} // namespace Biface

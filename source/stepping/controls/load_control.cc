@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/stepping/controls/load_control.h>
+
+namespace Biface
+{
+  Control::Trial
+  LoadControl::propose(const Equilibrium & /*from*/) const
+  {
+    Trial trial;
+    trial.level = [this](const double mu) { return level_at(mu); };
+    trial.mu    = next();
+    trial.size  = trial.mu - fraction;
+    return trial;
+  }
+
+
+  void
+  LoadControl::change_way(const Stage &now, const LoadLevel &reached)
+  {
+    go_on_from(common_part(ways_of_loads(reached, now.end())), reached);
+  }
+} // namespace Biface
