@@ -91,6 +91,20 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** " after 2 bisections"; empty for none. */
+    std::string
+    bisections(const unsigned int n)
+    {
+      if (n == 0)
+        return {};
+      return " after " + std::to_string(n) +
+             (n == 1 ? " bisection" : " bisections");
+    }
+  } // namespace
+
+
   std::variant<StepReport, LoadSteppingResult>
   LoadStepping::next_step(const StageRun &run)
   {
@@ -139,13 +153,10 @@ namespace Biface
         failure.tried   = trial.level(trial.mu);
         failure.message = why.message;
         if (!failure.stopped)
-          failure.message =
-            "step " + std::to_string(run.progress.n_steps + 1) + " (" +
-            run.stage.name + ") did not converge after " +
-            std::to_string(parameters.control.max_cuts) +
-            (parameters.control.max_cuts == 1 ? " bisection: "
-                                              : " bisections: ") +
-            why.message;
+          failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
+                            " (" + run.stage.name + ") did not converge" +
+                            bisections(parameters.control.max_cuts) + ": " +
+                            why.message;
         return failure;
       }
   }
