@@ -45,6 +45,6 @@ main(int argc, char *argv[])
 
   run(coarse_tire, "whole", MPI_COMM_WORLD);
   check(SIGTERM, "Step 4,");
-  // after the first iteration of the step
-  check(SIGINT, "approach 10\n    iteration  1");
+  // in the first iteration of the step
+  check(SIGINT, "approach 10\n    iteration  0");
 }
