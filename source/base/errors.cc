@@ -68,7 +68,7 @@ namespace Biface
   InputError::InputError(const std::string &entry,
                          const std::string &value,
                          const std::string &allowed)
-    // an entry may be the path of a file with a line in it
+    // an entry may contain the path of a file
     : InputError("the entry " + quoted(entry, 1000) + " is " + quoted(value) +
                  ", but " + allowed + ".")
   {

@@ -20,7 +20,7 @@ namespace Biface
         const DisplacementGradient u = displacement_gradient(geometry, V, q);
         for (unsigned int a = 0; a < 2; ++a)
           {
-            // along the face, which may rise over the reference surface
+            // along the face, which may be inclined to the reference surface
             tangents[q][a] = u.g[face][a] + vertex.face_slope[face][a] * u.beta;
             tangents[q][a][a] += vertex.metric.zeta[face][a];
             tangents[q][a][2] += vertex.face_slope[face][a];
@@ -49,7 +49,7 @@ namespace Biface
              [MixedElement::dof(node, j, face)] +=
               factor * weight(q) * change[i];
         };
-        // t_1 x t_2 changes with the derivative of one of the two tangents
+        // the derivative of t_1 x t_2 is that of one of the two tangents
         const auto change_of_cross_product = [&](const unsigned int  a,
                                                  const Tensor<1, 3> &dt) {
           return a == 0 ? cross_product_3d(dt, tangents[q][1])

@@ -79,7 +79,7 @@ namespace Biface
     }
 
 
-    /** What does work on the linear part of the strains. */
+    /** The work-conjugate vectors of the linear part of the strains. */
     DisplacementGradient
     linear_conjugate(const Resultants::Vector &H, const ThicknessMetric &metric)
     {
@@ -185,7 +185,7 @@ namespace Biface
         const ElementGeometry::Vertex &vertex = geometry.vertices[q];
         const DisplacementGradient    &u      = gradients[q];
 
-        // the share of vertex q in the modes of a strain
+        // the contribution of vertex q to the modes of a strain
         const auto add_to_modes = [&](const unsigned int strain,
                                       const unsigned int j,
                                       const double       value) {

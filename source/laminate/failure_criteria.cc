@@ -32,7 +32,7 @@ namespace Biface
     const double quadratic = F_11 * s_L * s_L + F_22 * s_T * s_T +
                              t_LT * t_LT / (s.S * s.S) -
                              std::sqrt(F_11 * F_22) * s_L * s_T;
-    // stresses times R fail where quadratic R^2 + linear R = 1
+    // stresses times R cause failure if quadratic R^2 + linear R = 1
     return (linear + std::sqrt(linear * linear + 4 * quadratic)) / 2;
   }
 } // namespace Biface

@@ -84,7 +84,7 @@ namespace Biface
 
     const double h = thickness();
     Matrix       D;
-    // of the symmetric law: f_ab^p and A
+    // f_ab^p and A of the symmetric law
     std::array<std::array<double, 2>, 3> f{};
     double                               A = 0;
 

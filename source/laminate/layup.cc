@@ -21,31 +21,33 @@ namespace Biface
     prm.add_parameter("Plies",
                       plies,
                       "The plies, inner ply first, separated by commas, each "
-                      "as 'material: thickness @ angle', and 'from A to B' "
-                      "after it where the ply covers only that part of "
-                      "alpha_1 (from one line of the mesh to another; the "
-                      "cells on both sides of its end share the step). The "
-                      "angle is that of the material's first axis, from the "
-                      "first coordinate line (the meridian) toward the second. "
-                      "Both are numbers, or formulas of alpha_1 and of the "
-                      "'Tables', such as 1.2 + 0.01*abs(alpha_1). Units: "
-                      "length, degrees, alpha_1 as in 'Mesh'.",
+                      "as 'material: thickness @ angle', followed by 'from A "
+                      "to B' if the ply covers only this part of alpha_1 "
+                      "(between two mesh lines; the jump in thickness is "
+                      "spread over the cells on both sides). The angle of the "
+                      "material's first axis is measured from the first "
+                      "coordinate line (the meridian) toward the second. "
+                      "Thickness and angle are numbers, or formulas of "
+                      "alpha_1 and of the 'Tables', such as 1.2 + "
+                      "0.01*abs(alpha_1). Units: length, degrees, alpha_1 as "
+                      "in 'Mesh'.",
                       Patterns::Anything());
     prm.add_parameter("Tables",
                       tables,
-                      "Tables for the formulas of 'Plies': a list, separated "
-                      "by commas, of 'name: file'. Each CSV file has lines "
-                      "'alpha_1, value' with rising alpha_1; values between "
-                      "are interpolated linearly, and constant beyond the "
-                      "ends. The path is that from the parameter file.",
+                      "Tables for the formulas of 'Plies': a list of 'name: "
+                      "file', separated by commas. Each CSV file has rows "
+                      "'alpha_1, value' with increasing alpha_1; values are "
+                      "interpolated linearly and constant beyond the ends. "
+                      "Paths are relative to the parameter file.",
                       Patterns::Anything());
     prm.add_parameter("Initial ply stresses",
                       initial_stresses,
-                      "Stresses present in the undeformed shell, one triple "
-                      "'sigma_L sigma_T tau_LT' a ply, inner ply first, "
-                      "separated by commas; empty for none. They act in the "
-                      "nonlinear part of the strains only, in equilibrium "
-                      "with loads that are not listed. Unit: force/area.",
+                      "Initial stresses in the undeformed shell, one triple "
+                      "'sigma_L sigma_T tau_LT' per ply, inner ply first, "
+                      "separated by commas; empty for none. They act only "
+                      "through the nonlinear part of the strains, being in "
+                      "equilibrium with loads that are not given. Unit: "
+                      "force/area.",
                       Patterns::Anything());
     add_choice(prm,
                "Thickness law",
@@ -53,11 +55,11 @@ namespace Biface
                {"symmetric", "asymmetric", "full"},
                "How the thickness strain enters the stiffness: 'symmetric' "
                "(constant thickness stress, eliminated; free of locking), "
-               "'asymmetric' (the paper's, with a nonsymmetric tangent) or "
-               "'full' (three-dimensional law; locks in bending).");
+               "'asymmetric' (the paper's law, with an unsymmetric tangent) "
+               "or 'full' (three-dimensional law; locks in bending).");
     prm.add_parameter("Reference surface",
                       reference,
-                      "Which surface of the shell the geometry describes: "
+                      "The surface of the shell that 'Surface' describes: "
                       "'inner', 'middle', 'outer', 'ply N' (the outer side of "
                       "ply N, counted from the inner face), or its distance "
                       "from the inner face. Unit: length.",
@@ -87,7 +89,7 @@ namespace Biface
     }
 
 
-    /** Take "from A to B" from the end of a ply's text, where it is there. */
+    /** Split "from A to B" off the end of the text of a ply, if present. */
     void
     take_range(const std::string &entry,
                std::string       &angle,
@@ -97,7 +99,7 @@ namespace Biface
       if (from == std::string::npos)
         return;
       const std::string form =
-        "the part it covers is written 'from A to B' with numbers A < B";
+        "the covered part must have the form 'from A to B' with numbers A < B";
       const std::vector<std::string> words =
         split_words(angle.substr(from + 6));
       if (words.size() != 3 || words[1] != "to")
@@ -116,13 +118,13 @@ namespace Biface
                 const MeridionalTables                &tables)
     {
       const std::string entry = "Laminate/Plies";
-      const std::string form  = "each ply is written 'material: thickness @ "
-                                "angle'";
+      const std::string form  = "each ply must have the form 'material: "
+                                "thickness @ angle'";
       std::string       names;
       for (const MaterialParameters &material : materials)
         names += (names.empty() ? "'" : ", '") + material.name + "'";
 
-      // commas within formulas count, too, which does no harm
+      // commas within formulas count, too, which is harmless
       check_list_length(entry, parameters.plies, 1000);
       std::vector<PlyDescription> plies;
       for (const std::string &text : split_plies(parameters.plies))
@@ -130,8 +132,8 @@ namespace Biface
           if (text.empty())
             throw InputError(entry,
                              parameters.plies,
-                             "each of its commas must stand between two "
-                             "plies, written 'material: thickness @ angle'");
+                             "commas must separate plies of the form "
+                             "'material: thickness @ angle'");
           PlyDescription ply;
           ply.text         = text;
           const auto colon = text.find(':');
@@ -175,7 +177,7 @@ namespace Biface
     {
       const std::string entry = "Laminate/Initial ply stresses";
       const std::string form =
-        "it must hold one triple 'sigma_L sigma_T tau_LT' a ply (" +
+        "it must contain one triple 'sigma_L sigma_T tau_LT' per ply (" +
         std::to_string(plies.size()) + " plies), separated by commas";
 
       const std::vector<std::string> triples =
@@ -195,7 +197,7 @@ namespace Biface
     }
 
 
-    /** Where the reference surface lies in given plies. */
+    /** The height of the reference surface for given plies. */
     std::function<double(const std::vector<Ply> &)>
     parse_reference(const std::string &text, const unsigned int n_plies)
     {
@@ -265,8 +267,8 @@ namespace Biface
         if (!(thickness > 0))
           throw InputError("Laminate/Plies",
                            ply.text,
-                           "a thickness must lie above 0, and at alpha_1 = " +
-                             number_to_string(alpha_1) + " this one is " +
+                           "a thickness must be positive, and at alpha_1 = " +
+                             number_to_string(alpha_1) + " it is " +
                              number_to_string(thickness));
         present.push_back({ply.stiffness,
                            thickness,
@@ -275,9 +277,9 @@ namespace Biface
                            p});
       }
     if (present.empty())
-      throw InputError("the entry 'Laminate/Plies' leaves alpha_1 = " +
-                       number_to_string(within) +
-                       " bare, but at least one ply must be everywhere.");
+      throw InputError(
+        "no ply of the entry 'Laminate/Plies' covers alpha_1 = " +
+        number_to_string(within) + ".");
     const double height = reference_height(present);
     return Laminate(std::move(present), law, height);
   }

@@ -54,7 +54,7 @@ namespace Biface
     compliance[0][2] = -nu_13 / E_1;
     compliance[1][2] = -nu_23 / E_2;
 
-    // scaled to a unit diagonal, so that the bound is free of units
+    // scaled to a unit diagonal, so that the bound has no unit
     SymmetricTensor<2, 3> scaled;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = i; j < 3; ++j)

@@ -67,10 +67,10 @@ namespace Biface
     for (const auto &strength : all_strengths)
       prm.add_parameter(strength.first,
                         *strength.second,
-                        "Strength, a positive number; 0 for not given: X_t, "
-                        "X_c along axis 1 in tension and compression, Y_t, Y_c "
-                        "along axis 2, S in shear between both. All five or "
-                        "none. Unit: force/area.",
+                        "Strength, a positive number, or 0 if not given: X_t, "
+                        "X_c along axis 1 in tension and compression, Y_t, "
+                        "Y_c along axis 2, S in shear between both. Give all "
+                        "five or none. Unit: force/area.",
                         Patterns::Double(0));
   }
 

@@ -23,7 +23,7 @@ namespace Biface
 
     for (const std::string &text : Utilities::split_string_list(list, ','))
       {
-        const std::string form = "each table is written 'name: file'";
+        const std::string form = "each table must have the form 'name: file'";
         const auto        item = split_named(entry, text, form);
         if (item.second.empty())
           throw InputError(entry, text, form);
@@ -32,18 +32,20 @@ namespace Biface
           read_file(item.second, communicator), item.second, "alpha_1, value");
         if (pairs.size() < 2)
           throw InputError(item.second +
-                           ": the table has less than two lines, but it "
-                           "must say what lies between.");
+                           ": the table needs at least two rows to "
+                           "interpolate.");
 
         std::vector<double>      alpha;
         dealii::Table<1, double> values(pairs.size());
         for (unsigned int i = 0; i < pairs.size(); ++i)
           {
             if (i > 0 && !(pairs[i][0] > alpha.back()))
-              throw InputError(item.second + ": alpha_1 goes from " +
-                               number_to_string(alpha.back()) + " to " +
-                               number_to_string(pairs[i][0]) +
-                               ", but it must rise.");
+              throw InputError(item.second +
+                               ": alpha_1 must increase from "
+                               "row to row, but " +
+                               number_to_string(alpha.back()) +
+                               " is followed by " +
+                               number_to_string(pairs[i][0]) + ".");
             alpha.push_back(pairs[i][0]);
             values(i) = pairs[i][1];
           }
@@ -53,15 +55,15 @@ namespace Biface
   }
 
 
-  /** Throw an InputError where a table's name cannot be used in formulas, or
-   * is there already. */
+  /** Throw an InputError if the name of a table cannot be used in formulas or
+   * is not unique. */
   void
   MeridionalTables::check_name(const std::string &name) const
   {
     bool usable = true;
     try
       {
-        // a name that is taken, such as pi, or not one word
+        // throws if the name is taken, such as pi, or is not one word
         Formula("", name, {"alpha_1", name});
       }
     catch (const InputError &)
@@ -69,11 +71,11 @@ namespace Biface
         usable = false;
       }
     if (!usable || name == "alpha_1" || tables.count(name) > 0)
-      throw InputError(
-        "Laminate/Tables",
-        name,
-        "the name of a table must be a word of letters, digits and '_', a "
-        "letter first, that no other table, variable or constant has");
+      throw InputError("Laminate/Tables",
+                       name,
+                       "the name of a table must start with a letter, "
+                       "consist of letters, digits and '_', "
+                       "and differ from other tables, variables and constants");
   }
 
 

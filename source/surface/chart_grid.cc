@@ -28,7 +28,7 @@ namespace Biface
     const std::string form =
       " A comma-separated list of adjoining intervals: 'begin:end:n' is n "
       "equal cells, 'begin:end:n:q' is n cells each q times as long as the "
-      "one before, 'begin:end:n:smooth' is n cells whose lengths continue "
+      "previous one, 'begin:end:n:smooth' is n cells whose lengths continue "
       "those of the adjoining interval geometrically. Unit: degrees for an "
       "angle, length otherwise.";
     prm.add_parameter("Intervals alpha_1",
@@ -42,24 +42,25 @@ namespace Biface
                       Patterns::Anything());
     prm.add_parameter("Closed in alpha_2",
                       closed,
-                      "Whether the second coordinate runs through a full turn "
-                      "and closes, so that it has no edges.",
+                      "Whether the second coordinate is closed, that is, "
+                      "spans a full turn and has no edges.",
                       Patterns::Bool());
     add_choice(prm,
                "Distribution",
                distribution,
                {"shared", "distributed"},
-               "Which rank holds which cells: 'shared' (each rank all of them) "
-               "or 'distributed' (each rank its own and their neighbors, for "
-               "meshes too large for one). Results are the same.");
+               "Distribution of the cells over the ranks: 'shared' (every "
+               "rank stores all cells) or 'distributed' (every rank stores "
+               "its own cells and their neighbors, for meshes too large for "
+               "one rank). Results are the same.");
     prm.add_parameter("Coarse meshes",
                       n_coarse,
-                      "On how many coarser meshes, each with half as many "
-                      "cells in both directions as the next, the analysis is "
-                      "made first. Their results are not written: steps on "
-                      "the finer mesh begin where those on the coarser one "
-                      "ended, which takes far fewer iterations on fine meshes "
-                      "in contact.",
+                      "Number of coarser meshes, each with half as many cells "
+                      "in both directions as the next, on which the analysis "
+                      "is run first. Steps on the finer mesh then start from "
+                      "the solution on the coarser one, which takes far fewer "
+                      "iterations on fine meshes in contact. Results on "
+                      "coarser meshes are not written.",
                       Patterns::Integer(0, 10));
   }
 
@@ -79,7 +80,7 @@ namespace Biface
       throw InputError(
         entry_names[0],
         parameters.intervals[0],
-        "the surface has alpha_1 from " +
+        "alpha_1 of the surface runs from " +
           number_to_string(range.first / surface.coordinate_unit(0)) + " to " +
           number_to_string(range.second / surface.coordinate_unit(0)));
 

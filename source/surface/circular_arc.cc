@@ -21,7 +21,7 @@ namespace Biface
                       Patterns::Double());
     prm.add_parameter("Center radius",
                       center_radius,
-                      "Distance of the arc's center from the axis of "
+                      "Distance of the center of the arc from the axis of "
                       "revolution (R_0 - R_1 for a torus of outer radius R_0; "
                       "0 for a sphere). Not negative. Unit: length.",
                       Patterns::Double());

@@ -45,8 +45,8 @@ namespace Biface
     Interval
     parse_interval(const std::string &entry, const std::string &text)
     {
-      const std::string form = "an interval is written begin:end:cells, "
-                               "begin:end:cells:ratio or "
+      const std::string form = "each interval must have the form "
+                               "begin:end:cells, begin:end:cells:ratio or "
                                "begin:end:cells:smooth";
 
       const std::vector<std::string> parts =
@@ -59,7 +59,7 @@ namespace Biface
       interval.end   = parse_number(entry, parts[1], form);
       if (!(interval.end > interval.begin))
         throw InputError(
-          entry, text, "the end of an interval must lie above its begin");
+          entry, text, "the end of an interval must be greater than its start");
 
       const double n = parse_number(entry, parts[2], form);
       if (!(n >= 1 && n <= max_cells && n == std::floor(n)))
@@ -88,7 +88,7 @@ namespace Biface
                 throw InputError(entry,
                                  text,
                                  "the longest cell of an interval must not "
-                                 "exceed the shortest more than 1e10 times");
+                                 "exceed 1e10 times the shortest");
             }
         }
       return interval;
@@ -168,17 +168,17 @@ namespace Biface
           throw InputError(entry,
                            list,
                            "it must have at most " + std::to_string(max_cells) +
-                             " cells in all");
+                             " cells in total");
       }
     if (intervals.empty())
-      throw InputError(entry, list, "it must hold at least one interval");
+      throw InputError(entry, list, "it must contain at least one interval");
 
     for (unsigned int i = 1; i < intervals.size(); ++i)
       if (intervals[i].begin != intervals[i - 1].end)
         throw InputError(entry,
                          list,
-                         "each interval must begin where the one before it "
-                         "ends: '" +
+                         "each interval must start at the end of the previous "
+                         "one: '" +
                            intervals[i].text +
                            (intervals[i].begin < intervals[i - 1].end
                               ? "' overlaps '"
@@ -205,7 +205,9 @@ namespace Biface
     for (unsigned int i = 1; i < lines.size(); ++i)
       if (!(lines[i] - lines[i - 1] > 1e-9 * (lines.back() - lines.front())))
         throw InputError(
-          entry, list, "its cells must be longer than 1e-9 of the whole");
+          entry,
+          list,
+          "each cell must be longer than 1e-9 of the total length");
     return lines;
   }
 } // namespace Biface

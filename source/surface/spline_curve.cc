@@ -19,7 +19,7 @@ namespace Biface
                        std::to_string(points.size()) +
                        " points, but a spline needs at least 3.");
 
-    // the foot of a perpendicular is sought among all of them, for each node
+    // for each node, the foot of a perpendicular is sought among all points
     constexpr unsigned int max_points = 10000;
     if (points.size() > max_points)
       throw InputError(name + ": the curve has " +
@@ -41,9 +41,9 @@ namespace Biface
                            "must not meet the axis.");
         const double step = (i == 0 ? 0. : points[i].distance(points[i - 1]));
         const double way  = (i == 0 ? 0. : knots.back() + step);
-        // not lost in the round-off of the way so far, either
+        // their distance must not be lost in the round-off of the length so far
         if (i > 0 && !(way > knots.back()))
-          throw InputError(where + "must differ from the one before it.");
+          throw InputError(where + "must differ from the previous one.");
         knots.push_back(way);
         r.push_back(points[i][0]);
         y.push_back(points[i][1]);
@@ -64,7 +64,7 @@ namespace Biface
   Meridian::PointOfCurve
   SplineCurve::evaluate(const double s) const
   {
-    // the end points, but for round-off
+    // the end points, up to round-off
     const Point<1> knot(std::min(std::max(s, knots.front()), knots.back()));
     return {
       Point<2>(radius->value(knot), axial->value(knot)),

@@ -13,12 +13,13 @@ namespace Biface
   {
     prm.add_parameter("Begin",
                       begin,
-                      "Where the line begins: radius, axial coordinate. Unit: "
-                      "length.");
+                      "Start point of the line: radius, axial coordinate. "
+                      "Unit: length.");
     prm.add_parameter("End",
                       end,
-                      "Where the line ends: radius, axial coordinate. The "
-                      "outward normal points to its right. Unit: length.");
+                      "End point of the line: radius, axial coordinate. The "
+                      "outward normal points to the right of the line. Unit: "
+                      "length.");
   }
 
 
@@ -29,15 +30,15 @@ namespace Biface
     {
       for (const Point<2> &point : {parameters.begin, parameters.end})
         if (!(point[0] >= 0))
-          throw InputError("the section 'Surface/Straight line' has an end at "
+          throw InputError("an end of the line 'Surface/Straight line' has "
                            "the radius " +
                            number_to_string(point[0]) +
                            ", but a meridian must not cross the axis.");
       const Tensor<1, 2> line = parameters.end - parameters.begin;
       if (!(line.norm() > 0))
-        throw InputError("the section 'Surface/Straight line' has its begin "
-                         "and its end at one point, but a meridian must have "
-                         "a length.");
+        throw InputError("the ends of the line 'Surface/Straight line' "
+                         "coincide, but a meridian must have a positive "
+                         "length.");
       return line / line.norm();
     }
   } // namespace

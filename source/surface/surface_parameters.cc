@@ -19,8 +19,8 @@ namespace Biface
                "Type",
                type,
                {"surface of revolution", "plane"},
-               "The reference surface: a curve, the meridian, turned about the "
-               "y axis (the axle of a wheel), or the plane z = 0 with the "
+               "The reference surface: a curve, the meridian, rotated about "
+               "the y axis (the axle of a wheel), or the plane z = 0 with the "
                "coordinates alpha_1 = x and alpha_2 = y.");
     add_choice(prm,
                "Meridian",
@@ -29,8 +29,8 @@ namespace Biface
                "The meridian of a surface of revolution: a circular arc "
                "(torus, sphere; alpha_1 is its angle), a straight line "
                "(cylinder, cone, annulus; alpha_1 is the length from its "
-               "begin), or a smooth curve through points of a file (alpha_1 is "
-               "the length along the polygon of the points).");
+               "start), or a smooth curve through points of a file (alpha_1 "
+               "is the length along the polygon of the points).");
     prm.enter_subsection("Circular arc");
     circular_arc.add_parameters(prm);
     prm.leave_subsection();
@@ -41,8 +41,8 @@ namespace Biface
     prm.add_parameter("File",
                       points_file,
                       "A CSV file with the points of the meridian in order: "
-                      "radius, axial coordinate. Relative to the parameter "
-                      "file. Unit: length.",
+                      "radius, axial coordinate. The path is relative to the "
+                      "parameter file. Unit: length.",
                       Patterns::Anything());
     prm.leave_subsection();
   }
