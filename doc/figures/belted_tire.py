@@ -3,7 +3,7 @@
 """Picture of the plies of the belted tire, cut open in steps.
 
 Reads a plies-NNNN.vtu of prm/belted_tire.prm and writes a PNG. Needs VTK and a
-display; a virtual one (xvfb-run) will do.
+display; a virtual one (xvfb-run) is sufficient.
 """
 
 import argparse
@@ -21,21 +21,21 @@ from biface_report.rendering import (
     add_color_bar, corners, figure_of, fixed_camera, merge_points, point_values,
     positions, read_grid, render, to_vtk_points, use_colors)
 
-# Pixels of the picture
+# Size of the picture in pixels
 WIDTH, HEIGHT = 1000, 860
 
-# Each ply by its number: the angle around the axle (degrees) at which it is cut
-# off, so that the ply below comes to light
+# The angle around the axle (degrees) at which each ply is cut off, so that the
+# ply below is visible
 CUTS = {1: -48, 2: -36, 3: -24, 4: -6, 5: 12, 6: 30}
-# Plies of rubber have no cords
+# Colors of the rubber plies, which have no cords
 RUBBER_PLIES = {1: (0.80, 0.81, 0.83), 6: (0.50, 0.53, 0.57)}
 STRESS_RANGE = (-40, 40)
 COLORS = plt.get_cmap("coolwarm")
 
 
 class Plies:
-    """All hexahedra: the points of each, deformed, the stress along the cords
-    there, the number of the ply, and the angle around the axle."""
+    """All hexahedra: their deformed points, the stress along the cords at these,
+    the number of the ply, and the angle around the axle."""
 
     def __init__(self, path):
         """Reads a VTU file."""
@@ -49,8 +49,8 @@ class Plies:
         self.angle = np.degrees(np.arctan2(center[:, 2], center[:, 0]))
 
     def surface(self, number):
-        """A ply from its cut on, as a smooth surface. Each cell of the file has
-        points of its own: they are joined, and their stresses averaged."""
+        """A ply from its cut onward, as a smooth surface. The file has separate
+        points for each cell: they are merged, and their stresses averaged."""
         chosen = (self.number == number) & (self.angle > CUTS[number])
         points = self.points[chosen].reshape(-1, 3)
         first, which = merge_points(points, 2)

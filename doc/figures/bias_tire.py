@@ -32,7 +32,7 @@ from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 # same equations
 INDEPENDENT_FORCES = {4: 236, 12: 975, 20: 1951}
 
-# Approaches (mm) of Figs. 3 to 5
+# Approaches (mm) in Figs. 3 to 5
 APPROACHES = (4, 12, 20)
 
 # Readings of the paper: directory of the results, what is different
@@ -49,7 +49,7 @@ READINGS = {
     "linear_unstressed": "linear about the unstressed tire",
 }
 
-# The torus halfway between its faces: radius of the meridian, and distance of
+# The middle surface of the torus: radius of the meridian, and distance of
 # the meridian's center from the axle (mm)
 MERIDIAN_RADIUS, CENTER_RADIUS = 52.4, 200
 
@@ -66,7 +66,7 @@ def read_csv(path):
 
 
 def read_history(directory):
-    """The steps of the contact stage: approach, force, and the rest."""
+    """The steps of the contact stage."""
     history = read_csv(directory / "history.csv")
     return history[history["stage"] == "contact"]
 
@@ -90,7 +90,7 @@ def read_profile(directory, approach):
 
 
 def node_key(psi, three_phi):
-    """A node's place in Table 1, free of round-off. Unit: degrees."""
+    """The coordinates of a node in Table 1 without round-off, in degrees."""
     return round(float(psi), 3), round(float(three_phi), 3)
 
 
@@ -108,7 +108,7 @@ def read_table(path):
 
 
 def read_pressures(directory, approach):
-    """The computed pressure (MPa) at each node in contact, as read_table()."""
+    """The computed pressure (MPa) at each node in contact, like read_table()."""
     nodes = read_csv(directory / f"contact-{step_at(directory, approach):04d}.csv")
     return {
         node_key(node["alpha_1"], 3 * node["alpha_2"]): float(node["pressure"])
@@ -133,7 +133,7 @@ def is_interior(node):
 
 class NodalAreas:
     """The area that belongs to each node about the contact zone, a quarter of
-    each cell around it, on the surface midway between the faces."""
+    each cell around it, on the middle surface."""
 
     def __init__(self, directory, approach):
         """Reads the lines of the mesh from a contact-NNNN.csv."""
@@ -182,12 +182,12 @@ def rms(values):
 
 
 def approach_colors(approaches):
-    """One color for each approach, darker for more."""
+    """One color per approach, darker for larger ones."""
     return dict(zip(approaches, shades(len(approaches))))
 
 
 def plot_curve(axes, directory, **style):
-    """The force against the approach of one run, from the origin on."""
+    """The force against the approach of one run, starting at the origin."""
     history = read_history(directory)
     axes.plot(np.append(0, history["approach"]), np.append(0, history["force"]),
               **style)
@@ -225,7 +225,7 @@ def draw_load_deflection(runs, output):
 
 
 def draw_foundation(axes, height, width):
-    """The foundation: a line with hatching on its solid side."""
+    """The foundation: a line, hatched on its solid side."""
     axes.plot([-width, width], [height, height], color="0.2", linewidth=1.2)
     axes.fill_between([-width, width], height, height + 4, facecolor="none",
                       edgecolor="0.6", hatch="////", linewidth=0)
@@ -299,7 +299,7 @@ def draw_pressure(runs, output):
 
 
 def cell_edges(coordinates):
-    """Edges of cells about sorted nodes: midway between them."""
+    """Edges of cells around sorted nodes: halfway between them."""
     inner = (coordinates[1:] + coordinates[:-1]) / 2
     return np.concatenate([[2 * coordinates[0] - inner[0]], inner,
                            [2 * coordinates[-1] - inner[-1]]])
@@ -322,7 +322,7 @@ def draw_map(axes, values, nodes, title, **style):
 
 
 def mark_unmatched(axes, computed, paper):
-    """Nodes that are in contact only in the paper, or only as computed."""
+    """Nodes that are in contact only in the paper or only in the computation."""
     for nodes, marker, text, psi in (
             (set(paper) - set(computed), "x", "× only in Table 1", 39),
             (set(computed) - set(paper), "o", "○ only computed", -39)):
@@ -390,7 +390,7 @@ def draw_scatter(axes, computed, paper):
 
 
 def table_caption(computed, paper):
-    """What the comparison gives."""
+    """The result of the comparison."""
     deviations = relative_deviations(computed, paper)
     interior = [d for node, d in deviations.items() if is_interior(node)]
     return (f"Δ = 20 mm: {len(deviations)} of the {len(paper)} nodes of "

@@ -3,11 +3,11 @@
 """Picture of the deformed bias tire with its footprint.
 
 Reads a shell-NNNN.vtu of prm/bias_tire.prm and writes a PNG. Needs VTK and a
-display; a virtual one (xvfb-run) will do.
+display; a virtual one (xvfb-run) is sufficient.
 
-The file has the displacements of the nodes only. Between them the elements
-follow the torus exactly, their displacements being bilinear in the local
-basis, and so does the picture.
+The file contains the displacements of the nodes only. Between the nodes the
+elements follow the torus exactly, and their displacements are bilinear in the
+local basis. The picture does the same.
 """
 
 import argparse
@@ -28,10 +28,10 @@ from biface_report.rendering import (
 # Distance of the meridian's center from the axle (mm)
 CENTER_RADIUS = 200
 
-# Pieces an element side is drawn with, at least
+# Minimum number of pieces per element side in the picture
 SUBDIVISIONS = 6
 
-# Pixels of the picture
+# Size of the picture in pixels
 WIDTH, HEIGHT = 1000, 920
 
 RUBBER = (0.62, 0.66, 0.71)
@@ -61,8 +61,9 @@ def chart(points):
 
 
 def grid_lines(angles):
-    """The distinct ones of many angles (rad), in order, and which of them each
-    angle is. The file is of single precision: nearly equal means equal."""
+    """The distinct values of many angles (rad), sorted, and for each angle the
+    index of its value. The file is in single precision, so angles that are
+    nearly equal are equal."""
     order = np.argsort(angles)
     is_new = np.diff(angles[order], prepend=-np.inf) > 1e-4
     index = np.empty(len(angles), dtype=int)
@@ -82,7 +83,7 @@ def local_basis(psi, phi):
 
 
 class Face:
-    """The nodes of one face as a grid in psi and phi, closed in phi."""
+    """The nodes of one face as a grid in psi and phi, periodic in phi."""
 
     def __init__(self, path, outer):
         """Reads the outer or the inner face from a VTU file."""
@@ -124,7 +125,8 @@ class Face:
 
 
 def subdivide(angles, spacing):
-    """A list of angles with more in between, at most a spacing apart (rad)."""
+    """A list of angles (rad) and further ones in between, at most a spacing
+    apart."""
     pieces = [np.linspace(a, b, max(SUBDIVISIONS,
                                     int(np.ceil((b - a) / spacing))),
                           endpoint=False)
@@ -160,7 +162,7 @@ def surface(points, pressure=None):
 
 
 def mesh_lines(face):
-    """The sides of the elements on a face, curved as they are."""
+    """The sides of the elements on a face, with their curvature."""
     psi, phi = fine_angles(face)
     along = face.positions(psi, face.phi)
     around = face.positions(face.psi, phi)
@@ -185,8 +187,8 @@ def wall_actors(path):
 
 
 def foundation_actors(path):
-    """The foundation: a pane of glass with an outline, a little behind the
-    footprint so as not to change its colors."""
+    """The foundation: a transparent pane with an outline, slightly behind the
+    footprint so that it does not change its colors."""
     outer = Face(path, 1)
     x = outer.positions(outer.psi, outer.phi)[..., 0].max() - 0.3
     y, z = 90, 150

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of results of three files of prm/, side by side: the strip that is
-rolled up, the roof that snaps through, and the panel whose plies fail."""
+"""Results of three files of prm/ side by side: the strip that is rolled up, the
+roof that snaps through, and the panel whose plies fail."""
 
 import argparse
 import csv
@@ -28,7 +28,7 @@ def column(rows, name):
 
 
 def draw_strip(axes, results):
-    """The strip in every fourth step."""
+    """The strip after every fourth step."""
     for step in (4, 8, 12, 16, 20):
         rows = read(results / f"profile-{step:04d}.csv")
         middle = [[(outer + inner) / 2 for outer, inner
@@ -63,15 +63,15 @@ def draw_roof(axes, results):
 
 
 def draw_panel(axes, results):
-    """The greatest failure indices at two points against the pressure."""
+    """The maximum failure indices at three points against the pressure."""
     history = read(results / "history.csv")
     for name, color in (("center", BLUE), ("side", ORANGE), ("quarter", GREEN)):
-        greatest = []
+        maximum = []
         for step in range(1, len(history) + 1):
             rows = read(results / f"plies-{step:04d}.csv")
-            greatest.append(max(float(row["tsai_wu_index"]) for row in rows
+            maximum.append(max(float(row["tsai_wu_index"]) for row in rows
                                 if row["name"] == name))
-        axes.plot([0] + column(history, "pressure"), [0] + greatest, "o-",
+        axes.plot([0] + column(history, "pressure"), [0] + maximum, "o-",
                   markersize=3, color=color, label=name)
     axes.axhline(1, color="0.6", linewidth=1)
     axes.legend(loc="lower right", frameon=False)

@@ -62,7 +62,7 @@ def draw_tube(axes, runs):
     axes.axhline(0, color=GRAY, linewidth=1)
     axes.legend(frameon=False)
     axes.set(xlabel="angle of the cords from the axis (degrees)",
-             ylabel="growth (mm)")
+             ylabel="increase (mm)")
 
 
 def middle(rows, component):
@@ -72,7 +72,7 @@ def middle(rows, component):
 
 
 def draw_section(axes, torus, tire):
-    """The section as built, inflated, and pressed on the ground."""
+    """The section as built, inflated, and pressed against the ground."""
     psi = np.radians(np.linspace(-120, 120, 121))
     axes.plot(52.4 * np.sin(psi), 200 + 52.4 * np.cos(psi), "--", color=GRAY,
               label="as built")
