@@ -20,10 +20,10 @@ namespace Biface
   {
     prm.add_parameter("Points per ply",
                       points_per_ply,
-                      "At how many heights within each ply plies-NNNN.csv "
-                      "holds the strains and stresses at the named points: 1 "
-                      "is the middle, 2 both sides, and so on; 0 writes no "
-                      "such file.",
+                      "Number of heights within each ply at which "
+                      "plies-NNNN.csv lists strains and stresses at the named "
+                      "points: 1 is the middle, 2 are both sides, and so on; 0 "
+                      "writes no such file.",
                       Patterns::Integer(0, 101));
   }
 

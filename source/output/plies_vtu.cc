@@ -123,8 +123,8 @@ namespace Biface
   {
     prm.add_parameter("Write ply VTU",
                       write,
-                      "Whether to write every ply as a layer of hexahedra for "
-                      "ParaView, with its strains and stresses.",
+                      "Whether to write each ply as a layer of hexahedra for "
+                      "ParaView, with strains and stresses.",
                       Patterns::Bool());
   }
 

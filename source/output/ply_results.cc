@@ -18,9 +18,9 @@ namespace Biface
     prm.declare_entry("Failure criteria",
                       "",
                       Patterns::MultipleSelection("maximum stress|Tsai-Wu"),
-                      "Criteria whose failure indices are written with the "
-                      "stresses of plies, a list of 'maximum stress' and "
-                      "'Tsai-Wu'; see the strengths of the materials.");
+                      "List of criteria ('maximum stress', 'Tsai-Wu') whose "
+                      "failure indices are written with the stresses of plies; "
+                      "they need the strengths of the materials.");
     prm.add_action("Failure criteria", [this](const std::string &text) {
       const auto asked = [&](const std::string &name) {
         return text.find(name) != std::string::npos;
@@ -41,8 +41,8 @@ namespace Biface
     for (const PlyDescription &ply : layup.get_plies())
       if (!ply.strengths && bare.insert(ply.material).second)
         sentences.push_back("The material '" + ply.material +
-                            "' has no strengths (X_t to S), so that its plies "
-                            "get no failure index.");
+                            "' has no strengths (X_t to S): its plies get no "
+                            "failure index.");
     return sentences;
   }
 

@@ -18,8 +18,8 @@ namespace Biface
   {
     prm.add_parameter("Profile alpha_2",
                       alpha_2,
-                      "The coordinate line whose deformed contour is written "
-                      "to profile-NNNN.csv; the nearest grid line is taken. "
+                      "Coordinate line whose deformed contour is written to "
+                      "profile-NNNN.csv; the nearest grid line is used. "
                       "Unit: degrees for an angle, length otherwise.",
                       Patterns::Double());
   }

@@ -35,7 +35,7 @@ namespace Biface
     if (!reason.empty())
       throw InputError("Output/Directory",
                        name,
-                       "that directory cannot be made (" + reason + ")");
+                       "the directory cannot be created (" + reason + ")");
   }
 
 
@@ -126,8 +126,8 @@ namespace Biface
     std::string        line;
     if (!std::getline(lines, line) || line != header)
       throw InputError("the file '" + path +
-                       "' has other columns than this program writes, but a "
-                       "restart must continue it.");
+                       "' does not have the columns that a restart would add "
+                       "to.");
     std::string kept    = header + '\n';
     std::size_t n_lines = 0;
     // a last line without an end was not written to its end
@@ -140,11 +140,10 @@ namespace Biface
         ++n_lines;
       }
     if (n_lines < steps.size() * lines_per_step)
-      throw InputError("the file '" + path + "' holds " +
+      throw InputError("the file '" + path + "' contains only " +
                        std::to_string(n_lines / lines_per_step) + " of the " +
                        std::to_string(steps.size()) +
-                       " steps of the checkpoint, but a restart must continue "
-                       "it.");
+                       " steps of the checkpoint.");
     write_text(path, kept, false, communicator);
   }
 

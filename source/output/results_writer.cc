@@ -19,8 +19,8 @@ namespace Biface
   {
     prm.add_parameter("Directory",
                       directory,
-                      "Where the results go; made if it does not exist, files "
-                      "of an earlier run are replaced.",
+                      "Directory of the results. It is created if it does not "
+                      "exist; files of an earlier run are replaced.",
                       Patterns::Anything());
     profile.add_parameters(prm);
     shell_vtu.add_parameters(prm);

@@ -15,20 +15,19 @@ namespace Biface
   {
     prm.add_parameter("Write",
                       write,
-                      "Whether to write the state of the run into the "
-                      "directory of results, from which '--restart' continues.",
+                      "Whether to write checkpoints to the directory of "
+                      "results, from which '--restart' continues the run.",
                       Patterns::Bool());
     prm.add_parameter("Every steps",
                       every_steps,
-                      "After how many steps since the last checkpoint the next "
-                      "one is written; 0: not by steps. One is written at the "
-                      "end in any case.",
+                      "Number of steps from a checkpoint to the next; 0: "
+                      "steps do not count. One is always written at the end.",
                       Patterns::Integer(0));
     prm.add_parameter("Every minutes",
                       every_minutes,
-                      "After how much time since the last checkpoint the next "
-                      "one is written, when a step is done; 0: not by time. "
-                      "Unit: minutes.",
+                      "Time from a checkpoint to the next, which is written "
+                      "after the step at hand; 0: time does not count. Unit: "
+                      "minutes.",
                       Patterns::Double(0));
   }
 

@@ -3,6 +3,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <biface/base/version.h>
@@ -34,49 +36,126 @@ namespace Biface
     const std::vector<std::string> motions = free_rigid_motions(mesh);
     if (!motions.empty())
       {
-        out << "The supports leave rigid motions free: ";
+        out << "The supports do not prevent rigid motions: ";
         for (unsigned int i = 0; i < motions.size(); ++i)
           out << (i > 0 ? ", " : "") << motions[i];
-        out << ". Loads or contact alone must hold them.\n";
+        out << ". Only loads or contact can.\n";
       }
     out << std::endl;
   }
 
 
-  void
-  print_memory(const MPI_Comm communicator, ConditionalOStream &out)
+  StepCounter::StepCounter(const std::vector<Stage> &stages,
+                           const Progress           &progress)
+    : stages(stages), at_begin(done(progress))
   {
-    Utilities::System::MemoryStats stats{};
-    Utilities::System::get_memory_stats(stats);
-    const double kilobytes =
-      Utilities::MPI::sum(static_cast<double>(stats.VmHWM), communicator);
-    char line[64];
-    std::snprintf(
-      line, sizeof(line), "Peak memory: %.3f GiB", kilobytes / (1024 * 1024));
-    out << line << "\n\n";
+    for (const Stage &stage : stages)
+      {
+        planned += stage.n_steps;
+        if (!make_control(stage)->has_equal_steps())
+          predictable = false;
+      }
+  }
+
+
+  double
+  StepCounter::done(const Progress &progress) const
+  {
+    double sum = 0;
+    for (unsigned int i = 0; i < progress.stage; ++i)
+      sum += stages[i].n_steps;
+    const Stage &stage = stages[progress.stage];
+    if (progress.stage_begun)
+      sum += stage.n_steps * progress.control.done;
+    return sum;
+  }
+
+
+  std::string
+  StepCounter::line(const StepReport &report, const Progress &progress) const
+  {
+    const double now     = done(progress);
+    const double seconds = timer.wall_time();
+
+    std::string text = "  step " + std::to_string(report.step);
+    if (predictable)
+      text += " of " + std::to_string(report.step +
+                                      static_cast<unsigned int>(std::lround(
+                                        std::max(0., planned - now))));
+    text += ":";
+    char part[256];
+    if (report.loads.factor != 0)
+      {
+        std::snprintf(
+          part, sizeof(part), " load factor %.6g,", report.loads.factor);
+        text += part;
+      }
+    if (report.loads.pressure != 0)
+      {
+        std::snprintf(
+          part, sizeof(part), " pressure %.6g,", report.loads.pressure);
+        text += part;
+      }
+    if (report.in_contact)
+      {
+        std::snprintf(part,
+                      sizeof(part),
+                      " approach %.6g, force %.6g, contact nodes %u, "
+                      "area %.6g, max contact pressure %.4g,",
+                      report.approach,
+                      report.contact.force,
+                      report.contact.n_nodes,
+                      report.contact.area,
+                      report.contact.max_pressure);
+        text += part;
+      }
+    std::snprintf(part,
+                  sizeof(part),
+                  " %u iterations, %.2f s; %.3g s so far",
+                  report.iterations,
+                  report.seconds,
+                  seconds);
+    text += part;
+    if (const unsigned int n = report.n_negative_pivots.value_or(0); n > 0)
+      text += ", " + std::to_string(n) +
+              (n == 1 ? " negative pivot" : " negative pivots");
+    if (predictable && now > at_begin && planned > now)
+      {
+        std::snprintf(part,
+                      sizeof(part),
+                      ", about %.2g s left",
+                      seconds * (planned - now) / (now - at_begin));
+        text += part;
+      }
+    return text;
   }
 
 
   void
-  print_load_deflection(const std::vector<LoadDeflection> &curve,
-                        ConditionalOStream                &out)
+  print_costs(Simulation &simulation, ConditionalOStream &out)
   {
-    out << "\n  approach        force   nodes         area  greatest "
-           "pressure\n";
-    for (const LoadDeflection &step : curve)
+    simulation.get_timer().print_summary();
+
+    char line[96];
+    if (const double seconds = simulation.get_coarse_solver_seconds())
       {
-        char line[128];
-        std::snprintf(line,
-                      sizeof(line),
-                      "%10.4g %12.6g %7u %12.6g %18.4g\n",
-                      step.approach,
-                      step.contact.force,
-                      step.contact.n_nodes,
-                      step.contact.area,
-                      step.contact.max_pressure);
+        std::snprintf(
+          line,
+          sizeof(line),
+          "Factorizations and solutions on coarser meshes: %.3g s\n",
+          seconds);
         out << line;
       }
-    out << std::flush;
+
+    // as far as Linux tells
+    Utilities::System::MemoryStats stats{};
+    Utilities::System::get_memory_stats(stats);
+    const double kilobytes =
+      Utilities::MPI::sum(static_cast<double>(stats.VmHWM),
+                          simulation.get_equations().mesh.communicator);
+    std::snprintf(
+      line, sizeof(line), "Peak memory: %.3f GiB", kilobytes / (1024 * 1024));
+    out << line << "\n\n";
   }
 
 
@@ -114,10 +193,11 @@ namespace Biface
                                 : "");
     };
     std::string text = explain(result.cause, result.in_contact) +
-                       " The last state kept is that of " +
+                       " The last converged step is at " +
                        loads(result.reached);
     if (result.cause != FailureCause::too_many_steps)
-      text += "; the smallest step beyond it began with " + loads(result.tried);
+      text +=
+        "; the smallest step tried beyond it started at " + loads(result.tried);
     std::string lines;
     for (const std::string &line :
          Utilities::break_text_into_lines(text + '.', 78))

@@ -48,6 +48,118 @@ namespace Biface
     }
 
 
+    /** Put a new simulation where the checkpoint is. */
+    void
+    restore(const Checkpoint  &checkpoint,
+            const std::string &directory,
+            Simulation        &simulation)
+    {
+      Parameters       before;
+      ParameterHandler prm;
+      parse_parameters(directory + "/checkpoint.bin",
+                       checkpoint.get_record().parameters,
+                       before,
+                       prm);
+      simulation.restore(checkpoint, before.stages);
+    }
+
+
+    /** Print why a run ended early. */
+    ExitCode
+    explain_end(const LoadSteppingResult &result,
+                const unsigned int        n_steps,
+                const int                 signal,
+                RunLog                   &log,
+                ConditionalOStream       &err)
+    {
+      const std::string message =
+        "biface: " +
+        (result.stopped ? std::string("stopped by ") + signal_name(signal)
+                        : result.message) +
+        "; " + std::to_string(n_steps) +
+        (n_steps == 1 ? " converged step is kept.\n"
+                      : " converged steps are kept.\n") +
+        (result.stopped ? "" : failure_paragraph(result));
+      err << message << std::flush;
+      log.note(message);
+      if (result.stopped)
+        return signal == SIGINT ? interrupted : terminated;
+      return no_convergence;
+    }
+
+
+    /** Go through the stages and write the results.
+     * @param checkpoint from which the run continues; null for a new run. */
+    ExitCode
+    run_stages(const Parameters   &parameters,
+               const std::string  &file_name,
+               const Checkpoint   *checkpoint,
+               RunRecord          &record,
+               Simulation         &simulation,
+               RunLog             &log,
+               ConditionalOStream &err)
+    {
+      const std::string    &directory    = parameters.output.directory;
+      const ShellEquations &equations    = simulation.get_equations();
+      const Progress       &progress     = simulation.get_progress();
+      const MPI_Comm        communicator = equations.mesh.communicator;
+      ConditionalOStream   &out          = simulation.get_stream();
+
+      const SignalWatch                     signals;
+      std::optional<ResultsWriter::Written> written;
+      if (checkpoint != nullptr)
+        {
+          written        = checkpoint->get_record().written;
+          record.summary = checkpoint->get_record().summary;
+        }
+      else
+        remove_checkpoints(directory, communicator);
+      ResultsWriter results(parameters.output, equations, written);
+
+      log.open(directory + "/run.log", checkpoint != nullptr);
+      if (checkpoint != nullptr)
+        {
+          if (!checkpoint->get_warning().empty())
+            out << checkpoint->get_warning() << std::endl;
+          out << "The run continues after step " << progress.n_steps << '.'
+              << std::endl;
+          checkpoint->remove_unusable();
+        }
+      results.write_parameters(record.parameters, file_name);
+      for (const std::string &sentence : results.warnings())
+        out << sentence << std::endl;
+
+      CheckpointWriter checkpoints(parameters.checkpoint,
+                                   directory,
+                                   simulation,
+                                   results,
+                                   checkpoint != nullptr);
+      checkpoints.write(record);
+      const StepCounter        counter(parameters.stages, progress);
+      const LoadSteppingResult result = simulation.run(
+        [&](const StepReport &report, const State &state) {
+          TimerOutput::Scope scope(simulation.get_timer(), "Output");
+          out << counter.line(report, progress) << std::endl;
+          results.write_step(report, state);
+          record.summary.add(report, state, equations.mesh);
+          checkpoints.write_if_due(record);
+        },
+        [&]() { return signals.caught(communicator) != 0; });
+      checkpoints.write(record);
+
+      out << std::endl;
+      if (out.is_active())
+        record.summary.print(equations.mesh.points, out.get_stream());
+      print_costs(simulation, out);
+      out << (result.success ? "Results" : "Results so far");
+      print_files(directory, results.list(), out);
+      if (result.success)
+        return done;
+      return explain_end(
+        result, progress.n_steps, signals.caught(communicator), log, err);
+    }
+
+
     ExitCode
     run_simulation(const Parameters               &parameters,
                    const ParameterHandler         &prm,
@@ -75,95 +187,27 @@ namespace Biface
         out << note << std::endl;
       if (command_line.action == CommandLine::Action::check)
         {
-          out << "The parameters are in order." << std::endl;
+          out << "Parameters OK." << std::endl;
           return done;
         }
-
-      const std::string &directory = parameters.output.directory;
-      const SignalWatch  signals;
-      std::optional<ResultsWriter::Written> written;
       if (checkpoint)
         {
-          Parameters       before;
-          ParameterHandler prm_before;
-          parse_parameters(directory + "/checkpoint.bin",
-                           checkpoint->get_record().parameters,
-                           before,
-                           prm_before);
-          simulation.restore(*checkpoint, before.stages);
+          restore(*checkpoint, parameters.output.directory, simulation);
           const Progress &progress = simulation.get_progress();
           if (progress.at_end_of(parameters.stages))
             {
-              out << "The run has come to its end, after " << progress.n_steps
-                  << " steps: nothing is left to do." << std::endl;
+              out << "Run already complete after " << progress.n_steps
+                  << " steps." << std::endl;
               return done;
             }
-          written      = checkpoint->get_record().written;
-          record.curve = checkpoint->get_record().curve;
         }
-      else
-        remove_checkpoints(directory, communicator);
-
-      ResultsWriter writer(
-        parameters.output, simulation.get_equations(), written);
-      log.open(directory + "/run.log", checkpoint != nullptr);
-      if (checkpoint)
-        {
-          if (!checkpoint->get_warning().empty())
-            out << checkpoint->get_warning() << std::endl;
-          out << "The run continues after step "
-              << simulation.get_progress().n_steps << '.' << std::endl;
-          checkpoint->remove_unusable();
-        }
-      writer.write_parameters(record.parameters, command_line.file_name);
-      for (const std::string &sentence : writer.warnings())
-        out << sentence << std::endl;
-      CheckpointWriter checkpoints(parameters.checkpoint,
-                                   directory,
-                                   simulation,
-                                   writer,
-                                   checkpoint != nullptr);
-      checkpoints.write(record);
-
-      const StepCounter counter(parameters.stages, simulation.get_progress());
-      const LoadSteppingResult result = simulation.run(
-        [&](const StepReport &report, const State &state) {
-          TimerOutput::Scope scope(simulation.get_timer(), "Output");
-          out << counter.line(report, simulation.get_progress()) << std::endl;
-          writer.write_step(report, state);
-          if (report.in_contact)
-            record.curve.push_back({report.approach, report.contact});
-          checkpoints.write_if_due(record);
-        },
-        [&]() { return signals.caught(communicator) != 0; });
-      checkpoints.write(record);
-
-      if (!record.curve.empty())
-        print_load_deflection(record.curve, out);
-      simulation.get_timer().print_summary();
-      if (parameters.mesh.n_coarse > 0)
-        print_coarse_solver_time(simulation.get_coarse_solver_seconds(), out);
-      print_memory(communicator, out);
-      out << (result.success ? "Results" : "What was reached");
-      print_files(directory, writer.list(), out);
-      if (result.success)
-        return done;
-
-      const unsigned int n_steps = simulation.get_progress().n_steps;
-      const int          signal  = signals.caught(communicator);
-      const std::string  message =
-        "biface: " +
-        (result.stopped ? std::string("stopped by ") + signal_name(signal)
-                        : result.message) +
-        "; " + std::to_string(n_steps) +
-        (n_steps == 1 ? " converged step is kept.\n"
-                      : " converged steps are kept.\n") +
-        (result.stopped ? "" : failure_paragraph(result));
-      err << message << std::flush;
-      log.note(message);
-      if (result.stopped)
-        return signal == SIGINT ? interrupted : terminated;
-      return no_convergence;
+      return run_stages(parameters,
+                        command_line.file_name,
+                        checkpoint.get(),
+                        record,
+                        simulation,
+                        log,
+                        err);
     }
   } // namespace
 

@@ -122,8 +122,7 @@ namespace Biface
     const std::vector<char> bytes(header.begin(), header.end());
     record = Utilities::unpack<RunRecord>(bytes, false);
     if (!warning.empty())
-      warning =
-        "The run continues from the checkpoint before the last one: " + warning;
+      warning = "The run continues from the previous checkpoint: " + warning;
   }
 
 

@@ -229,7 +229,7 @@ namespace Biface
       {
         std::error_code error;
         if (!std::filesystem::exists(path, error))
-          return "is not there";
+          return "does not exist";
         errno = 0;
         Source source(path);
         if (!source.file)
@@ -238,15 +238,15 @@ namespace Biface
 
         const std::uint64_t size = std::filesystem::file_size(path, error);
         if (error || size < magic.size() + 4 * sizeof(std::uint64_t))
-          return "is cut off";
+          return "is truncated";
         std::array<char, 8> begin;
         source.file.read(begin.data(), begin.size());
         if (begin != magic)
-          return "is no checkpoint";
+          return "is not a checkpoint";
         if (source.number<std::uint32_t>() != format)
-          return "has the form of another version of the program";
+          return "was written by another version of the program";
         if (source.number<std::uint32_t>() != byte_order)
-          return "is from a machine that stores numbers otherwise";
+          return "was written on a machine with another byte order";
 
         Checksum          checksum;
         std::vector<char> buffer(piece);
@@ -262,7 +262,7 @@ namespace Biface
         if (!source.file)
           return "cannot be read";
         if (expected != checksum.checksum())
-          return "is damaged (its checksum is wrong)";
+          return "is damaged (wrong checksum)";
         return "";
       }
     } // namespace

@@ -19,7 +19,7 @@ namespace
     const Ended stopped = run(words, "cut", MPI_COMM_WORLD, text, signal);
     std::cout << stopped.code << '\n' << stopped.err;
     check_true("the table is printed",
-               stopped.out.find("approach        force") != std::string::npos);
+               stopped.out.find("max contact pressure") != std::string::npos);
     const unsigned int n_steps = read_table("cut/history.csv").size() - 1;
     std::cout << n_steps << " steps\n";
     const std::string series = text_of("cut/shell.pvd");

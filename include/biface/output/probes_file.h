@@ -3,10 +3,30 @@
 #ifndef biface_output_probes_file_h
 #define biface_output_probes_file_h
 
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
 #include <biface/output/result_file.h>
 
 namespace Biface
 {
+  /** The displacements of both faces at a point, Cartesian and in the frame of
+   * the coordinate lines. */
+  struct PointDisplacement
+  {
+    std::array<dealii::Tensor<1, 3>, 2> global, local;
+  };
+
+
+  /** The displacements at a named point, on all ranks, of which all must call
+   * this. */
+  PointDisplacement
+  displacement_at(const NamedPoint &point,
+                  const LA::Vector &displacement,
+                  const ShellMesh  &mesh);
+
+
   /** probes.csv: displacements of both faces, and of the middle, at the named
    * points. */
   class ProbesFile : public StepTable

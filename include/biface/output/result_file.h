@@ -11,7 +11,7 @@
 
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
-#include <biface/stepping/load_stepping.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -3,17 +3,10 @@
 #ifndef biface_program_run_log_h
 #define biface_program_run_log_h
 
-#include <deal.II/base/timer.h>
-
 #include <fstream>
 #include <ostream>
 #include <streambuf>
 #include <string>
-#include <vector>
-
-#include <biface/stepping/load_stepping.h>
-#include <biface/stepping/progress.h>
-#include <biface/stepping/stage.h>
 
 namespace Biface
 {
@@ -35,7 +28,8 @@ namespace Biface
     }
 
     /**
-     * Print to a file, too; what was printed before is at its head.
+     * Print to a file, too; what was printed before is at its head. A file that
+     * cannot be opened does not end the run: a line on the screen says so.
      * @param append whether to go on with the file of an earlier run.
      */
     void
@@ -59,36 +53,10 @@ namespace Biface
     const bool    on_screen;
     const bool    is_first_rank;
     std::ofstream file;
-    /** Until the file is open. */
+    /** What was printed before open(). */
     std::string  waiting;
+    bool         opened = false;
     std::ostream out;
-  };
-
-
-  /** How far a run has come: for a line after every step. */
-  class StepCounter
-  {
-  public:
-    /** @param stages of the run, which are kept by reference.
-     * @param progress with which it begins. */
-    StepCounter(const std::vector<Stage> &stages, const Progress &progress);
-
-    /** "step 3 of 21: ...; 2.1 s so far, about 12 s to go". How many steps
-     * there will be, and the time, are told where each step is a given part of
-     * its stage. */
-    std::string
-    line(const StepReport &report, const Progress &progress) const;
-
-  private:
-    /** Steps done of those that the stages plan, with parts of one. */
-    double
-    done(const Progress &progress) const;
-
-    const std::vector<Stage> &stages;
-    const double              at_begin;
-    double                    planned     = 0;
-    bool                      predictable = true;
-    dealii::Timer             timer;
   };
 } // namespace Biface
 

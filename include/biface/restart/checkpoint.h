@@ -13,27 +13,12 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/output/results_writer.h>
+#include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>
 #include <biface/stepping/progress.h>
 
 namespace Biface
 {
-  /** A step with contact, in the table at the end of a run. */
-  struct LoadDeflection
-  {
-    double         approach;
-    ContactSummary contact;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &approach &contact.force &contact.n_nodes &contact.area &contact
-        .max_pressure;
-    }
-  };
-
-
   /** What a checkpoint holds beside the fields of the shell, see
    * doc/restart.md. */
   struct RunRecord
@@ -45,17 +30,18 @@ namespace Biface
     /** The contents of other files that were read, by what they are for. */
     std::map<std::string, std::string> files;
 
-    Progress                    progress;
-    double                      predictor_size = 0;
-    ResultsWriter::Written      written;
-    std::vector<LoadDeflection> curve;
+    Progress               progress;
+    double                 predictor_size = 0;
+    ResultsWriter::Written written;
+    /** The table at the end of the run, so far. */
+    SummaryTable summary;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &version &parameters &files &progress &predictor_size &written
-        &curve;
+        &summary;
     }
   };
 

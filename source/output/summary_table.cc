@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/table_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <biface/output/probes_file.h>
+#include <biface/output/summary_table.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  SummaryTable::add(const StepReport &report,
+                    const State      &state,
+                    const ShellMesh  &mesh)
+  {
+    Line line{report.step,
+              report.loads.factor,
+              report.loads.pressure,
+              report.approach,
+              report.in_contact,
+              report.contact,
+              {}};
+    for (const NamedPoint &point : mesh.points)
+      {
+        const PointDisplacement u =
+          displacement_at(point, state.displacement, mesh);
+        for (unsigned int i = 0; i < 3; ++i)
+          line.displacements.push_back((u.global[0][i] + u.global[1][i]) / 2);
+      }
+    lines.push_back(line);
+  }
+
+
+  void
+  SummaryTable::print(const std::vector<NamedPoint> &points,
+                      std::ostream                  &out) const
+  {
+    constexpr unsigned int max_columns = 10;
+
+    if (lines.empty())
+      return;
+
+    TableHandler table;
+    unsigned int n_columns = 0;
+    const auto   add = [&](const std::string                              &name,
+                         const std::function<std::string(const Line &)> &text) {
+      for (const Line &line : lines)
+        table.add_value(name, text(line));
+      ++n_columns;
+    };
+    const auto number = [](const double value) {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.6g", value == 0 ? 0. : value);
+      return std::string(text);
+    };
+    const auto add_contact =
+      [&](const std::string                              &name,
+          const std::function<std::string(const Line &)> &text) {
+        add(name, [&](const Line &line) {
+          return line.in_contact ? text(line) : std::string("-");
+        });
+      };
+    const auto any = [&](const std::function<bool(const Line &)> &is) {
+      return std::any_of(lines.begin(), lines.end(), is);
+    };
+
+    add("step", [](const Line &line) { return std::to_string(line.step); });
+    if (any([](const Line &line) { return line.factor != 0; }))
+      add("load factor", [&](const Line &line) { return number(line.factor); });
+    if (any([](const Line &line) { return line.pressure != 0; }))
+      add("pressure", [&](const Line &line) { return number(line.pressure); });
+    if (any([](const Line &line) { return line.in_contact; }))
+      {
+        add_contact("approach",
+                    [&](const Line &line) { return number(line.approach); });
+        add_contact("force", [&](const Line &line) {
+          return number(line.contact.force);
+        });
+        add_contact("contact nodes", [&](const Line &line) {
+          return std::to_string(line.contact.n_nodes);
+        });
+        add_contact("contact area", [&](const Line &line) {
+          return number(line.contact.area);
+        });
+        add_contact("max contact pressure", [&](const Line &line) {
+          return number(line.contact.max_pressure);
+        });
+      }
+    for (unsigned int p = 0; p < points.size() && n_columns < max_columns; ++p)
+      {
+        const std::vector<double> &last    = lines.back().displacements;
+        unsigned int               largest = 3 * p;
+        for (unsigned int i = 3 * p; i < 3 * p + 3; ++i)
+          if (std::abs(last[i]) > std::abs(last[largest]))
+            largest = i;
+        add(points[p].name + " u_" + "xyz"[largest % 3], [&](const Line &line) {
+          return number(line.displacements[largest]);
+        });
+      }
+    table.write_text(out);
+  }
+} // namespace Biface
