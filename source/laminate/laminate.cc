@@ -32,7 +32,7 @@ namespace Biface
 
 
   std::array<double, 2>
-  Laminate::faces() const
+  Laminate::face_heights() const
   {
     return {{-reference_height, thickness() - reference_height}};
   }

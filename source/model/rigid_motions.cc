@@ -59,9 +59,10 @@ namespace Biface
                 const unsigned int motion,
                 const unsigned int dof)
     {
-      const Tensor<1, 3> x = (node.surface.position - center +
-                              node.faces[dof % 2] * node.surface.frame[2]) /
-                             mesh.size();
+      const Tensor<1, 3> x =
+        (node.surface.position - center +
+         node.face_heights[dof % 2] * node.surface.frame[2]) /
+        mesh.size();
       return displacement(motion, x) * node.surface.frame[dof / 2];
     }
 

@@ -137,7 +137,7 @@ namespace Biface
         for (unsigned int side = 0; side < 2; ++side)
           for (unsigned int face = 0; face < 2; ++face)
             line_faces[i + side][face] +=
-              strips[i].at_lines[side].faces()[face] / 2;
+              strips[i].at_lines[side].face_heights()[face] / 2;
       }
     // lines at the edges have one side only
     for (unsigned int face = 0; face < 2; ++face)
@@ -225,7 +225,8 @@ namespace Biface
                                const Node        &node,
                                const unsigned int face) const
   {
-    return node.surface.position + node.faces[face] * node.surface.frame[2] +
+    return node.surface.position +
+           node.face_heights[face] * node.surface.frame[2] +
            node.surface.from_frame(displacement(V, node, face));
   }
 

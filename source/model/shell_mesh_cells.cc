@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <set>
 
@@ -16,15 +13,7 @@ namespace Biface
   void
   ShellMesh::collect_cells_and_nodes(const ChartGrid &grid)
   {
-    const FE_Q<2, 3> scalar_fe(1);
-    FEValues<2, 3>   at_vertices(mapping,
-                               scalar_fe,
-                               QTrapezoid<2>(),
-                               update_quadrature_points | update_gradients);
-    FEValues<2, 3>   at_center(mapping,
-                             scalar_fe,
-                             QMidpoint<2>(),
-                             update_quadrature_points | update_JxW_values);
+    ShellFEValues fe_values(*surface);
 
     // from the vertices of the triangulation to nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),
@@ -39,10 +28,10 @@ namespace Biface
           return index;
 
         Node node;
-        node.alpha   = grid.alpha(grid_index);
-        node.faces   = line_faces[grid_index[0]];
-        node.surface = surface->evaluate(node.alpha);
-        node.number  = grid.node_number(grid_index);
+        node.alpha        = grid.alpha(grid_index);
+        node.face_heights = line_faces[grid_index[0]];
+        node.surface      = surface->evaluate(node.alpha);
+        node.number       = grid.node_number(grid_index);
         Assert(node.surface.position.distance(cell->vertex(v)) <
                  1e-8 * cell->diameter(),
                ExcMessage("Coarse cells must be numbered as in the grid."));
@@ -100,23 +89,19 @@ namespace Biface
         if (!cell->is_locally_owned())
           continue;
 
-        at_vertices.reinit(
-          static_cast<Triangulation<2, 3>::cell_iterator>(cell));
-        at_center.reinit(static_cast<Triangulation<2, 3>::cell_iterator>(cell));
-
         Cell local;
         local.nodes  = cell_nodes;
         local.strip  = cell_index[0];
         local.number = number;
-        std::array<std::array<double, 2>, 4> faces;
+        ShellFEValues::FaceHeights face_heights;
         for (unsigned int v = 0; v < 4; ++v)
           {
-            faces[v] = nodes[cell_nodes[v]].faces;
+            face_heights[v] = nodes[cell_nodes[v]].face_heights;
             for (unsigned int i = 0; i < 6; ++i)
               local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
           }
-        local.geometry =
-          compute_element_geometry(at_vertices, at_center, *surface, faces);
+        fe_values.reinit(cell, face_heights);
+        local.geometry = fe_values.get_geometry();
         cells.push_back(local);
       }
 

@@ -53,7 +53,9 @@ namespace Biface
                          const std::vector<SupportCondition> &conditions) {
       for (const SupportCondition &condition : conditions)
         if (!equations[{node, condition.component}].add(
-              {{condition.faces[0], condition.faces[1], condition.value}}))
+              {{condition.coefficients[0],
+                condition.coefficients[1],
+                condition.value}}))
           contradiction = true;
     };
 

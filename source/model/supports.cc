@@ -51,17 +51,16 @@ namespace Biface
                 const std::string &text,
                 const unsigned int across)
   {
-    const auto all_components = [](const std::array<double, 2> &faces) {
-      return std::vector<SupportCondition>{
-        {0, faces, 0}, {1, faces, 0}, {2, faces, 0}};
+    const auto all_components = [](const std::array<double, 2> &c) {
+      return std::vector<SupportCondition>{{0, c, 0}, {1, c, 0}, {2, c, 0}};
     };
     const auto both = [](std::vector<SupportCondition> conditions) {
       const unsigned int n = conditions.size();
       for (unsigned int i = 0; i < n; ++i)
         {
           conditions.push_back(conditions[i]);
-          conditions[i].faces     = inner;
-          conditions.back().faces = outer;
+          conditions[i].coefficients     = inner;
+          conditions.back().coefficients = outer;
         }
       return conditions;
     };
@@ -113,7 +112,7 @@ namespace Biface
             conditions.push_back(c);
         else if (faces.count(words[1]))
           {
-            condition.faces = faces.at(words[1]);
+            condition.coefficients = faces.at(words[1]);
             conditions.push_back(condition);
           }
         else

@@ -33,7 +33,8 @@ namespace Biface
           const Point<3> x =
             mesh.deformed_position(state.displacement, node, Resultants::outer);
           const double pressure = equations.pressure(state, report.loads, n);
-          const ThicknessMetric metric(node.surface.curvature, node.faces);
+          const ThicknessMetric metric(node.surface.curvature,
+                                       node.face_heights);
           rows.push_back({chart_coordinate(surface, node, 0),
                           chart_coordinate(surface, node, 1),
                           x[0],

@@ -96,7 +96,7 @@ namespace Biface
             const Resultants::Vector E =
               Modes::at_vertices(equations.total_strains(state, c))[v];
 
-            double height = laminate.faces()[0];
+            double height = laminate.face_heights()[0];
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
               {
                 const Ply &ply = laminate.get_plies()[p];

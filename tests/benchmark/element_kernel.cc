@@ -31,9 +31,10 @@ namespace
     Setup()
       : laminate(Layup(Layup::Parameters(), cord_ply()).laminate(0))
       , stiffness(laminate.stiffness())
-      , geometry(
-          make_cells(torus(), {{"40:45:1", "10:15:1"}}, laminate.faces())[0]
-            .geometry)
+      , geometry(make_cells(torus(),
+                            {{"40:45:1", "10:15:1"}},
+                            laminate.face_heights())[0]
+                   .geometry)
     {
       for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
         {

@@ -89,7 +89,7 @@ main()
 
   const SurfaceOfRevolution surface = torus();
   const ElementGeometry     geometry =
-    make_cells(surface, {{"40:45:1", "10:15:1"}}, laminate.faces())
+    make_cells(surface, {{"40:45:1", "10:15:1"}}, laminate.face_heights())
       .front()
       .geometry;
   compare("element weight",

@@ -119,10 +119,10 @@ main()
   const Laminate laminate = Layup(Layup::Parameters(), cord_ply()).laminate(0);
   const std::array<std::string, 2> cell{{"40:45:1", "10:15:1"}};
   const ElementGeometry            geometry =
-    make_cells(torus(), cell, laminate.faces())[0].geometry;
+    make_cells(torus(), cell, laminate.face_heights())[0].geometry;
   // faces that rise over the reference surface, both
   const ElementGeometry tapered =
-    make_cells(torus(), cell, Faces([](const double alpha_1) {
+    make_cells(torus(), cell, FaceHeights([](const double alpha_1) {
                  return std::array<double, 2>{{-3 * alpha_1, 2 + 4 * alpha_1}};
                }))[0]
       .geometry;

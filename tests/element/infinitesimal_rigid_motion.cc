@@ -30,7 +30,7 @@ namespace
     for (const TestCell &cell :
          make_cells(torus(),
                     {{"20:80:" + n_cells, "-10:50:" + n_cells}},
-                    laminate.faces()))
+                    laminate.face_heights()))
       {
         MixedElement::NodalVector V;
         for (unsigned int v = 0; v < 4; ++v)
@@ -38,7 +38,7 @@ namespace
             {
               const SurfacePoint &point = cell.points[v];
               const Tensor<1, 3>  x =
-                point.position + laminate.faces()[face] * point.frame[2];
+                point.position + laminate.face_heights()[face] * point.frame[2];
               const Tensor<1, 3> u =
                 point.to_frame(translation + cross_product_3d(rotation, x));
               for (unsigned int i = 0; i < 3; ++i)

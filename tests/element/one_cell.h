@@ -3,9 +3,6 @@
 #ifndef biface_tests_element_one_cell_h
 #define biface_tests_element_one_cell_h
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_manifold.h>
 #include <deal.II/grid/tria.h>
 
 #include <array>
@@ -14,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include <biface/element/geometry.h>
 #include <biface/element/mixed_element.h>
+#include <biface/element/shell_fe_values.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/plane.h>
@@ -39,8 +36,8 @@ struct TestCell
 };
 
 
-/** Biface::Laminate::faces() as a function of the first coordinate. */
-using Faces = std::function<std::array<double, 2>(const double alpha_1)>;
+/** Biface::Laminate::face_heights() as a function of the first coordinate. */
+using FaceHeights = std::function<std::array<double, 2>(const double alpha_1)>;
 
 
 /** The cells of a grid on a surface; see Biface::ChartGrid for the intervals.
@@ -48,7 +45,7 @@ using Faces = std::function<std::array<double, 2>(const double alpha_1)>;
 inline std::vector<TestCell>
 make_cells(const Biface::ReferenceSurface   &surface,
            const std::array<std::string, 2> &intervals,
-           const Faces                      &faces)
+           const FaceHeights                &face_heights)
 {
   using namespace dealii;
 
@@ -59,29 +56,21 @@ make_cells(const Biface::ReferenceSurface   &surface,
   Biface::create_triangulation(
     surface, Biface::ChartGrid(parameters, surface), triangulation);
 
-  const MappingManifold<2, 3> mapping;
-  const FE_Q<2, 3>            fe(1);
-  FEValues<2, 3>              at_vertices(
-    mapping, fe, QTrapezoid<2>(), update_quadrature_points | update_gradients);
-  FEValues<2, 3> at_center(
-    mapping, fe, QMidpoint<2>(), update_quadrature_points | update_JxW_values);
-
+  Biface::ShellFEValues fe_values(surface);
   std::vector<TestCell> cells;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
-      at_vertices.reinit(cell);
-      at_center.reinit(cell);
-      TestCell                             result;
-      std::array<std::array<double, 2>, 4> faces_at_vertices;
+      TestCell                           result;
+      Biface::ShellFEValues::FaceHeights heights;
       for (unsigned int v = 0; v < 4; ++v)
         {
           result.vertices[v] = cell->vertex_index(v);
-          result.points[v] =
-            surface.evaluate(surface.pull_back(cell->vertex(v)));
-          faces_at_vertices[v] = faces(surface.pull_back(cell->vertex(v))[0]);
+          heights[v] = face_heights(surface.pull_back(cell->vertex(v))[0]);
         }
-      result.geometry = Biface::compute_element_geometry(
-        at_vertices, at_center, surface, faces_at_vertices);
+      fe_values.reinit(cell, heights);
+      result.geometry = fe_values.get_geometry();
+      for (unsigned int v = 0; v < 4; ++v)
+        result.points[v] = fe_values.surface_at_vertex(v);
       cells.push_back(result);
     }
   return cells;
@@ -92,10 +81,11 @@ make_cells(const Biface::ReferenceSurface   &surface,
 inline std::vector<TestCell>
 make_cells(const Biface::ReferenceSurface   &surface,
            const std::array<std::string, 2> &intervals,
-           const std::array<double, 2>      &faces)
+           const std::array<double, 2>      &heights)
 {
-  return make_cells(
-    surface, intervals, Faces([faces](const double) { return faces; }));
+  return make_cells(surface, intervals, FaceHeights([heights](const double) {
+                      return heights;
+                    }));
 }
 
 

@@ -54,8 +54,9 @@ namespace
           h / 6 * (2 * stress[p][ab] + stress[1 - p][ab]);
 
     const ModeStiffness stiffness(laminate.stiffness());
-    const auto          cells = make_cells(
-      Plane(), {{"0:30:4:1.3", "-10:10:3:0.7, 10:16:1"}}, laminate.faces());
+    const auto          cells = make_cells(Plane(),
+                                  {{"0:30:4:1.3", "-10:10:3:0.7, 10:16:1"}},
+                                  laminate.face_heights());
 
     std::map<unsigned int, std::array<Tensor<1, 3>, 2>> forces;
     std::map<unsigned int, unsigned int>                n_cells;
@@ -67,7 +68,7 @@ namespace
           for (unsigned int face = 0; face < 2; ++face)
             {
               Point<3> x = cell.points[v].position;
-              x[2]       = laminate.faces()[face];
+              x[2]       = laminate.face_heights()[face];
               for (unsigned int i = 0; i < 3; ++i)
                 V[MixedElement::dof(v, i, face)] = displacement(x)[i];
             }

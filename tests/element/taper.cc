@@ -17,7 +17,7 @@ namespace
   /** The greatest deviation of all modes of all cells from the exact ones. */
   double
   deviation(const std::vector<TestCell> &cells,
-            const Faces                 &faces,
+            const FaceHeights           &faces,
             const Tensor<2, 3>          &F)
   {
     using namespace Resultants;
@@ -63,7 +63,7 @@ namespace
 int
 main()
 {
-  const Faces faces = [](const double x) {
+  const FaceHeights faces = [](const double x) {
     return std::array<double, 2>{{-0.5 - 0.1 * x, 0.3 + 0.25 * x}};
   };
   const auto cells = make_cells(Plane(), {{"0:3:2:1.3", "0:2:2"}}, faces);

@@ -27,7 +27,7 @@ main()
     ThicknessLaw::symmetric,
     0);
   const TestCell cell =
-    make_cells(Plane(), {{"0:3:1", "0:4:1"}}, laminate.faces())[0];
+    make_cells(Plane(), {{"0:3:1", "0:4:1"}}, laminate.face_heights())[0];
 
   MixedElement::NodalMatrix K;
   MixedElement(cell.geometry, MixedElement::NodalVector())
@@ -61,7 +61,7 @@ main()
           {
             const SurfacePoint &point = cell.points[v];
             const Tensor<1, 3>  x =
-              point.position + laminate.faces()[face] * point.frame[2];
+              point.position + laminate.face_heights()[face] * point.frame[2];
             const Tensor<1, 3> u = translation + cross_product_3d(rotation, x);
             for (unsigned int i = 0; i < 3; ++i)
               V[MixedElement::dof(v, i, face)] = u[i];

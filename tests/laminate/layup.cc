@@ -58,7 +58,7 @@ namespace
                              "cord: 2 + 0.01*alpha_1 @ 0",
                              reference)
                          .laminate(alpha_1)
-                         .faces();
+                         .face_heights();
     check_small("  " + reference + " at " +
                   std::to_string(static_cast<int>(alpha_1)),
                 std::hypot(faces[0] - inner, faces[1] - outer),

@@ -96,7 +96,8 @@ struct Total
         for (unsigned int face = 0; face < 2; ++face)
           {
             const dealii::Tensor<1, 3> x =
-              node.surface.position + node.faces[face] * node.surface.frame[2];
+              node.surface.position +
+              node.face_heights[face] * node.surface.frame[2];
             const dealii::Tensor<1, 3> f = node.surface.from_frame(
               mesh.displacement(nodal_forces, node, face));
             force += f;

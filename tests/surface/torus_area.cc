@@ -8,6 +8,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_manifold.h>
 
 #include <biface/model/shell_mesh.h>
 #include <biface/surface/circular_arc.h>

@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include <biface/element/geometry.h>
 #include <biface/element/mixed_element.h>
+#include <biface/element/shell_fe_values.h>
 
 namespace Biface
 {

@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include <biface/element/geometry.h>
 #include <biface/element/modes.h>
+#include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
 
 namespace Biface

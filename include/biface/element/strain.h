@@ -24,13 +24,14 @@ namespace Biface
     ThicknessMetric() = default;
 
     ThicknessMetric(const std::array<double, 2> &curvature,
-                    const std::array<double, 2> &faces)
+                    const std::array<double, 2> &face_heights)
     {
       for (unsigned int a = 0; a < 2; ++a)
         {
           for (unsigned int face = 0; face < 2; ++face)
-            zeta[face][a] = 1 + curvature[a] * faces[face];
-          zeta_bar[a] = 1 + curvature[a] * (faces[0] + faces[1]) / 2;
+            zeta[face][a] = 1 + curvature[a] * face_heights[face];
+          zeta_bar[a] =
+            1 + curvature[a] * (face_heights[0] + face_heights[1]) / 2;
         }
     }
 

@@ -83,7 +83,7 @@ namespace Biface
      * outer face. Unit: length.
      */
     std::array<double, 2>
-    faces() const;
+    face_heights() const;
 
     /**
      * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,

@@ -8,7 +8,6 @@
 #include <deal.II/distributed/tria_base.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_manifold.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
@@ -18,8 +17,8 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/element/geometry.h>
 #include <biface/element/mixed_element.h>
+#include <biface/element/shell_fe_values.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/named_points.h>
 #include <biface/model/supports.h>
@@ -37,8 +36,8 @@ namespace Biface
 
     SurfacePoint surface;
 
-    /** @f$\delta^-,\delta^+@f$, see Laminate::faces(). */
-    std::array<double, 2> faces;
+    /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(). Unit: length. */
+    std::array<double, 2> face_heights;
 
     /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     std::array<dealii::types::global_dof_index, 6> dofs;
@@ -271,14 +270,13 @@ namespace Biface
 
     std::unique_ptr<const ReferenceSurface>                    surface;
     std::unique_ptr<dealii::parallel::TriangulationBase<2, 3>> triangulation;
-    const dealii::MappingManifold<2, 3>                        mapping;
     const dealii::FESystem<2, 3>                               fe;
     dealii::DoFHandler<2, 3>                                   dof_handler;
     dealii::types::global_dof_index                            n_free   = 0;
     double                                                     diameter = 0;
     double greatest_thickness                                           = 0;
-    /** Laminate::faces() on each line of the first coordinate: where a ply
-     * ends there, the mean of both sides. */
+    /** Laminate::face_heights() on each line of the first coordinate: where a
+     * ply ends there, the mean of both sides. */
     std::vector<std::array<double, 2>> line_faces;
     /** Nodes of this rank on the shell's edges. */
     std::array<std::set<unsigned int>, 4> edge_nodes;

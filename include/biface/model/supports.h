@@ -22,7 +22,7 @@ namespace Biface
     /** i - 1 */
     unsigned int component;
     /** @f$(c^-, c^+)@f$ */
-    std::array<double, 2> faces;
+    std::array<double, 2> coefficients;
     /** @f$\bar v@f$ at the load factor 1. Unit: length. */
     double value;
   };

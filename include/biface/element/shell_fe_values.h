@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_shell_fe_values_h
+#define biface_element_shell_fe_values_h
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_manifold.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+
+#include <biface/element/strain.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /**
+   * The geometry of the shell in an element, computed once by ShellFEValues and
+   * then used in every iteration. Independent of the kind of surface.
+   *
+   * Vertices are numbered as in deal.II, lexicographically with
+   * @f$\alpha_1@f$ running fastest. The neighbor of vertex q along
+   * @f$\alpha_1@f$ is `q ^ 1`, along @f$\alpha_2@f$ is `q ^ 2`.
+   */
+  struct ElementGeometry
+  {
+    struct Vertex
+    {
+      /** @f$N_{q,a}/A_a@f$ for the shape function of this vertex; for its
+       * neighbor along @f$\alpha_a@f$ it is the negative, the others vanish.
+       * Unit: 1/length. */
+      std::array<double, 2> slope;
+
+      /** See SurfacePoint::connection(). */
+      std::array<dealii::Tensor<2, 3>, 2> connection;
+
+      ThicknessMetric metric;
+
+      /** The thickness h at this vertex. */
+      double thickness;
+
+      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: the slope of a
+       * face relative to the reference surface. Zero if the thickness is
+       * constant. */
+      std::array<std::array<double, 2>, 2> face_slope;
+    };
+
+    std::array<Vertex, 4> vertices;
+
+    /**
+     * The constant weight of the element's strains and resultants,
+     * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
+     * @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center of the
+     * element.
+     */
+    double weight;
+  };
+
+
+  /**
+   * The geometry of a shell, cell by cell, in the manner of dealii::FEValues:
+   * reinit() goes to a cell, and the other functions give the geometry of the
+   * shell at its vertices (the points of QTrapezoid) and at its center (that of
+   * QMidpoint).
+   *
+   * Derivatives of the shape functions and areas are those of
+   * dealii::FEValues with the bilinear FE_Q and MappingManifold; frames, Lamé
+   * parameters and curvatures are those of the manifold.
+   *
+   * @code
+   *   ShellFEValues fe_values(surface);
+   *   for (const auto &cell : triangulation.active_cell_iterators())
+   *     {
+   *       fe_values.reinit(cell, face_heights);
+   *       const MixedElement element(fe_values.get_geometry(), V);
+   *       force += element.internal_force(H, H_0);
+   *     }
+   * @endcode
+   *
+   * The geometry of the undeformed shell does not change: ShellMesh visits
+   * each cell once and stores its get_geometry().
+   */
+  class ShellFEValues
+  {
+  public:
+    /** @f$\delta^-,\delta^+@f$ at each vertex, see Laminate::face_heights().
+     * Unit: length. */
+    using FaceHeights = std::array<std::array<double, 2>, 4>;
+
+    /** @param surface the manifold of all cells. It must outlive this object.
+     */
+    explicit ShellFEValues(const ReferenceSurface &surface);
+
+    /**
+     * Go to a cell, the sides of which must be coordinate lines.
+     *
+     * @param face_heights assumed bilinear in the coordinates.
+     */
+    void
+    reinit(const dealii::Triangulation<2, 3>::cell_iterator &cell,
+           const FaceHeights                                &face_heights);
+
+    /** The reference surface at a vertex: frame, @f$A_a@f$, @f$k_a@f$,
+     * @f$B_a@f$. */
+    const SurfacePoint &
+    surface_at_vertex(const unsigned int vertex) const
+    {
+      return points[vertex];
+    }
+
+    /** The reference surface at the center. */
+    const SurfacePoint &
+    surface_at_center() const
+    {
+      return center;
+    }
+
+    /** The cell's area on the reference surface, by the midpoint rule. Unit:
+     * length^2. */
+    double
+    JxW() const
+    {
+      return at_center.JxW(0);
+    }
+
+    /** @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center: the area
+     * of the middle surface per unit of the coordinates. */
+    double
+    mu_bar() const
+    {
+      return center.lame[0] * metric_at_center.zeta_bar[0] * center.lame[1] *
+             metric_at_center.zeta_bar[1];
+    }
+
+    /** The geometry as MixedElement needs it. */
+    const ElementGeometry &
+    get_geometry() const
+    {
+      return geometry;
+    }
+
+  private:
+    const ReferenceSurface             &surface;
+    const dealii::MappingManifold<2, 3> mapping;
+    const dealii::FE_Q<2, 3>            fe;
+    dealii::FEValues<2, 3>              at_vertices;
+    dealii::FEValues<2, 3>              at_center;
+
+    std::array<SurfacePoint, 4> points;
+    SurfacePoint                center;
+    ThicknessMetric             metric_at_center;
+    ElementGeometry             geometry;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+
+#include <biface/element/shell_fe_values.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ShellFEValues::ShellFEValues(const ReferenceSurface &surface)
+    : surface(surface)
+    , fe(1)
+    , at_vertices(mapping,
+                  fe,
+                  QTrapezoid<2>(),
+                  update_quadrature_points | update_gradients)
+    , at_center(mapping,
+                fe,
+                QMidpoint<2>(),
+                update_quadrature_points | update_JxW_values)
+  {}
+
+
+  void
+  ShellFEValues::reinit(const Triangulation<2, 3>::cell_iterator &cell,
+                        const FaceHeights                        &face_heights)
+  {
+    at_vertices.reinit(cell);
+    at_center.reinit(cell);
+
+    std::array<double, 2> heights_at_center{};
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        points[q] =
+          surface.evaluate(surface.pull_back(at_vertices.quadrature_point(q)));
+        const SurfacePoint      &point   = points[q];
+        const auto              &heights = face_heights[q];
+        ElementGeometry::Vertex &vertex  = geometry.vertices[q];
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            vertex.slope[a] = at_vertices.shape_grad(q, q) * point.frame[a];
+            vertex.connection[a] = point.connection(a);
+
+            Assert(std::abs(
+                     at_vertices.shape_grad(q ^ (1 << a), q) * point.frame[a] +
+                     vertex.slope[a]) <= 1e-8 * std::abs(vertex.slope[a]) &&
+                     std::abs(at_vertices.shape_grad(q ^ (2 >> a), q) *
+                              point.frame[a]) <=
+                       1e-8 * std::abs(vertex.slope[a]),
+                   ExcMessage("The sides of cells must be coordinate lines."));
+          }
+        vertex.metric    = ThicknessMetric(point.curvature, heights);
+        vertex.thickness = heights[1] - heights[0];
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            for (unsigned int a = 0; a < 2; ++a)
+              vertex.face_slope[face][a] =
+                vertex.slope[a] *
+                (heights[face] - face_heights[q ^ (1 << a)][face]);
+            heights_at_center[face] += heights[face] / 4;
+          }
+      }
+
+    center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
+    metric_at_center = ThicknessMetric(center.curvature, heights_at_center);
+    geometry.weight =
+      JxW() * metric_at_center.zeta_bar[0] * metric_at_center.zeta_bar[1];
+  }
+} // namespace Biface
