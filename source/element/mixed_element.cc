@@ -359,15 +359,12 @@ namespace Biface
 
 
   void
-  MixedElement::tangent(const ModeStiffness &stiffness,
-                        const Modes::Vector &H,
-                        NodalMatrix         &K) const
+  MixedElement::add_tangent(const ModeStiffness &stiffness,
+                            const Modes::Vector &H,
+                            NodalMatrix         &K) const
   {
     alignas(64) StrainMatrix B;
     strain_matrix(B);
-
-    for (auto &row : K)
-      row.fill(0);
 
     for (const Modes::Group &group : Modes::groups)
       for (unsigned int i = 0; i < group.size; ++i)

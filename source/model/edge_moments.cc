@@ -102,4 +102,68 @@ namespace Biface
           derivative[i][j] = moment * change[i];
       }
   }
+
+
+  FollowerMoments::FollowerMoments(const ShellMesh   &mesh,
+                                   const std::string &text)
+  {
+    for (const VertexMoment &moment : parse_edge_moments(text, true, mesh))
+      moments[moment.cell].push_back(moment);
+  }
+
+
+  FollowerCouple
+  FollowerMoments::couple(const CellState &at, const VertexMoment &moment)
+  {
+    Tensor<1, 3> director;
+    for (unsigned int i = 0; i < 3; ++i)
+      director[i] =
+        at.V[MixedElement::dof(moment.vertex, i, Resultants::outer)] -
+        at.V[MixedElement::dof(moment.vertex, i, Resultants::inner)];
+    director[2] += at.cell.geometry.vertices[moment.vertex].thickness;
+    return FollowerCouple(moment.moment, moment.axis, director);
+  }
+
+
+  void
+  FollowerMoments::add(const CellState &at, CellForces &forces) const
+  {
+    for (const VertexMoment &moment : moments.at(at.index))
+      {
+        const FollowerCouple couple = this->couple(at, moment);
+        const auto dof = [&](const unsigned int i, const unsigned int face) {
+          return MixedElement::dof(moment.vertex, i, face);
+        };
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const auto face : {Resultants::inner, Resultants::outer})
+            {
+              const double factor =
+                (face == Resultants::outer ? 1 : -1) * at.loads.factor;
+              forces.load[dof(i, face)] += factor * couple.force[i];
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  const double k = factor * couple.derivative[i][j];
+                  forces.tangent[dof(i, face)][dof(j, Resultants::outer)] -= k;
+                  forces.tangent[dof(i, face)][dof(j, Resultants::inner)] += k;
+                }
+            }
+      }
+  }
+
+
+  void
+  FollowerMoments::add_load_derivative(const CellState           &at,
+                                       const LoadRates           &rates,
+                                       MixedElement::NodalVector &force) const
+  {
+    for (const VertexMoment &moment : moments.at(at.index))
+      {
+        const FollowerCouple couple = this->couple(at, moment);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const auto face : {Resultants::inner, Resultants::outer})
+            force[MixedElement::dof(moment.vertex, i, face)] +=
+              (face == Resultants::outer ? 1 : -1) * rates.factor *
+              couple.force[i];
+      }
+  }
 } // namespace Biface

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/element/follower_pressure.h>
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/pressure_load.h>
@@ -123,5 +122,53 @@ namespace Biface
       }
     nodal_forces.compress(VectorOperation::add);
     return nodal_forces;
+  }
+
+
+  PressureForces::PressureForces(const ShellMesh    &mesh,
+                                 const PressureLoad &pressure)
+    : kind(pressure.kind)
+    , face(pressure.face)
+    , distribution(pressure.values(mesh))
+  {
+    if (kind == PressureKind::dead)
+      at_unit_pressure = pressure.assemble_dead(mesh);
+  }
+
+
+  FollowerPressure
+  PressureForces::unit_pressure(const CellState &at) const
+  {
+    std::array<double, 4> pressure;
+    for (unsigned int v = 0; v < 4; ++v)
+      pressure[v] = distribution[at.cell.nodes[v]];
+    return FollowerPressure(at.cell.geometry, at.V, face, pressure);
+  }
+
+
+  void
+  PressureForces::add(const CellState &at, CellForces &forces) const
+  {
+    const FollowerPressure unit = unit_pressure(at);
+    forces.load += at.loads.pressure * unit.force();
+    unit.add_derivative(-at.loads.pressure, forces.tangent);
+  }
+
+
+  void
+  PressureForces::add_load_derivative(const CellState           &at,
+                                      const LoadRates           &rates,
+                                      MixedElement::NodalVector &force) const
+  {
+    force += rates.pressure * unit_pressure(at).force();
+  }
+
+
+  void
+  PressureForces::add_dead_forces(const LoadRates &loads,
+                                  LA::Vector      &nodal_forces) const
+  {
+    if (kind == PressureKind::dead)
+      nodal_forces.add(loads.pressure, at_unit_pressure);
   }
 } // namespace Biface

@@ -5,131 +5,84 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include <biface/element/follower_pressure.h>
+#include <biface/model/contact_forces.h>
+#include <biface/model/edge_moments.h>
 #include <biface/model/shell_equations.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  ShellEquations::ShellEquations(const ShellMesh         &mesh,
-                                 const ContactConditions &contact,
-                                 const DeadLoads         &dead_loads,
-                                 const PressureLoad      &pressure)
-    : mesh(mesh)
-    , pressure_kind(pressure.kind)
-    , pressure_face(pressure.face)
-    , pressure_distribution(pressure.values(mesh))
-    , contact(contact)
-    , constraints(mesh.constraints)
-    , dead_load(dead_loads.assemble(mesh, pressure.area))
-    , unit_load(dead_load)
-    , unit_pressure(pressure.assemble_dead(mesh))
-    , rhs(mesh.owned_vector())
-    , adder(mesh, constraints, matrix)
+  ForceTerms
+  make_force_terms(const ShellMesh          &mesh,
+                   const ContactInteraction &contact,
+                   const DeadLoads          &dead_loads,
+                   const PressureLoad       &pressure)
   {
-    for (const Strip &strip : mesh.strips)
-      stiffness.emplace_back(strip.laminate.stiffness());
-    initial_strains.resize(mesh.cells.size());
-    for (const VertexMoment &moment :
-         parse_edge_moments(dead_loads.edge_moments, true, mesh))
-      moments[moment.cell].push_back(moment);
-    symmetric_stiffness = mesh.strips[0].laminate.is_symmetric();
-    for (const Cell &cell : mesh.cells)
-      initial_resultants.push_back(
-        Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
+    ForceTerms terms;
+    terms.push_back(
+      std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
+    terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
+    terms.push_back(
+      std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
+    terms.push_back(std::make_unique<ContactForces>(contact));
+    return terms;
+  }
+
+
+  ShellEquations::ShellEquations(const ShellMesh &mesh, ForceTerms other_terms)
+    : mesh(mesh)
+    , internal(mesh)
+    , other_terms(std::move(other_terms))
+    , terms{&internal}
+    , constraints(mesh.constraints)
+    , matrix(mesh, constraints)
+    , rhs(mesh.owned_vector())
+  {
+    for (const bool linearized : {true, false})
+      {
+        for (const auto &term : this->other_terms)
+          if (term->is_linearized() == linearized)
+            terms.push_back(term.get());
+        if (linearized)
+          n_linearized = terms.size();
+      }
   }
 
 
   void
-  ShellEquations::cell_equations(const State       &state,
-                                 const Loads       &loads,
-                                 const unsigned int c,
-                                 CellEquations     &equations) const
+  ShellEquations::sum_forces(const unsigned int     c,
+                             const State           &state,
+                             const Loads           &loads,
+                             ForceTerm::CellForces &forces) const
   {
-    const Cell  &cell = mesh.cells[c];
-    const State &base = linearization_point ? *linearization_point : state;
-    const auto   V    = mesh.cell_values(base.displacement, cell);
-    const MixedElement element(cell.geometry, V);
+    forces.clear();
+    const Cell &cell = mesh.cells[c];
+    const auto  add  = [&](const unsigned int               begin,
+                         const unsigned int               end,
+                         const State                     &state,
+                         const MixedElement::NodalVector &V) {
+      for (unsigned int t = begin; t < end; ++t)
+        if (terms[t]->acts_on(c, state, loads))
+          terms[t]->add({c, cell, V, state, loads}, forces);
+    };
 
-    // the residual is that of the displacements, the tangent that of the
-    // current resultants: see NewtonIteration::mixed
-    const Modes::Vector H = stiffness_of(cell).resultants(element.strain());
-    element.tangent(stiffness_of(cell),
-                    base.resultants[c] + initial_resultants[c],
-                    equations.tangent);
-    MixedElement::NodalVector force =
-      element.internal_force(H, initial_resultants[c]);
-
-    add_follower_loads(loads, c, V, equations);
-
-    if (linearization_point)
+    const auto V = mesh.cell_values(state.displacement, cell);
+    if (const auto &base = internal.linearization_point())
       {
-        const auto dV = mesh.cell_values(state.displacement, cell) - V;
+        const auto V_0 = mesh.cell_values(base->displacement, cell);
+        add(0, n_linearized, *base, V_0);
+        const auto dV = V - V_0;
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-            force[i] += equations.tangent[i][j] * dV[j];
+            forces.force[i] -= forces.tangent[i][j] * dV[j];
+        forces.square = forces.force.norm_square();
       }
-
-    equations.residual     = -force;
-    equations.force_square = force.norm_square();
-
-    if (loads.foundation)
-      add_contact(state, loads, cell, equations);
-  }
-
-
-  void
-  ShellEquations::add_follower_loads(const Loads                     &loads,
-                                     const unsigned int               c,
-                                     const MixedElement::NodalVector &V,
-                                     CellEquations &equations) const
-  {
-    const Cell &cell = mesh.cells[c];
-    if (pressure_kind == PressureKind::follower)
-      {
-        std::array<double, 4> distribution;
-        for (unsigned int v = 0; v < 4; ++v)
-          distribution[v] = pressure_distribution[cell.nodes[v]];
-        const FollowerPressure pressure(
-          cell.geometry, V, pressure_face, distribution);
-        equations.unit_pressure = pressure.force();
-        pressure.add_derivative(-loads.pressure, equations.tangent);
-      }
-
-    const auto found = moments.find(c);
-    if (found == moments.end())
-      return;
-    equations.moments = 0;
-    for (const VertexMoment &moment : found->second)
-      {
-        const auto dof = [&](const unsigned int i, const unsigned int face) {
-          return MixedElement::dof(moment.vertex, i, face);
-        };
-        Tensor<1, 3> director;
-        for (unsigned int i = 0; i < 3; ++i)
-          director[i] =
-            V[dof(i, Resultants::outer)] - V[dof(i, Resultants::inner)];
-        director[2] += cell.geometry.vertices[moment.vertex].thickness;
-
-        const FollowerCouple couple(moment.moment, moment.axis, director);
-        for (unsigned int i = 0; i < 3; ++i)
-          for (const auto face : {Resultants::inner, Resultants::outer})
-            {
-              const double sign = (face == Resultants::outer ? 1 : -1);
-              equations.moments[dof(i, face)] += sign * couple.force[i];
-              for (unsigned int j = 0; j < 3; ++j)
-                {
-                  const double k =
-                    sign * loads.factor * couple.derivative[i][j];
-                  equations.tangent[dof(i, face)][dof(j, Resultants::outer)] -=
-                    k;
-                  equations.tangent[dof(i, face)][dof(j, Resultants::inner)] +=
-                    k;
-                }
-            }
-      }
+    else
+      add(0, n_linearized, state, V);
+    add(n_linearized, terms.size(), state, V);
   }
 
 
@@ -137,42 +90,63 @@ namespace Biface
   ShellEquations::assemble(const State &state, const Loads &loads)
   {
     update_constraints(state, loads);
-    matrix = 0;
-    rhs    = 0;
+    matrix.clear();
+    rhs = 0;
 
-    double        force_square = 0;
-    CellEquations equations;
-    unit_load = dead_load;
-    if (pressure_kind == PressureKind::follower)
-      unit_pressure = 0;
+    LA::Vector load = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+
+    double                square = 0;
+    ForceTerm::CellForces forces;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        cell_equations(state, loads, c, equations);
-        force_square += equations.force_square;
-        adder.add(c, equations.tangent, equations.residual, matrix, rhs);
-        if (pressure_kind == PressureKind::follower)
-          mesh.add_nodal_forces(
-            mesh.cells[c], equations.unit_pressure, unit_pressure);
-        if (moments.count(c) > 0)
-          mesh.add_nodal_forces(mesh.cells[c], equations.moments, unit_load);
+        sum_forces(c, state, loads, forces);
+        square += forces.square;
+        matrix.add(c, forces.tangent, forces.force, rhs);
+        if (forces.load.norm_square() > 0)
+          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
       }
-    matrix.compress(VectorOperation::add);
+    matrix.compress();
     rhs.compress(VectorOperation::add);
-    unit_pressure.compress(VectorOperation::add);
-    unit_load.compress(VectorOperation::add);
+    load.compress(VectorOperation::add);
 
-    const LA::Vector load = load_direction(loads);
     rhs += load;
-    force_scale = std::sqrt(
-      Utilities::MPI::sum(force_square, mesh.communicator) + load.norm_sqr());
+    force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+                            load.norm_sqr());
+  }
+
+
+  bool
+  ShellEquations::is_symmetric(const Loads &loads) const
+  {
+    return std::all_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
+      return term->is_symmetric(loads);
+    });
   }
 
 
   LA::Vector
-  ShellEquations::load_direction(const Loads &rate) const
+  ShellEquations::load_direction(const State     &state,
+                                 const Loads     &loads,
+                                 const LoadRates &rates) const
   {
-    LA::Vector direction(unit_pressure);
-    direction.sadd(rate.pressure, rate.factor, unit_load);
+    Assert(!internal.linearization_point(), ExcNotImplemented());
+    LA::Vector direction = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces(rates, direction);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        const auto  V    = mesh.cell_values(state.displacement, cell);
+        MixedElement::NodalVector force;
+        for (const ForceTerm *term : terms)
+          if (term->acts_on(c, state, loads))
+            term->add_load_derivative({c, cell, V, state, loads}, rates, force);
+        if (force.norm_square() > 0)
+          mesh.add_nodal_forces(cell, force, direction);
+      }
+    direction.compress(VectorOperation::add);
     return direction;
   }
 
@@ -214,7 +188,7 @@ namespace Biface
       if (!mesh.constraints.is_constrained(dof))
         {
           const double force =
-            matrix.diag_element(dof) * state.displacement(dof);
+            matrix.get().diag_element(dof) * state.displacement(dof);
           square += force * force;
         }
     return std::numeric_limits<double>::epsilon() *
@@ -223,10 +197,26 @@ namespace Biface
   }
 
 
-  bool
-  ShellEquations::is_symmetric() const
+  void
+  ShellEquations::update(State                &state,
+                         const LA::Vector     &increment,
+                         const NewtonIteration iteration) const
   {
-    return symmetric_stiffness && contact.is_symmetric() &&
-           pressure_kind == PressureKind::dead;
+    const bool predicts =
+      iteration == NewtonIteration::mixed && !internal.linearization_point();
+    if (predicts)
+      {
+        LA::Vector ghosted_increment = mesh.ghosted_vector();
+        ghosted_increment            = increment;
+        internal.predict_resultants(state, ghosted_increment);
+      }
+
+    LA::Vector displacement = mesh.owned_vector();
+    displacement            = state.displacement;
+    displacement += increment;
+    state.displacement = displacement;
+
+    if (!predicts)
+      internal.settle_resultants(state);
   }
 } // namespace Biface

@@ -32,7 +32,7 @@ namespace Biface
 
           const Point<3> x =
             mesh.deformed_position(state.displacement, node, Resultants::outer);
-          const double pressure = equations.pressure(state, report.loads, n);
+          const double          pressure = state.contact_pressure(n);
           const ThicknessMetric metric(node.surface.curvature,
                                        node.face_heights);
           rows.push_back({chart_coordinate(surface, node, 0),
@@ -40,7 +40,7 @@ namespace Biface
                           x[0],
                           x[1],
                           x[2],
-                          equations.clearance(state, report.loads, node),
+                          report.loads.foundation->clearance(x),
                           pressure,
                           static_cast<double>(state.active[n]),
                           pressure * metric.area_ratio(Resultants::outer)});

@@ -68,7 +68,8 @@ namespace Biface
       {
         const Cell  &cell  = mesh.cells[c];
         const Strip &strip = mesh.strips[cell.strip];
-        const auto   E = Modes::at_vertices(equations.total_strains(state, c));
+        const auto   E     = Modes::at_vertices(
+          equations.internal_forces().total_strains(state, c));
 
         // at each vertex, how far up the ply at hand begins
         std::array<double, 4> height{};

@@ -81,9 +81,7 @@ namespace Biface
               mesh.deformed_position(state.displacement, node, face);
             row.insert(row.end(), {x[0], x[1], x[2]});
           }
-        row.push_back(report.loads.foundation
-                        ? equations.pressure(state, report.loads, n)
-                        : 0.);
+        row.push_back(state.contact_pressure(n));
         rows.push_back(row);
       }
     write_csv(path(report.step),

@@ -23,9 +23,7 @@ namespace Biface
   } // namespace
 
 
-  FacePatches::FacePatches(const ShellEquations &equations,
-                           const State          &state,
-                           const Loads          &loads)
+  FacePatches::FacePatches(const ShellEquations &equations, const State &state)
     : VertexPatches<2>(dataset_names)
   {
     using namespace Resultants;
@@ -34,7 +32,8 @@ namespace Biface
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell &cell = mesh.cells[c];
-        const auto H = Modes::at_vertices(equations.total_resultants(state, c));
+        const auto  H    = Modes::at_vertices(
+          equations.internal_forces().total_resultants(state, c));
 
         for (unsigned int face = 0; face < 2; ++face)
           {
@@ -51,9 +50,7 @@ namespace Biface
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = u[i];
                 patch.data(d++, v) =
-                  (face == outer
-                     ? equations.pressure(state, loads, cell.nodes[v])
-                     : 0.);
+                  (face == outer ? state.contact_pressure(cell.nodes[v]) : 0.);
                 patch.data(d++, v) =
                   (face == outer ? state.active[cell.nodes[v]] : 0);
                 patch.data(d++, v) = face;
@@ -89,7 +86,7 @@ namespace Biface
   void
   ShellVtu::write(const StepReport &report, const State &state)
   {
-    FacePatches patches(equations, state, report.loads);
+    FacePatches patches(equations, state);
     write_patches(patches, report.step);
   }
 } // namespace Biface

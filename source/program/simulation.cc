@@ -81,20 +81,6 @@ namespace Biface
     }
 
 
-    /** The conditions of contact; where no stage has any, those that keep the
-     * tangent symmetric, of which the solver needs to know one half. */
-    ContactConditions::Parameters
-    make_contact(const Parameters &parameters)
-    {
-      ContactConditions::Parameters contact = parameters.contact;
-      if (std::none_of(parameters.stages.begin(),
-                       parameters.stages.end(),
-                       [](const Stage &stage) { return stage.contact; }))
-        contact.mass = MultiplierMass::lumped;
-      return contact;
-    }
-
-
     /** Seconds in factorizations and solutions. */
     double
     linear_seconds(const TimerOutput &timer)
@@ -129,10 +115,12 @@ namespace Biface
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
     , mesh(std::move(shell_mesh))
-    , contact(make_contact(parameters))
-    , equations(*mesh, contact, parameters.loads, parameters.pressure)
+    , contact(*mesh, parameters.contact)
+    , equations(
+        *mesh,
+        make_force_terms(*mesh, contact, parameters.loads, parameters.pressure))
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
-    , state(equations.initial_state())
+    , state(*mesh)
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
       make_control(parameters.stages[i])
@@ -217,9 +205,9 @@ namespace Biface
           << mesh->n_unknowns() << " unknowns" << std::endl;
 
     Newton newton(
-      parameters.newton, equations, *linear_solver, out, timer, stop);
+      parameters.newton, equations, contact, *linear_solver, out, timer, stop);
     LoadStepping load_stepping(
-      parameters.load_stepping, equations, newton, out, nested.get());
+      parameters.load_stepping, equations, contact, newton, out, nested.get());
     return load_stepping.run(parameters.stages, progress, state, observer);
   }
 } // namespace Biface

@@ -37,13 +37,15 @@ namespace Biface
               const State          &state,
               const Progress       &progress)
     {
-      const ShellMesh              &mesh    = equations.mesh;
-      const ShellEquations::History history = equations.get_history();
+      const ShellMesh               &mesh = equations.mesh;
+      const InternalForces::History &history =
+        equations.internal_forces().get_history();
 
       std::vector<CheckpointFile::Table> tables{
         {"displacement", rows_of(state.displacement, mesh)},
         {"resultants", rows_of(state.resultants, mesh)},
         {"active", rows_of(state.active, mesh)},
+        {"multipliers", rows_of(state.multipliers, mesh)},
         {"initial resultants", rows_of(history.initial_resultants, mesh)},
         {"initial strains", rows_of(history.initial_strains, mesh)}};
       if (history.linearization_point)
@@ -158,23 +160,26 @@ namespace Biface
       return modes_from(reader->rows(name, cells));
     };
 
-    state              = equations.initial_state();
+    const auto all_nodes = numbers_of_nodes(mesh);
+
+    state              = State(mesh);
     state.displacement = ghosted("displacement");
     state.resultants   = modes("resultants");
-    state.active = active_from(reader->rows("active", numbers_of_nodes(mesh)));
+    state.active       = active_from(reader->rows("active", all_nodes));
+    state.multipliers  = vectors_from(reader->rows("multipliers", all_nodes));
 
-    ShellEquations::History history;
+    InternalForces::History history;
     history.initial_resultants = modes("initial resultants");
     history.initial_strains    = modes("initial strains");
     if (reader->has("linearization displacement"))
       {
-        State point                 = equations.initial_state();
+        State point(mesh);
         point.displacement          = ghosted("linearization displacement");
         point.resultants            = modes("linearization resultants");
         history.linearization_point = point;
       }
 
-    equations.restore(history);
+    equations.internal_forces().restore(history);
 
     progress = record.progress;
     if (reader->has("predictor displacement"))

@@ -37,7 +37,7 @@ namespace Biface
 
 
   NumberedRows
-  rows_of(const ContactConditions::ActiveSet &active, const ShellMesh &mesh)
+  rows_of(const ActiveSet &active, const ShellMesh &mesh)
   {
     AssertDimension(active.size(), mesh.nodes.size());
     NumberedRows rows;
@@ -47,6 +47,22 @@ namespace Biface
     for (unsigned int n = 0; n < active.size(); ++n)
       if (mesh.nodes[n].locally_owned)
         rows.values.push_back(active[n]);
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of(const std::vector<Tensor<1, 3>> &values, const ShellMesh &mesh)
+  {
+    AssertDimension(values.size(), mesh.nodes.size());
+    NumberedRows rows;
+    rows.width   = 3;
+    rows.n_rows  = mesh.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(mesh);
+    for (unsigned int n = 0; n < values.size(); ++n)
+      if (mesh.nodes[n].locally_owned)
+        for (unsigned int i = 0; i < 3; ++i)
+          rows.values.push_back(values[n][i]);
     return rows;
   }
 
@@ -106,12 +122,22 @@ namespace Biface
   }
 
 
-  ContactConditions::ActiveSet
+  ActiveSet
   active_from(const std::vector<double> &values)
   {
-    ContactConditions::ActiveSet active;
+    ActiveSet active;
     for (const double value : values)
       active.push_back(value != 0);
     return active;
+  }
+
+
+  std::vector<Tensor<1, 3>>
+  vectors_from(const std::vector<double> &values)
+  {
+    std::vector<Tensor<1, 3>> vectors(values.size() / 3);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      vectors[i / 3][i % 3] = values[i];
+    return vectors;
   }
 } // namespace Biface

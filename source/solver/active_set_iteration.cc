@@ -49,7 +49,7 @@ namespace Biface
 
 
   std::string
-  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked)
+  name_nodes(const ShellMesh &mesh, const ActiveSet &marked)
   {
     constexpr unsigned int most = 5;
 
@@ -81,9 +81,9 @@ namespace Biface
   }
 
 
-  ActiveSetIteration::ActiveSetIteration(const ShellEquations &equations,
-                                         ConditionalOStream   &out)
-    : equations(equations), out(out), cycle(equations.mesh.communicator)
+  ActiveSetIteration::ActiveSetIteration(const ContactInteraction &contact,
+                                         ConditionalOStream       &out)
+    : contact(contact), out(out), cycle(contact.mesh.communicator)
   {}
 
 
@@ -91,13 +91,12 @@ namespace Biface
   ActiveSetIteration::update(State &state, const Loads &loads)
   {
     const unsigned int n_changes =
-      equations.update_active_set(state, loads, held);
+      contact.update_active_set(state, loads, held);
     // a set at rest, or one that grows from nothing, is the rule
     if (!cycle.closes_with(state.active))
       return n_changes;
 
-    const std::string nodes =
-      name_nodes(equations.mesh, cycle.toggling_nodes());
+    const std::string nodes = name_nodes(contact.mesh, cycle.toggling_nodes());
     cycle.restart();
     if (was_held)
       {
@@ -109,7 +108,7 @@ namespace Biface
         << std::endl;
     was_held = true;
     held     = cycle.toggling_nodes();
-    return n_changes + equations.update_active_set(state, loads, held);
+    return n_changes + contact.update_active_set(state, loads, held);
   }
 
 
@@ -121,6 +120,6 @@ namespace Biface
     out << "    releasing the nodes held in contact" << std::endl;
     held.clear();
     cycle.restart();
-    return equations.update_active_set(state, loads);
+    return contact.update_active_set(state, loads);
   }
 } // namespace Biface

@@ -50,14 +50,16 @@ namespace Biface
   }
 
 
-  Newton::Newton(const Parameters   &parameters,
-                 ShellEquations     &equations,
-                 LinearSolver       &linear_solver,
-                 ConditionalOStream &out,
-                 TimerOutput        &timer,
-                 const Stop         &stop)
+  Newton::Newton(const Parameters         &parameters,
+                 ShellEquations           &equations,
+                 const ContactInteraction &contact,
+                 LinearSolver             &linear_solver,
+                 ConditionalOStream       &out,
+                 TimerOutput              &timer,
+                 const Stop               &stop)
     : parameters(parameters)
     , equations(equations)
+    , contact(contact)
     , linear_solver(linear_solver)
     , out(out)
     , timer(timer)
@@ -93,22 +95,22 @@ namespace Biface
   /** Where an iteration is. */
   struct Newton::Iterate
   {
-    Iterate(State                   &state,
-            const ParametrizedLoads &path,
-            double                  &mu,
-            const NewtonIteration    iteration,
-            const bool               zone_given,
-            const ShellEquations    &equations,
-            ConditionalOStream      &out)
+    Iterate(State                    &state,
+            const ParametrizedLoads  &path,
+            double                   &mu,
+            const NewtonIteration     iteration,
+            const bool                zone_given,
+            const ContactInteraction &contact,
+            ConditionalOStream       &out)
       : state(state)
       , parametrized(path)
       , mu(mu)
       , iteration(iteration)
       , zone_given(zone_given)
       , loads(path.at(mu))
-      , zone(equations, out)
+      , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
-      , total(equations.mesh.owned_vector())
+      , total(contact.mesh.owned_vector())
     {}
 
     State                   &state;
@@ -136,7 +138,7 @@ namespace Biface
                 const NewtonIteration    iteration,
                 const bool               zone_given)
   {
-    Iterate iterate(state, loads, mu, iteration, zone_given, equations, out);
+    Iterate iterate(state, loads, mu, iteration, zone_given, contact, out);
     NewtonResult &result = iterate.result;
     Increment     increment;
     increment.displacement = equations.mesh.owned_vector();
@@ -167,7 +169,7 @@ namespace Biface
                 continue;
               }
             TimerOutput::Scope scope(timer, "Update of the state");
-            equations.settle_resultants(state);
+            equations.internal_forces().settle_resultants(state);
             result.converged = true;
             return result;
           }
@@ -203,7 +205,7 @@ namespace Biface
                   result.iterations,
                   result.residuals.back(),
                   update,
-                  equations.count_active(iterate.state),
+                  contact.count_active(iterate.state),
                   iterate.n_changes);
     out << line << std::endl;
   }
@@ -240,8 +242,8 @@ namespace Biface
                                           parameters.residual_tolerance,
                                           iterate.zone_given ? 1e-3 : 1e-6);
 
-    LinearSolverResult linear =
-      linear_solver.factorize(equations.tangent(), equations.is_symmetric());
+    LinearSolverResult linear = linear_solver.factorize(
+      equations.tangent(), equations.is_symmetric(iterate.loads));
     iterate.result.n_negative_pivots = linear.n_negative_pivots;
     if (linear.success)
       linear = linear_solver.solve(
@@ -254,7 +256,7 @@ namespace Biface
     if (const ControlEquation *equation = iterate.parametrized.equation)
       {
         const ControlEquation::Iteration here{
-          equations, iterate.state, iterate.loads, iterate.total};
+          equations, contact, iterate.state, iterate.loads, iterate.total};
         LA::Vector per_parameter = equations.mesh.owned_vector();
         linear                   = linear_solver.solve(
           per_parameter, equation->load_direction(here), exactness);

@@ -23,13 +23,15 @@ namespace Biface
   }
 
 
-  LoadStepping::LoadStepping(const Parameters      &parameters,
-                             ShellEquations        &equations,
-                             Newton                &newton,
-                             ConditionalOStream    &out,
-                             const NestedPredictor *nested)
+  LoadStepping::LoadStepping(const Parameters         &parameters,
+                             ShellEquations           &equations,
+                             const ContactInteraction &contact,
+                             Newton                   &newton,
+                             ConditionalOStream       &out,
+                             const NestedPredictor    *nested)
     : parameters(parameters)
     , equations(equations)
+    , contact(contact)
     , newton(newton)
     , out(out)
     , nested(nested)
@@ -76,13 +78,13 @@ namespace Biface
     Progress    &progress = run.progress;
     if (stage.from_prestress)
       {
-        equations.take_as_prestress(run.state);
+        equations.internal_forces().take_as_prestress(run.state);
         progress.reached = LoadLevel();
         progress.touching_travel.reset();
       }
     if (stage.contact && !progress.touching_travel)
-      progress.touching_travel = equations.touching_travel(run.state);
-    equations.set_theory(stage.theory, run.state);
+      progress.touching_travel = contact.touching_travel(run.state);
+    equations.internal_forces().set_theory(stage.theory, run.state);
 
     run.control.begin(last_converged(run));
     progress.control = run.control.get_memory();
@@ -239,7 +241,7 @@ namespace Biface
     report.in_contact = run.stage.contact;
     report.loads      = loads_at(progress.reached, run);
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
-    report.contact    = equations.summarize_contact(run.state, report.loads);
+    report.contact    = contact.summarize(run.state, report.loads);
     report.iterations = result.iterations;
     report.residuals  = result.residuals;
     report.n_negative_pivots = result.n_negative_pivots;
@@ -252,6 +254,7 @@ namespace Biface
   {
     return {
       equations,
+      contact,
       run.state,
       run.progress.reached,
       [this, &run](const LoadLevel &level) { return loads_at(level, run); }};
@@ -266,7 +269,7 @@ namespace Biface
     loads.factor   = level.factor;
     if (run.stage.contact)
       loads.foundation =
-        equations.foundation(*run.progress.touching_travel + level.travel);
+        contact.foundation(*run.progress.touching_travel + level.travel);
     return loads;
   }
 } // namespace Biface

@@ -74,23 +74,23 @@ main(int argc, char *argv[])
   double                  equator = 0;
   std::map<Place, double> pressures;
 
-  const auto reports = run_bias_tire(
-    {},
-    [&](const ShellEquations &equations,
-        const StepReport     &report,
-        const State          &state) {
-      const auto &mesh = equations.mesh;
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        {
-          const Node &node  = mesh.nodes[n];
-          const Place place = place_of(node);
-          if (report.step == 1 && place == Place(0, 0))
-            equator =
-              mesh.displacement(state.displacement, node, Resultants::outer)[2];
-          if (report.approach == 20 && state.active[n])
-            pressures[place] = equations.pressure(state, report.loads, n);
-        }
-    });
+  const auto reports =
+    run_bias_tire({},
+                  [&](const ShellEquations &equations,
+                      const StepReport     &report,
+                      const State          &state) {
+                    const auto &mesh = equations.mesh;
+                    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+                      {
+                        const Node &node  = mesh.nodes[n];
+                        const Place place = place_of(node);
+                        if (report.step == 1 && place == Place(0, 0))
+                          equator = mesh.displacement(
+                            state.displacement, node, Resultants::outer)[2];
+                        if (report.approach == 20 && state.active[n])
+                          pressures[place] = state.contact_pressure(n);
+                      }
+                  });
 
   // steps and iterations of the whole run
   unsigned int n_iterations = 0;

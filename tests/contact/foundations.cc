@@ -5,10 +5,8 @@
 // is minus its second derivative; after the travel to a point the foundation
 // touches it. With a huge radius all agree with a plane to the last digits.
 
-#include <biface/contact/moved_foundation.h>
-#include <biface/contact/rigid_drum.h>
-#include <biface/contact/rigid_plane.h>
-#include <biface/contact/rigid_sphere.h>
+#include <biface/contact/foundation_shapes.h>
+#include <biface/contact/rigid_foundation.h>
 
 #include <tests.h>
 
@@ -17,19 +15,19 @@ using namespace Biface;
 
 namespace
 {
-  RigidFoundation::Path
-  path()
+  FoundationShape::TravelLine
+  line()
   {
     return {Tensor<1, 3>({2, 0.6, -0.4}), Point<3>(3, -1, 2)};
   }
 
 
-  /** Points here and there, within a distance of about 3 of that of the path.
+  /** Points here and there, within a distance of about 3 of that of the line.
    */
   Point<3>
   some_point(const unsigned int i)
   {
-    return path().point + Tensor<1, 3>({2 * std::sin(1 + 3.1 * i),
+    return line().point + Tensor<1, 3>({2 * std::sin(1 + 3.1 * i),
                                         2 * std::sin(2 + 5.3 * i),
                                         2 * std::sin(3 + 7.9 * i)});
   }
@@ -39,11 +37,11 @@ namespace
   template <typename Distance>
   void
   test(const std::string                           &name,
-       const std::shared_ptr<const RigidFoundation> shape,
+       const std::shared_ptr<const FoundationShape> shape,
        const Distance                              &distance)
   {
     const double          travel = 0.3, step = 1e-5;
-    const MovedFoundation foundation = MovedFoundation(shape).moved(travel);
+    const RigidFoundation foundation = RigidFoundation(shape).moved(travel);
 
     double clearance = 0, unit = 0, normal = 0, gradient = 0, touch = 0;
     for (unsigned int i = 0; i < 10; ++i)
@@ -86,9 +84,9 @@ namespace
 
   /** The greatest differences from a plane. */
   void
-  compare_with_plane(const std::string &name, const RigidFoundation &shape)
+  compare_with_plane(const std::string &name, const FoundationShape &shape)
   {
-    const RigidPlane plane(path());
+    const RigidPlane plane(line());
     double           clearance = 0, normal = 0, travel = 0;
     for (unsigned int i = 0; i < 10; ++i)
       {
@@ -111,7 +109,7 @@ namespace
 int
 main()
 {
-  const Tensor<1, 3> direction = path().direction / path().direction.norm();
+  const Tensor<1, 3> direction = line().direction / line().direction.norm();
   const Tensor<1, 3> axis      = Tensor<1, 3>({0.2, 0.8, 0.6});
   const Tensor<1, 3> unit_axis = axis / axis.norm();
   Tensor<1, 3>       across = direction - (direction * unit_axis) * unit_axis;
@@ -121,9 +119,9 @@ main()
     {
       const std::string kind = (radius > 0 ? "full" : "hollow");
       test(kind + " sphere",
-           std::make_shared<RigidSphere>(path(), radius),
+           std::make_shared<RigidSphere>(line(), radius),
            [&](const Point<3> &x) {
-             const Point<3> center = path().point + radius * direction;
+             const Point<3> center = line().point + radius * direction;
              return std::copysign((x - center).norm(), radius) - radius;
            });
 
@@ -131,9 +129,9 @@ main()
       parameters.radius = radius;
       parameters.axis   = axis;
       test(kind + " drum",
-           std::make_shared<RigidDrum>(path(), parameters),
+           std::make_shared<RigidDrum>(line(), parameters),
            [&](const Point<3> &x) {
-             const Point<3> center = path().point + radius * across;
+             const Point<3> center = line().point + radius * across;
              const double rho = cross_product_3d(unit_axis, x - center).norm();
              return std::copysign(rho, radius) - radius;
            });
@@ -143,19 +141,19 @@ main()
     {
       const std::string sign = (radius > 0 ? "" : "minus ");
       compare_with_plane("sphere of a radius of " + sign + "1e16",
-                         RigidSphere(path(), radius));
+                         RigidSphere(line(), radius));
       RigidDrum::Parameters parameters;
       parameters.radius = radius;
       parameters.axis   = cross_product_3d(direction, axis);
       compare_with_plane("drum of a radius of " + sign + "1e16",
-                         RigidDrum(path(), parameters));
+                         RigidDrum(line(), parameters));
     }
 
   const Point<3> beside =
-    path().point + 5 * cross_product_3d(direction, unit_axis);
+    line().point + 5 * cross_product_3d(direction, unit_axis);
   const double infinity = std::numeric_limits<double>::infinity();
   check_true("a small sphere passes by",
-             RigidSphere(path(), 1.).travel_to(beside) == infinity);
+             RigidSphere(line(), 1.).travel_to(beside) == infinity);
   check_true("a point that is always inside",
-             RigidSphere(path(), -1.).travel_to(beside) == -infinity);
+             RigidSphere(line(), -1.).travel_to(beside) == -infinity);
 }

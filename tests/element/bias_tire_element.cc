@@ -123,8 +123,8 @@ main()
           in_order_of_reference(element.internal_force(H, Modes::Vector())),
           values("internal_force"));
 
-  MixedElement::NodalMatrix K;
-  element.tangent(stiffness, H, K);
+  MixedElement::NodalMatrix K{};
+  element.add_tangent(stiffness, H, K);
   MixedElement::NodalVector K_ones, K_V;
   double                    trace = 0;
   for (unsigned int i = 0; i < 24; ++i)

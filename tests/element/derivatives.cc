@@ -92,8 +92,9 @@ namespace
       }
 
     const MixedElement        element(geometry, V);
-    MixedElement::NodalMatrix K;
-    element.tangent(stiffness, stiffness.resultants(element.strain()) + H_0, K);
+    MixedElement::NodalMatrix K{};
+    element.add_tangent(
+      stiffness, stiffness.resultants(element.strain()) + H_0, K);
     double deviation = 0, scale = 0;
     for (unsigned int j = 0; j < 24; ++j)
       {

@@ -29,9 +29,9 @@ main()
   const TestCell cell =
     make_cells(Plane(), {{"0:3:1", "0:4:1"}}, laminate.face_heights())[0];
 
-  MixedElement::NodalMatrix K;
+  MixedElement::NodalMatrix K{};
   MixedElement(cell.geometry, MixedElement::NodalVector())
-    .tangent(ModeStiffness(laminate.stiffness()), Modes::Vector(), K);
+    .add_tangent(ModeStiffness(laminate.stiffness()), Modes::Vector(), K);
 
   const unsigned int       n = MixedElement::n_dofs;
   LAPACKFullMatrix<double> matrix(n);

@@ -60,7 +60,7 @@ at(const Biface::ShellEquations &equations,
 {
   Biface::State result = state;
   result.displacement  = V;
-  equations.settle_resultants(result);
+  equations.internal_forces().settle_resultants(result);
   return result;
 }
 

@@ -16,29 +16,31 @@ using namespace Biface;
 
 namespace
 {
+  using Shape = RigidFoundation::Parameters::Shape;
+
+
   void
-  test(const std::string          &name,
-       const FoundationParameters &foundation,
-       const MultiplierMass        mass)
+  test(const std::string                 &name,
+       const RigidFoundation::Parameters &foundation,
+       const MultiplierMass               mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactConditions::Parameters parameters;
-    parameters.mass           = mass;
-    parameters.regularization = 1;
-    parameters.foundation     = foundation;
-    const ContactConditions contact(parameters);
-    ShellEquations          equations(*mesh, contact);
+    ContactInteraction::Parameters parameters;
+    parameters.condition.mass           = mass;
+    parameters.condition.regularization = 1;
+    parameters.foundation               = foundation;
+    const ContactInteraction contact(*mesh, parameters);
+    ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
-    State state = at(
-      equations, equations.initial_state(), some_displacement(*mesh, 0.2, 1));
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.foundation = equations.foundation(equations.touching_travel(state));
+    loads.foundation = contact.foundation(contact.touching_travel(state));
     const double touching =
-      std::abs(equations.travel_to_touch(state, loads)) / mesh->size();
+      std::abs(contact.travel_to_touch(state, loads)) / mesh->size();
     loads.foundation            = loads.foundation->moved(6);
-    const unsigned int n_active = equations.update_active_set(state, loads);
+    const unsigned int n_active = contact.update_active_set(state, loads);
 
     // the forces of the contact alone
     equations.assemble(state, Loads());
@@ -48,14 +50,14 @@ namespace
     forces += equations.residual();
 
     Tensor<1, 3>       sum, moment;
-    const auto        &path = foundation.path;
-    const Tensor<1, 3> d    = path.direction / path.direction.norm();
-    const double radius = (foundation.type == FoundationParameters::Type::drum
-                             ? foundation.drum.radius
-                             : foundation.sphere.radius);
-    // it has come by as much as it lacks at the point of its path
-    const double   travel = -loads.foundation->clearance(path.point);
-    const Point<3> center = path.point + (radius - travel) * d;
+    const auto        &line = foundation.line;
+    const Tensor<1, 3> d    = line.direction / line.direction.norm();
+    const double       radius =
+      (foundation.shape == Shape::drum ? foundation.drum.radius
+                                       : foundation.sphere.radius);
+    // it has come by as much as it lacks at the point of its line
+    const double   travel = -loads.foundation->clearance(line.point);
+    const Point<3> center = line.point + (radius - travel) * d;
     for (const Node &node : mesh->nodes)
       if (node.locally_owned)
         {
@@ -73,7 +75,7 @@ namespace
     sum    = Utilities::MPI::sum(sum, MPI_COMM_WORLD);
     moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);
 
-    const auto   force = equations.contact_force(state, loads);
+    const auto   force = contact.force(state, loads);
     const double scale = force.value;
 
     // derivatives with respect to the travel
@@ -83,11 +85,12 @@ namespace
       result.foundation = loads.foundation->moved(travel);
       return result;
     };
-    const double per_travel =
-      (equations.contact_force(state, moved(step)).value -
-       equations.contact_force(state, moved(-step)).value) /
-      (2 * step);
-    LA::Vector   direction      = equations.travel_direction(state, loads);
+    const double per_travel = (contact.force(state, moved(step)).value -
+                               contact.force(state, moved(-step)).value) /
+                              (2 * step);
+    LoadRates rates;
+    rates.travel                = 1;
+    LA::Vector   direction      = equations.load_direction(state, loads, rates);
     const double direction_norm = direction.l2_norm();
     for (const double sign : {-1., 1.})
       {
@@ -104,9 +107,8 @@ namespace
         LA::Vector V = mesh->owned_vector();
         V            = state.displacement;
         V.add(sign * step, dV);
-        gradient -=
-          sign / (2 * step) *
-          equations.contact_force(at(equations, state, V), loads).value;
+        gradient -= sign / (2 * step) *
+                    contact.force(at(equations, state, V), loads).value;
       }
 
     const double       deviation = direction.l2_norm();
@@ -121,7 +123,7 @@ namespace
       {
         check_small("  sum of the forces", sum * d + scale, 1e-12, scale);
         check_small("  moment about axis or center",
-                    foundation.type == FoundationParameters::Type::drum
+                    foundation.shape == Shape::drum
                       ? moment * foundation.drum.axis
                       : moment.norm(),
                     1e-12,
@@ -142,21 +144,21 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  FoundationParameters foundation;
-  // the drum's axis is across it, so that the drum's center is on the path
-  foundation.path.direction = Tensor<1, 3>({1, 0.2, -0.1});
-  foundation.path.point     = Point<3>(10, 2, -1);
+  RigidFoundation::Parameters foundation;
+  // the drum's axis is across it, so that the drum's center is on the line
+  foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
+  foundation.line.point     = Point<3>(10, 2, -1);
   foundation.drum.axis      = Tensor<1, 3>({-0.2, 1, 0});
   foundation.drum.axis /= foundation.drum.axis.norm();
 
-  foundation.type        = FoundationParameters::Type::drum;
+  foundation.shape       = Shape::drum;
   foundation.drum.radius = 80;
   test("drum, lumped mass", foundation, MultiplierMass::lumped);
   test("drum, consistent mass", foundation, MultiplierMass::consistent);
   foundation.drum.radius = -400;
   test("hollow drum, lumped mass", foundation, MultiplierMass::lumped);
 
-  foundation.type          = FoundationParameters::Type::sphere;
+  foundation.shape         = Shape::sphere;
   foundation.sphere.radius = 120;
   test("sphere, lumped mass", foundation, MultiplierMass::lumped);
   test("sphere, consistent mass", foundation, MultiplierMass::consistent);

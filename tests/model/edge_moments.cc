@@ -24,12 +24,12 @@ namespace
       {
         DeadLoads loads;
         loads.edge_moments = edge + ": 3 " + kind;
-        const ContactConditions contact{ContactConditions::Parameters()};
-        ShellEquations          equations(mesh, contact, loads, PressureLoad());
-        Loads                   at;
-        at.factor         = 2;
-        const State state = equations.initial_state();
-        equations.assemble(state, at);
+        const ContactInteraction contact(mesh,
+                                         ContactInteraction::Parameters());
+        ShellEquations equations(mesh, make_force_terms(mesh, contact, loads));
+        Loads          at;
+        at.factor = 2;
+        equations.assemble(State(mesh), at);
         const Total total(mesh, equations.residual());
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           {

@@ -39,11 +39,10 @@ main(int argc, char *argv[])
     prm);
   std::ostringstream screen;
   Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-  const auto        &equations = simulation.get_equations();
-  const ShellMesh   &mesh      = equations.mesh;
+  const ShellMesh   &mesh = simulation.get_equations().mesh;
 
-  State      state = equations.initial_state();
-  LA::Vector V     = mesh.owned_vector();
+  State      state(mesh);
+  LA::Vector V = mesh.owned_vector();
   for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
     {
       const Node &node = mesh.nodes[n];

@@ -18,14 +18,13 @@ namespace
     Layup::Parameters parameters;
     parameters.law              = law;
     parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
-    const Layup             layup(parameters, cord_ply());
-    const auto              mesh = coarse_torus(layup);
-    const ContactConditions contact{ContactConditions::Parameters()};
+    const Layup layup(parameters, cord_ply());
+    const auto  mesh = coarse_torus(layup);
 
-    ShellEquations equations(*mesh, contact);
-    State          state = at(
-      equations, equations.initial_state(), some_displacement(*mesh, 0.2, 1));
-    equations.take_as_prestress(state);
+    const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+    ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    equations.internal_forces().take_as_prestress(state);
     state = at(equations, state, some_displacement(*mesh, 0.2, 2));
 
     const LA::Vector direction = some_displacement(*mesh, 1, 3);
@@ -41,7 +40,8 @@ namespace
       {
         V = state.displacement;
         V.add(s * step, direction);
-        const double energy = equations.strain_energy(at(equations, state, V));
+        const double energy =
+          equations.internal_forces().strain_energy(at(equations, state, V));
         change +=
           (std::abs(s) == 1 ? 2. / 3 * s : -1. / 24 * s) * energy / step;
       }

@@ -23,14 +23,13 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              mesh = coarse_torus(layup);
-  const ContactConditions contact{ContactConditions::Parameters()};
-  const ShellEquations    equations(*mesh, contact);
-  State                   state = equations.initial_state();
-  state.displacement            = some_displacement(*mesh, 3, 1);
+  const Layup          layup(Layup::Parameters(), cord_ply());
+  const auto           mesh = coarse_torus(layup);
+  const ShellEquations equations(*mesh);
+  State                state(*mesh);
+  state.displacement = some_displacement(*mesh, 3, 1);
 
-  const FacePatches patches(equations, state, Loads());
+  const FacePatches patches(equations, state);
   std::stringstream stream;
   patches.write_vtk(stream);
 

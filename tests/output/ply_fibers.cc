@@ -25,13 +25,12 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const auto              shell = plate();
-  const ContactConditions contact{ContactConditions::Parameters()};
-  const ShellEquations equations(*shell, contact, DeadLoads(), PressureLoad());
+  const auto           shell = plate();
+  const ShellEquations equations(*shell);
 
-  State        state = equations.initial_state();
-  LA::Vector   V     = shell->owned_vector();
-  const double turn  = 0.7;
+  State        state(*shell);
+  LA::Vector   V    = shell->owned_vector();
+  const double turn = 0.7;
   for (const Node &node : shell->nodes)
     if (node.locally_owned)
       for (unsigned int face = 0; face < 2; ++face)

@@ -64,10 +64,9 @@ namespace
   Hexahedra
   hexahedra(const ShellMesh &mesh)
   {
-    const ContactConditions contact{ContactConditions::Parameters()};
-    const ShellEquations equations(mesh, contact, DeadLoads(), PressureLoad());
-    PlyPatches patches(equations, equations.initial_state(), FailureCriteria());
-    std::stringstream stream;
+    const ShellEquations equations(mesh);
+    PlyPatches           patches(equations, State(mesh), FailureCriteria());
+    std::stringstream    stream;
     stream.precision(12);
     patches.write_vtk(stream);
 

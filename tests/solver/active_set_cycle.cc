@@ -35,7 +35,7 @@ namespace
     std::string    found = "no cycle";
     for (unsigned int k = 0; k < sets.size(); ++k)
       {
-        ActiveSetCycle::ActiveSet active;
+        ActiveSet active;
         for (const char node : mine)
           active.push_back(sets[k].find(node) != std::string::npos);
         if (cycle.closes_with(active))

@@ -21,20 +21,19 @@ main(int argc, char *argv[])
   ConditionalOStream               out(std::cout,
                          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
 
-  const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              mesh = coarse_torus(layup);
-  const ContactConditions contact(ContactConditions::Parameters{});
-  ShellEquations          equations(*mesh, contact);
-  State                   state = equations.initial_state();
+  const Layup              layup(Layup::Parameters(), cord_ply());
+  const auto               mesh = coarse_torus(layup);
+  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  State                    state(*mesh);
 
   // the foundation goes to and fro, and the shell stands still
   Loads near, far;
-  near.foundation = equations.foundation(equations.touching_travel(state) + 12);
-  far.foundation  = equations.foundation(equations.touching_travel(state) + 1);
+  near.foundation = contact.foundation(contact.touching_travel(state) + 12);
+  far.foundation  = contact.foundation(contact.touching_travel(state) + 1);
 
-  ActiveSetIteration zone(equations, out);
+  ActiveSetIteration zone(contact, out);
   const auto         print = [&](const std::string &what) {
-    const unsigned int n_active = equations.count_active(state);
+    const unsigned int n_active = contact.count_active(state);
     out << what << ": " << n_active << " in contact" << std::endl;
   };
   zone.update(state, near);

@@ -54,15 +54,16 @@ main(int argc, char *argv[])
   ConditionalOStream               out(std::cout, false);
   TimerOutput timer(out, TimerOutput::never, TimerOutput::wall_times);
 
-  const Layup             layup(Layup::Parameters(), cord_ply());
-  const auto              mesh = coarse_torus(layup);
-  const ContactConditions contact(ContactConditions::Parameters{});
-  ShellEquations          equations(*mesh, contact);
-  State                   state = equations.initial_state();
+  const Layup              layup(Layup::Parameters(), cord_ply());
+  const auto               mesh = coarse_torus(layup);
+  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+  State                    state(*mesh);
 
   Newton::Parameters parameters;
   IdleSolver         solver;
-  Newton newton(parameters, equations, solver, out, timer, Newton::Stop());
+  Newton             newton(
+    parameters, equations, contact, solver, out, timer, Newton::Stop());
 
   ParametrizedLoads loads;
   loads.at = [](const double factor) {
@@ -73,5 +74,6 @@ main(int argc, char *argv[])
   double             factor = 1;
   const NewtonResult result =
     newton.solve(state, loads, factor, NewtonIteration::mixed);
-  std::cout << (result.converged ? "converged" : result.failure.message) << std::endl;
+  std::cout << (result.converged ? "converged" : result.failure.message)
+            << std::endl;
 }

@@ -3,65 +3,89 @@
 #ifndef biface_contact_rigid_foundation_h
 #define biface_contact_rigid_foundation_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+
+#include <biface/contact/foundation_shapes.h>
 
 namespace Biface
 {
-  /** What a point near a foundation has to know of it. */
-  struct FoundationPoint
-  {
-    /** The signed distance left to the surface of the foundation, negative
-     * inside it. Its gradient is a unit vector. Unit: length. */
-    double clearance;
-
-    /** The unit normal @f$\mathbf n@f$, into the foundation: minus the gradient
-     * of the clearance. */
-    dealii::Tensor<1, 3> normal;
-
-    /** The derivative of the normal, minus the second one of the clearance: by
-     * it the foundation's curvature enters the tangent. Unit: 1/length. */
-    dealii::SymmetricTensor<2, 3> normal_gradient;
-  };
-
-
   /**
-   * The shape of a rigid foundation, as it stands at the travel 0, where it
-   * touches the point of its path with the normal that is the direction of the
-   * path. MovedFoundation has it travel.
+   * A rigid foundation somewhere on its line of travel: queries shift the point
+   * by the travel; the shape itself never moves. Copies share the shape.
    */
   class RigidFoundation
   {
   public:
-    /** The line on which a foundation travels. */
-    struct Path
+    /** Which foundation the shell is pressed on. */
+    struct Parameters
     {
-      /** From the shell toward the foundation, which travels against it: any
-       * vector but zero; its length does not matter. */
-      dealii::Tensor<1, 3> direction{{1, 0, 0}};
-      dealii::Point<3>     point;
+      enum class Shape
+      {
+        plane,
+        drum,
+        sphere
+      };
+
+      Shape                       shape = Shape::plane;
+      FoundationShape::TravelLine line;
+      RigidDrum::Parameters       drum;
+      RigidSphere::Parameters     sphere;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError where a value is not usable. */
+      void
+      check() const;
     };
 
-    explicit RigidFoundation(const Path &path)
-      : direction(path.direction / path.direction.norm()), point(path.point)
+    /** The foundation at the travel 0. Throws InputError where the parameters
+     * do not describe one. */
+    explicit RigidFoundation(const Parameters &parameters);
+
+    explicit RigidFoundation(std::shared_ptr<const FoundationShape> shape,
+                             const double                           travel = 0)
+      : shape(shape), travel(travel)
     {}
 
-    virtual ~RigidFoundation() = default;
+    /** The same foundation, farther along its line. */
+    RigidFoundation
+    moved(const double further) const
+    {
+      return RigidFoundation(shape, travel + further);
+    }
 
-    virtual FoundationPoint
-    evaluate(const dealii::Point<3> &x) const = 0;
+    FoundationPoint
+    evaluate(const dealii::Point<3> &x) const
+    {
+      return shape->evaluate(x + travel * shape->direction);
+    }
 
-    /** How far the foundation travels until its surface comes to a point that
-     * was apart from it; negative where it goes back. Plus infinity for a point
-     * that it passes by, minus infinity for one that is never apart from it.
-     * Unit: length. */
-    virtual double
-    travel_to(const dealii::Point<3> &x) const = 0;
+    double
+    clearance(const dealii::Point<3> &x) const
+    {
+      return evaluate(x).clearance;
+    }
 
-    /** Of the path, of unit length. */
-    const dealii::Tensor<1, 3> direction;
-    const dealii::Point<3>     point;
+    /** How far it still has to travel, see FoundationShape. */
+    double
+    travel_to(const dealii::Point<3> &x) const
+    {
+      return shape->travel_to(x) - travel;
+    }
+
+    /** The unit vector against which it travels. */
+    const dealii::Tensor<1, 3> &
+    direction() const
+    {
+      return shape->direction;
+    }
+
+  private:
+    std::shared_ptr<const FoundationShape> shape;
+    double                                 travel;
   };
 } // namespace Biface
 

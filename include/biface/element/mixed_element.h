@@ -74,17 +74,18 @@ namespace Biface
     internal_force(const Modes::Vector &H, const Modes::Vector &H_0) const;
 
     /**
-     * The tangent @f$\mathbf B^T\mathbf D\mathbf B + \mathbf G[\mathbf H]@f$.
+     * Add the tangent @f$\mathbf B^T\mathbf D\mathbf B + \mathbf G[\mathbf
+     * H]@f$.
      *
      * @param stiffness the constitutive law.
      * @param H all resultants that do work on the second variation of the
      * strains, including initial ones.
-     * @param K the result, which is overwritten.
+     * @param K what it is added to.
      */
     void
-    tangent(const ModeStiffness &stiffness,
-            const Modes::Vector &H,
-            NodalMatrix         &K) const;
+    add_tangent(const ModeStiffness &stiffness,
+                const Modes::Vector &H,
+                NodalMatrix         &K) const;
 
   private:
     const ElementGeometry              &geometry;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/force_term.h>
 #include <biface/model/pressure_load.h>
 #include <biface/model/shell_mesh.h>
 
@@ -42,6 +43,38 @@ namespace Biface
     assemble(const ShellMesh &mesh, const AreaMeasure area) const;
   };
 
+
+  /** The forces of dead loads: the same at all displacements. */
+  class DeadForces : public ForceTerm
+  {
+  public:
+    /** @param area see DeadLoads::assemble(), which throws. */
+    DeadForces(const ShellMesh  &mesh,
+               const DeadLoads  &loads,
+               const AreaMeasure area)
+      : at_unit_factor(loads.assemble(mesh, area))
+    {}
+
+    bool
+    acts_on(const unsigned int, const State &, const Loads &) const override
+    {
+      return false;
+    }
+
+    void
+    add(const CellState &, CellForces &) const override
+    {}
+
+    void
+    add_dead_forces(const LoadRates &loads,
+                    LA::Vector      &nodal_forces) const override
+    {
+      nodal_forces.add(loads.factor, at_unit_factor);
+    }
+
+  private:
+    const LA::Vector at_unit_factor;
+  };
 } // namespace Biface
 
 #endif

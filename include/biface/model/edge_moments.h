@@ -5,10 +5,11 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
+#include <biface/model/force_term.h>
 #include <biface/model/shell_mesh.h>
 
 namespace Biface
@@ -69,6 +70,39 @@ namespace Biface
     FollowerCouple(const double                moment,
                    const dealii::Tensor<1, 3> &axis,
                    const dealii::Tensor<1, 3> &director);
+  };
+
+
+  /** The forces of moments along edges that follow. */
+  class FollowerMoments : public ForceTerm
+  {
+  public:
+    /** @param text see parse_edge_moments(), which throws. */
+    FollowerMoments(const ShellMesh &mesh, const std::string &text);
+
+    bool
+    acts_on(const unsigned int cell,
+            const State &,
+            const Loads &) const override
+    {
+      return moments.count(cell) > 0;
+    }
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+  private:
+    /** The couple of a moment at the load factor 1. */
+    static FollowerCouple
+    couple(const CellState &at, const VertexMoment &moment);
+
+    /** By the cells they act on. */
+    std::map<unsigned int, std::vector<VertexMoment>> moments;
   };
 } // namespace Biface
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/element/follower_pressure.h>
+#include <biface/model/force_term.h>
 #include <biface/model/shell_mesh.h>
 
 namespace Biface
@@ -58,6 +60,51 @@ namespace Biface
     /** The nodal forces of a unit of dead pressure. */
     LA::Vector
     assemble_dead(const ShellMesh &mesh) const;
+  };
+
+
+  /** The forces of the pressure, of either kind. */
+  class PressureForces : public ForceTerm
+  {
+  public:
+    /** Throws InputError as PressureLoad::values() does. */
+    PressureForces(const ShellMesh &mesh, const PressureLoad &pressure);
+
+    bool
+    acts_on(const unsigned int, const State &, const Loads &) const override
+    {
+      return kind == PressureKind::follower;
+    }
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+    void
+    add_dead_forces(const LoadRates &loads,
+                    LA::Vector      &nodal_forces) const override;
+
+    bool
+    is_symmetric(const Loads &loads) const override
+    {
+      return kind == PressureKind::dead || loads.pressure == 0;
+    }
+
+  private:
+    /** Of a unit of the pressure on the deformed face. */
+    FollowerPressure
+    unit_pressure(const CellState &at) const;
+
+    const PressureKind     kind;
+    const Resultants::Face face;
+    /** At the nodes of this rank, see PressureLoad::values(). */
+    const std::vector<double> distribution;
+    /** Of a unit of dead pressure. */
+    LA::Vector at_unit_pressure;
   };
 
 

@@ -3,13 +3,16 @@
 #ifndef biface_model_state_h
 #define biface_model_state_h
 
+#include <deal.II/base/tensor.h>
+
 #include <optional>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/contact/contact_conditions.h>
-#include <biface/contact/moved_foundation.h>
+#include <biface/contact/contact_condition.h>
+#include <biface/contact/rigid_foundation.h>
 #include <biface/element/modes.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -19,6 +22,12 @@ namespace Biface
    */
   struct State
   {
+    /** To be assigned. */
+    State() = default;
+
+    /** The unloaded shell. */
+    explicit State(const ShellMesh &mesh);
+
     /** Nodal displacements, readable at all nodes of this rank. */
     LA::Vector displacement;
 
@@ -27,7 +36,24 @@ namespace Biface
     std::vector<Modes::Vector> resultants;
 
     /** Which nodes of this rank are in contact. */
-    ContactConditions::ActiveSet active;
+    ActiveSet active;
+
+    /**
+     * The multipliers of the contact at the nodes of this rank, bilinear on the
+     * outer face in between, @cite GrigolyukKulikovPlotnikova2004, eq. (10):
+     * the traction on the shell, counted on the surface midway between the
+     * faces. The first component is that along the foundation's normal, minus
+     * the pressure; the other two, tangential, are zero without friction. Unit:
+     * force/area.
+     */
+    std::vector<dealii::Tensor<1, 3>> multipliers;
+
+    /** Contact pressure at a node, by its position in ShellMesh::nodes. */
+    double
+    contact_pressure(const unsigned int node) const
+    {
+      return active[node] ? -multipliers[node][0] : 0.;
+    }
   };
 
 
@@ -41,20 +67,17 @@ namespace Biface
      */
     double factor = 0;
 
-    std::optional<MovedFoundation> foundation;
+    std::optional<RigidFoundation> foundation;
   };
 
 
-  /** The figures of a contact zone. */
-  struct ContactSummary
+  /** How fast the loads change with a parameter. */
+  struct LoadRates
   {
-    /** Compressive force on the foundation, along its direction. */
-    double       force   = 0;
-    unsigned int n_nodes = 0;
-    /** Sum of the areas that belong to the active nodes, on the surface midway
-     * between the faces. */
-    double area         = 0;
-    double max_pressure = 0;
+    double pressure = 0;
+    double factor   = 0;
+    /** Of the foundation. */
+    double travel = 0;
   };
 
 

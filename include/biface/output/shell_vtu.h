@@ -17,9 +17,7 @@ namespace Biface
   class FacePatches : public VertexPatches<2>
   {
   public:
-    FacePatches(const ShellEquations &equations,
-                const State          &state,
-                const Loads          &loads);
+    FacePatches(const ShellEquations &equations, const State &state);
   };
 
 

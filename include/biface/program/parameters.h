@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include <biface/contact/contact_conditions.h>
 #include <biface/input/parameter_text.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
+#include <biface/model/contact_interaction.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/named_points.h>
 #include <biface/model/pressure_load.h>
@@ -41,7 +41,7 @@ namespace Biface
     Supports                        supports;
     DeadLoads                       loads;
     PressureLoad                    pressure;
-    ContactConditions::Parameters   contact;
+    ContactInteraction::Parameters  contact;
     std::vector<Stage>              stages;
     LinearSolver::Parameters        linear_solver;
     Newton::Parameters              newton;

@@ -9,7 +9,7 @@
 #include <iosfwd>
 #include <memory>
 
-#include <biface/contact/contact_conditions.h>
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/program/parameters.h>
@@ -51,6 +51,12 @@ namespace Biface
     get_equations() const
     {
       return equations;
+    }
+
+    const ContactInteraction &
+    get_contact() const
+    {
+      return contact;
     }
 
     /** As of the last converged step; while the observer is called, too. */
@@ -113,7 +119,7 @@ namespace Biface
     dealii::ConditionalOStream             out;
     dealii::TimerOutput                    timer;
     const std::unique_ptr<const ShellMesh> mesh;
-    const ContactConditions                contact;
+    const ContactInteraction               contact;
     ShellEquations                         equations;
     const std::unique_ptr<LinearSolver>    linear_solver;
     State                                  state;

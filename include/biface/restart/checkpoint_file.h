@@ -28,7 +28,7 @@ namespace Biface
   namespace CheckpointFile
   {
     /** Of the form; files of another one are refused. */
-    constexpr std::uint32_t format = 2;
+    constexpr std::uint32_t format = 3;
 
     using Table = std::pair<std::string, NumberedRows>;
 

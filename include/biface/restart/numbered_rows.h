@@ -40,7 +40,12 @@ namespace Biface
 
   /** A row of one number a node. */
   NumberedRows
-  rows_of(const ContactConditions::ActiveSet &active, const ShellMesh &mesh);
+  rows_of(const ActiveSet &active, const ShellMesh &mesh);
+
+  /** A row of three components a node, at all nodes of each rank. */
+  NumberedRows
+  rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
+          const ShellMesh                         &mesh);
 
   /** Which rows the following functions need. */
   std::vector<std::uint64_t>
@@ -61,8 +66,12 @@ namespace Biface
   modes_from(const std::vector<double> &values);
 
   /** From rows of nodes. */
-  ContactConditions::ActiveSet
+  ActiveSet
   active_from(const std::vector<double> &values);
+
+  /** From rows of nodes. */
+  std::vector<dealii::Tensor<1, 3>>
+  vectors_from(const std::vector<double> &values);
 } // namespace Biface
 
 #endif

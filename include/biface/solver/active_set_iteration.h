@@ -10,8 +10,8 @@
 #include <deque>
 #include <string>
 
-#include <biface/contact/contact_conditions.h>
-#include <biface/model/shell_equations.h>
+#include <biface/contact/contact_condition.h>
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 
@@ -26,8 +26,6 @@ namespace Biface
   class ActiveSetCycle
   {
   public:
-    using ActiveSet = ContactConditions::ActiveSet;
-
     explicit ActiveSetCycle(const MPI_Comm communicator)
       : communicator(communicator)
     {}
@@ -66,7 +64,7 @@ namespace Biface
   /** How many nodes are marked, and where the first of them are on the
    * reference surface, in its coordinates: the same on any number of ranks. */
   std::string
-  name_nodes(const ShellMesh &mesh, const ContactConditions::ActiveSet &marked);
+  name_nodes(const ShellMesh &mesh, const ActiveSet &marked);
 
 
   /**
@@ -78,7 +76,7 @@ namespace Biface
   {
   public:
     /** The objects are kept by reference. */
-    ActiveSetIteration(const ShellEquations       &equations,
+    ActiveSetIteration(const ContactInteraction   &contact,
                        dealii::ConditionalOStream &out);
 
     /** Decide anew which nodes are in contact.
@@ -99,12 +97,12 @@ namespace Biface
     }
 
   private:
-    const ShellEquations        &equations;
-    dealii::ConditionalOStream  &out;
-    ActiveSetCycle               cycle;
-    ContactConditions::ActiveSet held;
-    bool                         was_held = false;
-    std::string                  message;
+    const ContactInteraction   &contact;
+    dealii::ConditionalOStream &out;
+    ActiveSetCycle              cycle;
+    ActiveSet                   held;
+    bool                        was_held = false;
+    std::string                 message;
   };
 } // namespace Biface
 

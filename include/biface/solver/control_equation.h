@@ -4,6 +4,7 @@
 #define biface_solver_control_equation_h
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 
@@ -26,9 +27,10 @@ namespace Biface
     struct Iteration
     {
       /** As last assembled, at this state and these loads. */
-      const ShellEquations &equations;
-      const State          &state;
-      const Loads          &loads;
+      const ShellEquations     &equations;
+      const ContactInteraction &contact;
+      const State              &state;
+      const Loads              &loads;
       /** Change of the displacements since the start of the step. */
       const LA::Vector &total;
     };
@@ -52,17 +54,18 @@ namespace Biface
   {
   public:
     /** @param rate how the loads change with the load parameter. */
-    explicit LoadFractionEquation(const Loads &rate) : rate(rate)
+    explicit LoadFractionEquation(const LoadRates &rate) : rate(rate)
     {}
 
     LA::Vector
     load_direction(const Iteration &iteration) const override
     {
-      return iteration.equations.load_direction(rate);
+      return iteration.equations.load_direction(
+        iteration.state, iteration.loads, rate);
     }
 
   private:
-    const Loads rate;
+    const LoadRates rate;
   };
 } // namespace Biface
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/control_equation.h>
@@ -79,6 +80,7 @@ namespace Biface
      * @param stop asked before each iteration. */
     Newton(const Parameters           &parameters,
            ShellEquations             &equations,
+           const ContactInteraction   &contact,
            LinearSolver               &linear_solver,
            dealii::ConditionalOStream &out,
            dealii::TimerOutput        &timer,
@@ -132,6 +134,7 @@ namespace Biface
     move(Iterate &iterate, const Increment &increment);
 
     ShellEquations             &equations;
+    const ContactInteraction   &contact;
     LinearSolver               &linear_solver;
     dealii::ConditionalOStream &out;
     dealii::TimerOutput        &timer;

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/failure.h>
@@ -68,6 +69,7 @@ namespace Biface
      * without one. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
+                 const ContactInteraction   &contact,
                  Newton                     &newton,
                  dealii::ConditionalOStream &out,
                  const NestedPredictor      *nested = nullptr);
@@ -138,6 +140,7 @@ namespace Biface
 
     const Parameters            parameters;
     ShellEquations             &equations;
+    const ContactInteraction   &contact;
     Newton                     &newton;
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;

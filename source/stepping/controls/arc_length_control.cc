@@ -22,7 +22,7 @@ namespace Biface
        * @param length s.
        * @param previous what the displacements changed by in the step before.
        */
-      ArcLengthEquation(const Loads      &rate,
+      ArcLengthEquation(const LoadRates  &rate,
                         const double      length,
                         const LA::Vector &previous)
         : LoadFractionEquation(rate), length(length), previous(previous)

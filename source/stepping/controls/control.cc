@@ -165,10 +165,10 @@ namespace Biface
   }
 
 
-  Loads
+  LoadRates
   Control::load_rate() const
   {
-    Loads rate;
+    LoadRates rate;
     rate.pressure = stage.end().pressure - start.pressure;
     rate.factor   = stage.end().factor - start.factor;
     return rate;

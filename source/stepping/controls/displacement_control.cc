@@ -12,7 +12,7 @@ namespace Biface
     class DisplacementEquation : public LoadFractionEquation
     {
     public:
-      DisplacementEquation(const Loads      &rate,
+      DisplacementEquation(const LoadRates  &rate,
                            const LA::Vector &functional,
                            const double      change)
         : LoadFractionEquation(rate), functional(functional), change(change)

@@ -20,8 +20,10 @@ namespace Biface
       LA::Vector
       load_direction(const Iteration &iteration) const override
       {
-        return iteration.equations.travel_direction(iteration.state,
-                                                    iteration.loads);
+        LoadRates rates;
+        rates.travel = 1;
+        return iteration.equations.load_direction(
+          iteration.state, iteration.loads, rates);
       }
 
       double
@@ -30,7 +32,7 @@ namespace Biface
                        const LA::Vector &dV_q) const override
       {
         const auto F =
-          iteration.equations.contact_force(iteration.state, iteration.loads);
+          iteration.contact.force(iteration.state, iteration.loads);
         return (force - F.value - F.gradient * dV_R) /
                (F.gradient * dV_q + F.per_travel);
       }
@@ -61,8 +63,7 @@ namespace Biface
   ForceControl::begin(const Equilibrium &from)
   {
     EqualSteps::begin(from);
-    start_force =
-      from.equations.contact_force(from.state, from.loads(from.level)).value;
+    start_force = from.contact.force(from.state, from.loads(from.level)).value;
   }
 
 
@@ -81,9 +82,9 @@ namespace Biface
       return level;
     };
     trial.mu = from.level.travel;
-    if (from.equations.count_active(from.state) == 0)
+    if (from.contact.count_active(from.state) == 0)
       trial.mu +=
-        from.equations.travel_to_touch(from.state, from.loads(from.level)) +
+        from.contact.travel_to_touch(from.state, from.loads(from.level)) +
         nudge;
     trial.equation = std::make_shared<const ForceEquation>(force_at(part));
     trial.size     = part - fraction;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
@@ -93,9 +94,10 @@ namespace Biface
     /** The last converged state, where a step starts. */
     struct Equilibrium
     {
-      const ShellEquations &equations;
-      const State          &state;
-      const LoadLevel      &level;
+      const ShellEquations     &equations;
+      const ContactInteraction &contact;
+      const State              &state;
+      const LoadLevel          &level;
       /** What acts on the shell at a level. */
       std::function<Loads(const LoadLevel &)> loads;
     };
@@ -251,7 +253,7 @@ namespace Biface
     level_at(const double fraction) const;
 
     /** How the loads change over the whole stage, without the foundation. */
-    Loads
+    LoadRates
     load_rate() const;
 
     Stage            stage;

@@ -7,15 +7,14 @@
 
 #include <algorithm>
 
-#include <biface/model/cell_matrix_adder.h>
+#include <biface/model/tangent_matrix.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  CellMatrixAdder::CellMatrixAdder(const ShellMesh                 &mesh,
-                                   const AffineConstraints<double> &constraints,
-                                   LA::SparseMatrix                &matrix)
+  TangentMatrix::TangentMatrix(const ShellMesh                 &mesh,
+                               const AffineConstraints<double> &constraints)
     : mesh(mesh)
     , constraints(constraints)
     , fast_cell(mesh.cells.size(), numbers::invalid_unsigned_int)
@@ -79,11 +78,10 @@ namespace Biface
 
 
   void
-  CellMatrixAdder::add(const unsigned int               cell,
-                       const MixedElement::NodalMatrix &cell_matrix,
-                       const MixedElement::NodalVector &cell_vector,
-                       LA::SparseMatrix                &matrix,
-                       LA::Vector                      &vector)
+  TangentMatrix::add(const unsigned int               cell,
+                     const MixedElement::NodalMatrix &cell_matrix,
+                     const MixedElement::NodalVector &cell_vector,
+                     LA::Vector                      &global_vector)
   {
     const Cell &data = mesh.cells[cell];
     if (fast_cell[cell] != numbers::invalid_unsigned_int)
@@ -97,7 +95,7 @@ namespace Biface
                 place[j] += cell_matrix[i][6 * v + j];
             }
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          vector(data.dofs[i]) += cell_vector[i];
+          global_vector(data.dofs[i]) += cell_vector[i];
       }
     else
       {
@@ -109,7 +107,7 @@ namespace Biface
               scratch_matrix(i, j) = cell_matrix[i][j];
           }
         constraints.distribute_local_to_global(
-          scratch_matrix, scratch_vector, scratch_dofs, matrix, vector);
+          scratch_matrix, scratch_vector, scratch_dofs, matrix, global_vector);
       }
   }
 } // namespace Biface

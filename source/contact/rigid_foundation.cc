@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/contact/foundation_parameters.h>
-#include <biface/contact/rigid_plane.h>
+#include <biface/contact/rigid_foundation.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -9,23 +8,23 @@ namespace Biface
   using namespace dealii;
 
   void
-  FoundationParameters::add_parameters(ParameterHandler &prm)
+  RigidFoundation::Parameters::add_parameters(ParameterHandler &prm)
   {
     add_choice(prm,
                "Foundation",
-               type,
+               shape,
                {"plane", "drum", "sphere"},
                "The shape of the rigid foundation: a plane, a drum (a circular "
                "cylinder without end), or a sphere. Contact is that of nodes: "
                "the radius must be several cells.");
     prm.add_parameter("Direction",
-                      path.direction,
+                      line.direction,
                       "Direction from the shell toward the foundation, of a "
                       "plane its normal: three components x, y, z, of any "
                       "length but zero. The foundation travels against it, "
                       "and the force on it is counted along it.");
     prm.add_parameter("Point on path",
-                      path.point,
+                      line.point,
                       "A point x, y, z of the line, along 'Direction', on "
                       "which the center of a sphere, or a point of the axis of "
                       "a drum, travels; any will do for a plane. Unit: "
@@ -39,22 +38,40 @@ namespace Biface
   }
 
 
-  std::shared_ptr<const RigidFoundation>
-  make_foundation(const FoundationParameters &parameters)
+  void
+  RigidFoundation::Parameters::check() const
   {
-    const RigidFoundation::Path &path = parameters.path;
-    unit_vector("Contact/Direction", path.direction);
-    check_finite("Contact/Point on path", path.point);
-    switch (parameters.type)
-      {
-        case FoundationParameters::Type::plane:
-          return std::make_shared<RigidPlane>(path);
-        case FoundationParameters::Type::drum:
-          return std::make_shared<RigidDrum>(path, parameters.drum);
-        case FoundationParameters::Type::sphere:
-          return std::make_shared<RigidSphere>(path, parameters.sphere);
-      }
-    Assert(false, ExcInternalError());
-    return {};
+    // made, it checks its parameters
+    RigidFoundation foundation(*this);
   }
+
+
+  namespace
+  {
+    std::shared_ptr<const FoundationShape>
+    make_shape(const RigidFoundation::Parameters &parameters)
+    {
+      using Shape = RigidFoundation::Parameters::Shape;
+
+      const FoundationShape::TravelLine &line = parameters.line;
+      unit_vector("Contact/Direction", line.direction);
+      check_finite("Contact/Point on path", line.point);
+      switch (parameters.shape)
+        {
+          case Shape::plane:
+            return std::make_shared<RigidPlane>(line);
+          case Shape::drum:
+            return std::make_shared<RigidDrum>(line, parameters.drum);
+          case Shape::sphere:
+            return std::make_shared<RigidSphere>(line, parameters.sphere);
+        }
+      Assert(false, ExcInternalError());
+      return {};
+    }
+  } // namespace
+
+
+  RigidFoundation::RigidFoundation(const Parameters &parameters)
+    : RigidFoundation(make_shape(parameters))
+  {}
 } // namespace Biface

@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/contact/contact_conditions.h>
+#include <biface/contact/contact_condition.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  void
-  ContactConditions::Parameters::add_parameters(ParameterHandler &prm)
+  std::array<std::array<double, 4>, 4>
+  multiplier_mass(const MultiplierMass kind, const double weight)
   {
-    foundation.add_parameters(prm);
+    // one-dimensional mean of N_r N_s over an edge
+    const double same  = (kind == MultiplierMass::consistent ? 1. / 3 : 1. / 2);
+    const double other = (kind == MultiplierMass::consistent ? 1. / 6 : 0.);
+
+    std::array<std::array<double, 4>, 4> M;
+    for (unsigned int r = 0; r < 4; ++r)
+      for (unsigned int s = 0; s < 4; ++s)
+        M[r][s] =
+          weight * ((r ^ s) & 1 ? other : same) * ((r ^ s) & 2 ? other : same);
+    return M;
+  }
+
+
+  void
+  ContactCondition::Parameters::add_parameters(ParameterHandler &prm)
+  {
     add_choice(prm,
                "Multiplier mass",
                mass,
@@ -28,10 +43,8 @@ namespace Biface
 
 
   void
-  ContactConditions::Parameters::check() const
+  ContactCondition::Parameters::check() const
   {
     check_positive("Contact/Regularization", regularization);
-    // which checks its parameters
-    make_foundation(foundation);
   }
 } // namespace Biface

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_contact_condition_h
+#define biface_contact_contact_condition_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <vector>
+
+namespace Biface
+{
+  /** Whether nodes are in contact, by their positions. One byte per node:
+   * vector<bool> cannot be written to by parts. */
+  using ActiveSet = std::vector<char>;
+
+
+  /** How the nodal multipliers of an element act on its nodes. */
+  enum class MultiplierMass
+  {
+    /** Bilinear times bilinear, @f$M_{rs}=\frac w4\int N_rN_s\,d\xi@f$, as in
+     * @cite GrigolyukKulikovPlotnikova2004. Pressures oscillate at the edge of
+     * the contact zone, and the tangent is not symmetric. */
+    consistent,
+    /** Its row sums on the diagonal: smooth pressures, symmetric tangent. */
+    lumped
+  };
+
+
+  /** The matrix @f$M_{rs}@f$ of a bilinear element of the given weight,
+   * vertices numbered lexicographically. It also is the matrix from nodal
+   * values of any distributed load to nodal forces. */
+  std::array<std::array<double, 4>, 4>
+  multiplier_mass(const MultiplierMass kind, const double weight);
+
+
+  /**
+   * The regularized, frictionless contact condition of
+   * @cite GrigolyukKulikovPlotnikova2004, eq. (14.1), at one node of the outer
+   * face, with the clearance c left in the deformed state and the multiplier
+   * @f$\lambda@f$ (minus the pressure):
+   * - in contact (active): @f$c - \lambda/\varepsilon = 0@f$,
+   *   @f$\lambda\le 0@f$;
+   * - apart: @f$\lambda = 0@f$, @f$c\ge 0@f$.
+   *
+   * For a given active set the multiplier is a function of the displacements,
+   * @f$\lambda=\varepsilon c@f$, so that it is no unknown of the linear
+   * systems. The primal-dual active set method
+   * @cite HintermuellerItoKunisch2002 finds which nodes are active, see
+   * should_be_active().
+   */
+  class ContactCondition
+  {
+  public:
+    struct Parameters
+    {
+      MultiplierMass mass           = MultiplierMass::consistent;
+      double         regularization = 1e4;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError where a value is not usable. */
+      void
+      check() const;
+    };
+
+    explicit ContactCondition(const Parameters &parameters)
+      : parameters(parameters)
+    {}
+
+    /** The multiplier of an active node. */
+    double
+    multiplier(const double clearance) const
+    {
+      return parameters.regularization * clearance;
+    }
+
+    /** Minus the derivative of an active node's multiplier with respect to its
+     * motion along the foundation's normal. */
+    double
+    multiplier_stiffness() const
+    {
+      return parameters.regularization;
+    }
+
+    /**
+     * Whether a node should be active from now on: where
+     * @f$\lambda + \kappa\,(c - \lambda/\varepsilon) < 0@f$, as in deal.II's
+     * step-41 @cite dealIIStep41 with the clearance of the regularized
+     * condition. An active node leaves where it is pulled, a node apart enters
+     * where it has penetrated.
+     *
+     * @param multiplier that of the last solution, 0 where the node was apart.
+     * @param clearance that of the same solution.
+     */
+    bool
+    should_be_active(const double multiplier, const double clearance) const
+    {
+      // any kappa > 0 decides alike where the multiplier is that of the
+      // clearance; with this one both count the same
+      const double kappa = parameters.regularization / 2;
+      return multiplier +
+               kappa * (clearance - multiplier / parameters.regularization) <
+             0;
+    }
+
+    MultiplierMass
+    mass() const
+    {
+      return parameters.mass;
+    }
+
+  private:
+    const Parameters parameters;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_forces_h
+#define biface_model_contact_forces_h
+
+#include <biface/model/contact_interaction.h>
+#include <biface/model/force_term.h>
+
+namespace Biface
+{
+  /**
+   * The forces of the foundation on active nodes.
+   *
+   * The force on the node r is @f$\sum_s M_{rs}\lambda_s\mathbf n_s@f$ with
+   * the normal at the node s, where the multiplier is: the traction
+   * @f$\lambda\mathbf n@f$ is what is interpolated. So the forces add up to
+   * those that ContactInteraction::force() reports, whichever the multiplier
+   * mass is. With the lumped mass they have the potential
+   * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and so a
+   * symmetric tangent; a normal at the node r would have neither.
+   */
+  class ContactForces : public ForceTerm
+  {
+  public:
+    /** The object is kept by reference. */
+    explicit ContactForces(const ContactInteraction &contact) : contact(contact)
+    {}
+
+    bool
+    acts_on(const unsigned int cell,
+            const State       &state,
+            const Loads       &loads) const override;
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+    bool
+    is_symmetric(const Loads &loads) const override
+    {
+      return !loads.foundation ||
+             contact.condition.mass() == MultiplierMass::lumped;
+    }
+
+    /** Contact stays one-sided. */
+    bool
+    is_linearized() const override
+    {
+      return false;
+    }
+
+  private:
+    const ContactInteraction &contact;
+  };
+} // namespace Biface
+
+#endif

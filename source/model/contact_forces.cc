@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/contact_forces.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  bool
+  ContactForces::acts_on(const unsigned int cell,
+                         const State       &state,
+                         const Loads       &loads) const
+  {
+    if (!loads.foundation)
+      return false;
+    for (const unsigned int node : contact.mesh.cells[cell].nodes)
+      if (state.active[node])
+        return true;
+    return false;
+  }
+
+
+  void
+  ContactForces::add(const CellState &at, CellForces &forces) const
+  {
+    const ShellMesh &mesh = contact.mesh;
+    const auto       M =
+      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
+    const auto frame =
+      [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
+      return mesh.nodes[at.cell.nodes[v]].surface.frame;
+    };
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = at.cell.nodes[s];
+        if (!at.state.active[node])
+          continue;
+        const ContactInteraction::Traction traction =
+          contact.traction(at.state, at.loads, mesh.nodes[node]);
+        std::array<Tensor<1, 3>, 3> columns;
+        for (unsigned int j = 0; j < 3; ++j)
+          columns[j] = traction.stiffness * frame(s)[j];
+
+        for (unsigned int r = 0; r < 4; ++r)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const unsigned int row =
+                MixedElement::dof(r, i, Resultants::outer);
+              const double force = M[r][s] * (frame(r)[i] * traction.value);
+              forces.force[row] += force;
+              forces.square += force * force;
+              for (unsigned int j = 0; j < 3; ++j)
+                forces
+                  .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
+                  M[r][s] * (frame(r)[i] * columns[j]);
+            }
+      }
+  }
+
+
+  void
+  ContactForces::add_load_derivative(const CellState           &at,
+                                     const LoadRates           &rates,
+                                     MixedElement::NodalVector &force) const
+  {
+    if (rates.travel == 0)
+      return;
+    const ShellMesh &mesh = contact.mesh;
+    const auto       M =
+      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = at.cell.nodes[s];
+        if (!at.state.active[node])
+          continue;
+        // the foundation's travel is as good as the node's the other way
+        const Tensor<1, 3> change =
+          -rates.travel *
+          (contact.traction(at.state, at.loads, mesh.nodes[node]).stiffness *
+           at.loads.foundation->direction());
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const Tensor<1, 3> m =
+              mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
+            for (unsigned int i = 0; i < 3; ++i)
+              force[MixedElement::dof(r, i, Resultants::outer)] +=
+                M[r][s] * m[i];
+          }
+      }
+  }
+} // namespace Biface

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <biface/model/internal_forces.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  InternalForces::InternalForces(const ShellMesh &mesh)
+    : mesh(mesh), symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
+  {
+    for (const Strip &strip : mesh.strips)
+      stiffness.emplace_back(strip.laminate.stiffness());
+    history.initial_strains.resize(mesh.cells.size());
+    for (const Cell &cell : mesh.cells)
+      history.initial_resultants.push_back(
+        Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
+  }
+
+
+  void
+  InternalForces::add(const CellState &at, CellForces &forces) const
+  {
+    const MixedElement  element(at.cell.geometry, at.V);
+    const Modes::Vector H = stiffness_of(at.cell).resultants(element.strain());
+    element.add_tangent(stiffness_of(at.cell),
+                        total_resultants(at.state, at.index),
+                        forces.tangent);
+    const MixedElement::NodalVector force =
+      element.internal_force(H, history.initial_resultants[at.index]);
+    forces.force -= force;
+    forces.square += force.norm_square();
+  }
+
+
+  void
+  InternalForces::set_theory(const StrainTheory theory, const State &state)
+  {
+    if (theory == StrainTheory::linear)
+      history.linearization_point = state;
+    else
+      history.linearization_point.reset();
+  }
+
+
+  void
+  InternalForces::take_as_prestress(State &state)
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        history.initial_resultants[c] += state.resultants[c];
+        history.initial_strains[c] = total_strains(state, c);
+      }
+    state = State(mesh);
+  }
+
+
+  Modes::Vector
+  InternalForces::strains(const State &state, const Cell &cell) const
+  {
+    const auto V = mesh.cell_values(state.displacement, cell);
+    if (!history.linearization_point)
+      return MixedElement(cell.geometry, V).strain();
+
+    const auto V_0 =
+      mesh.cell_values(history.linearization_point->displacement, cell);
+    const MixedElement element(cell.geometry, V_0);
+    return element.strain() + element.strain_variation(V - V_0);
+  }
+
+
+  Modes::Vector
+  InternalForces::total_strains(const State &state, const unsigned int c) const
+  {
+    return strains(state, mesh.cells[c]) + history.initial_strains[c];
+  }
+
+
+  void
+  InternalForces::settle_resultants(State &state) const
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        state.resultants[c] =
+          stiffness_of(cell).resultants(strains(state, cell));
+      }
+  }
+
+
+  void
+  InternalForces::predict_resultants(State            &state,
+                                     const LA::Vector &increment) const
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell        &cell = mesh.cells[c];
+        const MixedElement element(cell.geometry,
+                                   mesh.cell_values(state.displacement, cell));
+        state.resultants[c] = stiffness_of(cell).resultants(
+          element.strain() +
+          element.strain_variation(mesh.cell_values(increment, cell)));
+      }
+  }
+
+
+  double
+  InternalForces::strain_energy(const State &state) const
+  {
+    double energy = 0;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell         &cell = mesh.cells[c];
+        const MixedElement  element(cell.geometry,
+                                   mesh.cell_values(state.displacement, cell));
+        const Modes::Vector E = element.strain();
+        energy +=
+          cell.geometry.weight *
+          (Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2 +
+           Modes::mean_product(history.initial_resultants[c],
+                               element.nonlinear_strain()));
+      }
+    return Utilities::MPI::sum(energy, mesh.communicator);
+  }
+} // namespace Biface

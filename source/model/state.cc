@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/state.h>
+
+namespace Biface
+{
+  State::State(const ShellMesh &mesh)
+    : displacement(mesh.ghosted_vector())
+    , resultants(mesh.cells.size())
+    , active(mesh.nodes.size(), 0)
+    , multipliers(mesh.nodes.size())
+  {}
+} // namespace Biface

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The derivative of the residual with respect to the loads, at rates of the
+// pressure, of the load factor and of the foundation's travel, is that of its
+// differences, with dead and with follower loads.
+
+#include <biface/model/shell_equations.h>
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string &name, const PressureKind kind)
+  {
+    const Layup layup(Layup::Parameters(), cord_ply());
+    const auto  mesh = coarse_torus(layup);
+
+    ContactInteraction::Parameters parameters;
+    parameters.condition.regularization = 1;
+    parameters.foundation.shape  = RigidFoundation::Parameters::Shape::sphere;
+    parameters.foundation.sphere = {120};
+    const ContactInteraction contact(*mesh, parameters);
+
+    PressureLoad pressure;
+    pressure.kind         = kind;
+    pressure.distribution = "1 + 0.3*sin(alpha_1/20)";
+    DeadLoads dead_loads;
+    dead_loads.edge_moments = "alpha_2 max: 3 follower, alpha_2 min: -2 dead";
+    dead_loads.area_force   = Tensor<1, 3>({0.01, 0.02, -0.03});
+    ShellEquations equations(
+      *mesh, make_force_terms(*mesh, contact, dead_loads, pressure));
+
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    Loads loads;
+    loads.pressure   = 0.1;
+    loads.factor     = 0.7;
+    loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
+    contact.update_active_set(state, loads);
+
+    const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (is_root)
+      std::cout << name << std::endl;
+    const std::pair<const char *, LoadRates> cases[] = {
+      {"  pressure", {0.3, 0, 0}},
+      {"  load factor", {0, 2, 0}},
+      {"  travel", {0, 0, 1}},
+      {"  all of them", {-0.2, 1, 0.5}}};
+    for (const auto &[what, rates] : cases)
+      {
+        LA::Vector   deviation = equations.load_direction(state, loads, rates);
+        const double scale     = deviation.l2_norm();
+        const double step      = 1e-4;
+        for (const double sign : {-1., 1.})
+          {
+            Loads moved = loads;
+            moved.pressure += sign * step * rates.pressure;
+            moved.factor += sign * step * rates.factor;
+            moved.foundation =
+              loads.foundation->moved(sign * step * rates.travel);
+            equations.assemble(state, moved);
+            deviation.add(-sign / (2 * step), equations.residual());
+          }
+        const double error = deviation.l2_norm();
+        if (is_root)
+          check_small(what, error, 1e-7, scale);
+      }
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  test("dead pressure", PressureKind::dead);
+  test("follower pressure", PressureKind::follower);
+}
