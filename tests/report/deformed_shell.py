@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# With VTK, the page shows the deformed shell, colored by the contact pressure.
+# With VTK, the page shows the deformed shell, colored by the contact pressure, and
+# the foundation as it is.
 
 import base64
 import io
@@ -19,7 +20,9 @@ if not (shutil.which("xvfb-run") and shutil.which("xauth")
 import matplotlib.image
 import numpy as np
 
-page = page_of(RUNS / "shell")
+for run, name in (("shell", "plane"), ("drum", "drum")):
+    page = page_of(RUNS / run)
+    check(f"Seen through the {name}," in page.text, f"the {name} is not named")
 images = [image for image in page.images
           if image["alt"] == "The deformed shell, colored by contact pressure."]
 check(len(images) == 1, "there is no picture of the shell")

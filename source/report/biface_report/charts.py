@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .drawing import BLUE, DISTINCT, GRAY, headroom
+from .loading import first_step_counted, varying_load
 from .page import ROUND_OFF
-from .parameters import stages
 
 # More points than this in one chart cannot be told apart
 GREATEST_NUMBER_OF_CURVES = len(DISTINCT)
@@ -81,33 +81,6 @@ class ProbeCurves:
         axes.set(xlabel="displacement [length]", ylabel=self.load_name)
         axes.legend(fontsize=10)
         return figure
-
-
-def varying_load(run):
-    """What the load of the last stage is: name and values of a column that
-    changes, the load factor if both do."""
-    history = run.history
-    in_stage = history["stage"] == history["stage"][-1]
-    for chosen in (in_stage, np.ones_like(in_stage)):
-        for column, name in (("load_factor", "load factor"),
-                             ("pressure", "pressure [force/length²]")):
-            values = history[column]
-            begins_at = 0 if chosen[0] else values[~chosen][-1]
-            if (values[chosen] != begins_at).any():
-                return name, values
-    return "load factor", history["load_factor"]
-
-
-def first_step_counted(run):
-    """The first step whose displacements count from the same shape as those of
-    the last: they count anew after a prestress."""
-    first = run.steps[0]
-    for i, name in stages(run.parameters) if run.parameters else []:
-        chosen = run.history["stage"] == name
-        if (run.setting(f"Stage {i}/Start from prestress") == "true"
-                and chosen.any()):
-            first = run.steps[chosen][0]
-    return first
 
 
 # ---------------------------------------------------------------- iterations

@@ -12,6 +12,8 @@ import numpy as np
 from . import charts, maps, shell_view
 from .drawing import STYLE, embed, embed_png
 from .footprint import Footprint, normal_of_nodes
+from .foundation import foundation_in_step, foundation_of
+from .loading import step_labels
 from .page import (LeftOut, Section, details, figure, missing, number, page,
                    plain_number, table)
 from .point_content import ply_stresses, points
@@ -41,9 +43,8 @@ def find_footprint(run):
     contact = run.contact() if run.is_contact else None
     if contact is None:
         return None
-    normal = run.plane_normal()
-    if normal is None:
-        normal = normal_of_nodes(contact)
+    foundation = foundation_of(run)
+    normal = foundation.direction if foundation else normal_of_nodes(contact)
     if normal is None:
         return None
     return Footprint(contact, normal,
@@ -101,12 +102,13 @@ def footprint_map(run, footprint):
                   "the nodes in contact do not tell the plane of the foundation, "
                   "and parameters.prm is missing.")
         return LeftOut(name, reason)
-    text = ("Contact pressure in the plane of the foundation, per area of the "
-            "undeformed surface midway between the faces, bilinear between the "
-            "nodes. Dots are nodes in contact. The line is the edge of the "
-            "contact zone: it is somewhere between the last node in contact and "
-            "the next one apart, and drawn halfway. Dashes and dots are the "
-            "principal axes of the zone.")
+    foundation = foundation_of(run)
+    where = ("" if foundation is None or foundation.shape == "plane" else
+             f", seen along the direction in which the {foundation.name()} travels")
+    text = (f"Contact pressure per area of the undeformed middle surface{where}, "
+            "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
+            "of the contact zone, drawn halfway between the last node in contact "
+            "and the next one. Dash-dotted: the principal axes of the zone.")
     alternative = (
         "Map of the contact pressure. The zone is "
         f"{plain_number(footprint.lengths[0], 4)} long and "
@@ -131,41 +133,23 @@ def sections_of_shell(run):
     if min(map(len, profiles)) < 2:
         return LeftOut(
             name, f"{run.path('profile', chosen[0]).name} has no section.")
-    normal = run.plane_normal() if run.in_contact.any() else None
+    foundations = [None] * len(chosen)
+    normal = None
+    if run.in_contact.any() and foundation_of(run):
+        foundations = [foundation_in_step(run, step) for step in chosen]
+        normal = foundation_of(run).direction
     plane = SectionPlane(profiles, normal, run.setting("Surface/Type"))
-    lines = [foundation_line(run, step, plane, normal) for step in chosen]
-    drawing, is_to_scale = maps.draw_sections(
-        plane, profiles, [step_label(run, step) for step in chosen], lines)
+    drawing, is_to_scale, has_foundation = maps.draw_sections(
+        plane, profiles, step_labels(run, chosen), foundations)
     text = "Outer and inner face along the line " + (
         f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
         + ("to scale." if is_to_scale else
            "<strong>the axes have different scales</strong>."))
-    if any(line is not None for line in lines):
-        text += " Dashes: the foundation."
+    if has_foundation:
+        text += f" Dashes: the {foundation_of(run).name()}."
     return Section("section", name, figure(
         embed(drawing), "Drawing of the deformed section of the shell, from step "
         f"{chosen[0]} to step {chosen[-1]}.", text))
-
-
-def step_label(run, step):
-    """What distinguishes a step: its approach, or its load."""
-    at = list(run.steps).index(step)
-    if run.in_contact.any():
-        what = f"approach {run.history['approach'][at]:.4g}"
-    else:
-        load, values = charts.varying_load(run)
-        what = f"{load.split(' [')[0]} {values[at]:.4g}"
-    return f"step {step}, {what}".replace("-", "−")
-
-
-def foundation_line(run, step, plane, normal):
-    """The foundation in a step, from the clearances of the nodes near it."""
-    contact = run.contact(step) if normal is not None else None
-    if contact is None or len(contact) == 0:
-        return None
-    points_near = np.stack([contact[i] for i in "xyz"], -1)
-    distance = np.mean(points_near @ normal + contact["clearance"])
-    return plane.foundation(normal, distance)
 
 
 def shell(run):
@@ -180,13 +164,13 @@ def shell(run):
     with tempfile.TemporaryDirectory() as directory:
         target = Path(directory) / "shell.png"
         try:
-            by_pressure, direction = shell_view.draw_shell(run, target)
+            foundation, direction = shell_view.draw_shell(run, target)
         except shell_view.NoPicture as error:
             return LeftOut(name, str(error))
         image = embed_png(target.read_bytes(), 800)
-    what = "contact pressure" if by_pressure else "length of the displacement"
-    where = ("from beyond the foundation, which is drawn as glass"
-             if by_pressure else "from outside, aside and above")
+    what = "contact pressure" if foundation else "length of the displacement"
+    where = (f"through the {foundation.name()}, of which a part is drawn as glass"
+             if foundation else "from outside, aside and above")
     text = (f"Displacements to scale, color: {what}. Seen {where}; the camera is in "
             "the direction ({:.2f}, {:.2f}, {:.2f}) of the shell. ".format(
                 *direction).replace("-", "−")

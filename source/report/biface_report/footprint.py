@@ -12,6 +12,8 @@ import matplotlib.figure
 import matplotlib.tri
 import numpy as np
 
+from .foundation import plane_axes
+
 # Pieces that a cell's side is cut into
 SUBDIVISIONS = 8
 
@@ -19,29 +21,10 @@ SUBDIVISIONS = 8
 ROUND = 0.02
 
 
-def plane_axes(normal):
-    """Two unit vectors in a plane, and what to call them."""
-    direction = np.argmax(np.abs(normal))
-    others = [i for i in range(3) if i != direction]
-    first = np.eye(3)[others[0]]
-    first = first - (first @ normal) * normal
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
-    if second[others[1]] < 0:
-        second = -second
-    names = []
-    for axis in (first, second):
-        main = np.argmax(np.abs(axis))
-        is_cartesian = np.isclose(axis[main], 1, atol=1e-9)
-        names.append("xyz"[main] if is_cartesian else
-                     "along ({:.3g}, {:.3g}, {:.3g})".format(*axis))
-    return np.array([first, second]), names
-
-
 def normal_of_nodes(contact):
     """The normal that nodes in contact lie across, where no file tells."""
     chosen = contact["active"] > 0
-    points = np.stack([contact[i][chosen] for i in "xyz"], -1)
+    points = contact.positions()[chosen]
     if len(points) < 3:
         return None
     _, _, axes = np.linalg.svd(points - points.mean(0))
@@ -85,8 +68,7 @@ class Footprint:
         """From the table of contact-NNNN.csv with at least one node in contact.
         Lengths are those of the table."""
         self.axes, self.axis_names = plane_axes(normal)
-        position = np.stack([contact[i] for i in "xyz"], -1)
-        self.nodes = position @ self.axes.T
+        self.nodes = contact.positions() @ self.axes.T
         self.active = contact["active"] > 0
         self.pressure = contact["pressure"]
         cells = cells_in_contact(contact, is_closed)

@@ -8,7 +8,6 @@ from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import ScaledTranslation
 
 from .drawing import shades
-from .section import points_of
 
 # Pressures: none is white, and paper shows all of them
 PRESSURE_COLORS = plt.get_cmap("YlOrRd")
@@ -74,29 +73,37 @@ def chosen_steps(steps):
     return [steps[i] for i in places]
 
 
-def draw_sections(plane, profiles, labels, foundation):
+def draw_sections(plane, profiles, labels, foundations):
     """Both faces of the section in several steps.
 
-    profiles and labels are lists of one for each step; foundation holds a line
-    for each step, see SectionPlane.foundation(), or None. A section of which
-    nothing would be seen to scale is stretched. Returns the figure, and whether
-    it is to scale."""
+    profiles, labels and foundations are lists with one item per step; an unknown
+    foundation is None. A section too slender to be seen to scale is stretched.
+    Returns the figure, whether it is to scale, and whether it shows a
+    foundation."""
     figure, axes = plt.subplots(figsize=(5.6, 4.6))
     colors = shades(len(profiles))
-    for profile, label, color in zip(profiles, labels, colors):
-        is_last = profile is profiles[-1]
-        for face in ("outer", "inner"):
-            line = plane.project(points_of(profile, face))
-            axes.plot(*line.T, color=color, linewidth=2 if is_last else 1.1,
-                      label=label if face == "outer" else None)
-    # the lines of the foundation must not widen the picture
-    left, right, low, high = axes.axis()
-    for line, color in zip(foundation, colors):
-        if line is not None:
-            point, direction = line
-            axes.axline(point, point + direction, color=color, linewidth=0.9,
-                        linestyle=(0, (7, 3)), zorder=1)
-            low = min(low, point[1] - 0.03 * (right - left))
+    sections = [[plane.project(profile.positions(f"{face}_"))
+                 for face in ("outer", "inner")] for profile in profiles]
+    for faces, label, color in zip(sections, labels, colors):
+        width = 2 if faces is sections[-1] else 1.1
+        axes.plot(*faces[0].T, color=color, linewidth=width, label=label)
+        axes.plot(*faces[1].T, color=color, linewidth=width)
+    # the foundation widens the picture only as far as it is near the shell
+    limits = np.reshape(axes.axis(), (2, 2)).T
+    shell_limits = limits.copy()
+    has_foundation = False
+    for faces, foundation, color in zip(sections, foundations, colors):
+        if foundation is None:
+            continue
+        for line, nearest in near_traces(plane, foundation, faces[0],
+                                         shell_limits):
+            axes.plot(*line.T, color=color, linewidth=0.9,
+                      linestyle=(0, (7, 3)), zorder=1)
+            margin = 0.03 * np.ptp(shell_limits[:, 0])
+            limits[0] = np.minimum(limits[0], nearest - margin)
+            limits[1] = np.maximum(limits[1], nearest + margin)
+            has_foundation = True
+    (left, low), (right, high) = limits
     names, is_down = plane.labels()
     axes.set(xlim=(left, right), ylim=(low, high), xlabel=f"{names[0]} [length]",
              ylabel=f"{names[1]} [length]")
@@ -118,4 +125,17 @@ def draw_sections(plane, profiles, labels, foundation):
     below = ScaledTranslation(0, -42 / 72, figure.dpi_scale_trans)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2,
                 fontsize=10, bbox_transform=axes.transAxes + below)
-    return figure, is_to_scale
+    return figure, is_to_scale, has_foundation
+
+
+def near_traces(plane, foundation, face, limits):
+    """Polylines in which a foundation cuts the plane of the section, not farther
+    from the shell than its size, and the point of each that is nearest to a
+    face."""
+    size = np.ptp(limits, axis=0).max()
+    traces = plane.trace(foundation, limits[0] - size, limits[1] + size)
+    result = []
+    for line in traces:
+        distances = np.linalg.norm(line[:, None] - face[None], axis=-1).min(1)
+        result.append((line, line[np.argmin(distances)]))
+    return result

@@ -93,6 +93,16 @@ def lit_actor(data, color):
     return actor
 
 
+def below(data, threshold):
+    """The part of a surface where its scalars do not exceed a threshold."""
+    clip = vtk.vtkClipPolyData()
+    clip.SetInputData(data)
+    clip.SetValue(threshold)
+    clip.InsideOutOn()
+    clip.Update()
+    return clip.GetOutput()
+
+
 def zone_actor(data, threshold, colors, limits):
     """The part of a surface where its scalars exceed a threshold, in the exact
     colors of the bar, in front of the surface itself."""

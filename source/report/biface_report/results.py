@@ -47,6 +47,10 @@ class Table(dict):
         """The rows for which an array of truth values holds."""
         return Table({name: values[chosen] for name, values in self.items()})
 
+    def positions(self, prefix=""):
+        """The columns x, y and z, after a prefix, as rows of points."""
+        return np.stack([self[prefix + i] for i in "xyz"], -1)
+
 
 def read_text(path):
     """The text of a file."""
@@ -205,16 +209,16 @@ class Run:
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
-        if self.parameters is None or entry not in self.parameters.entries:
-            return otherwise
-        return self.parameters.entries[entry].value
+        found = self.parameters.find(entry) if self.parameters else None
+        return otherwise if found is None else found.value
 
-    def plane_normal(self):
-        """The normal of the foundation, of length 1, or None if unknown."""
-        numbers = re.split(r"[\s,]+", self.setting("Contact/Direction", ""))
+    def numbers(self, entry, count):
+        """The numbers of an entry of parameters.prm, separated by commas, or
+        None where it has not as many finite ones."""
+        words = re.split(r"[\s,]+", self.setting(entry, "").strip())
         try:
-            normal = np.array([float(number) for number in numbers])
+            values = np.array([float(word) for word in words])
         except ValueError:
             return None
-        length = np.linalg.norm(normal)
-        return normal / length if len(normal) == 3 and length > 0 else None
+        return values if len(values) == count and np.isfinite(values).all() \
+            else None

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The plane that the deformed section is drawn in."""
 
+import matplotlib.figure
 import numpy as np
 
+from .foundation import axis_name
 
-def points_of(profile, face):
-    """The points of a face of profile-NNNN.csv."""
-    return np.stack([profile[f"{face}_{i}"] for i in "xyz"], -1)
+# Points along each side of the rectangle in which a foundation is looked for
+TRACE_POINTS = 401
 
 
 class SectionPlane:
@@ -16,7 +17,7 @@ class SectionPlane:
     def __init__(self, profiles, normal=None, surface=None):
         """From the tables of profiles, the normal of the foundation, and the
         entry Surface/Type, if they are known."""
-        points = np.concatenate([points_of(profile, face)
+        points = np.concatenate([profile.positions(f"{face}_")
                                  for profile in profiles
                                  for face in ("outer", "inner")])
         self.center = points.mean(0)
@@ -35,7 +36,8 @@ class SectionPlane:
     def _upward(self, profile):
         """Of the Cartesian axes in the plane the one that is nearest to the way
         from the inner face to the outer one."""
-        outward = (points_of(profile, "outer") - points_of(profile, "inner")).mean(0)
+        outward = (profile.positions("outer_")
+                   - profile.positions("inner_")).mean(0)
         candidates = np.eye(3) - np.outer(self.across, self.across)
         lengths = np.linalg.norm(candidates, axis=1)
         candidates = candidates[lengths > 0.5] / lengths[lengths > 0.5, None]
@@ -48,27 +50,22 @@ class SectionPlane:
         return np.stack([points @ self.right, points @ self.up], -1)
 
     def labels(self):
-        """What to call the two axes, and whether upward counts downward."""
-        names, is_down = [], False
-        for axis in (self.right, self.up):
-            main = np.argmax(np.abs(axis))
-            if np.isclose(abs(axis[main]), 1, atol=1e-9):
-                names.append("xyz"[main])
-                is_down = axis[main] < 0
-            else:
-                names.append("along ({:.3g}, {:.3g}, {:.3g})".format(*axis))
-        return names, is_down
+        """The names of the two axes, and whether the upward one is a negative
+        Cartesian axis."""
+        names = [axis_name(axis) for axis in (self.right, self.up)]
+        return names, names[1] in ("x", "y", "z") and self.up.min() < -0.5
 
-    def foundation(self, normal, distance):
-        """A point of the line in which a plane, the points whose product with
-        the normal is the distance, cuts this one, and the line's direction; None
-        where they are nearly parallel."""
-        in_plane = normal - (normal @ self.across) * self.across
-        if np.linalg.norm(in_plane) < 0.1:
-            return None
-        point = self.center + in_plane * (
-            (distance - normal @ self.center) / (in_plane @ in_plane))
-        return self.project(point), self.project(np.cross(self.across, in_plane))
+    def trace(self, foundation, low, high):
+        """Where a foundation cuts this plane: polylines of projected points, in
+        the rectangle between two projected points."""
+        x, y = (np.linspace(low[i], high[i], TRACE_POINTS) for i in range(2))
+        x, y = np.meshgrid(x, y)
+        points = (np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
+                  + (self.center @ self.across) * self.across)
+        clearance = foundation.clearance(points.reshape(-1, 3)).reshape(x.shape)
+        contour = matplotlib.figure.Figure().subplots().contour(
+            x, y, clearance, levels=[0])
+        return [line for line in contour.allsegs[0] if len(line) > 1]
 
 
 def across_coordinate_line(surface, alpha_2):

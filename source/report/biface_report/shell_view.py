@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Picture of the deformed shell, drawn in a process of its own: VTK ends the
-process where it finds no display."""
+"""Has the picture of the deformed shell drawn (see shell_picture.py) in a process
+of its own: VTK ends the process where it finds no display."""
 
-import argparse
+import json
 import os
 import shutil
 import subprocess
@@ -10,245 +10,46 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-import numpy as np
-
-WIDTH, HEIGHT = 1000, 760
-OUTSIDE, INSIDE = (0.62, 0.66, 0.71), (0.80, 0.81, 0.83)
+from .foundation import foundation_in_step
 
 
 class NoPicture(Exception):
     """Why there is no picture, as one sentence."""
 
 
-# ---------------------------------------------------------------- from the report
-
-
 def draw_shell(run, target):
-    """Draws shell-NNNN.vtu of the step of a run to a PNG file. Returns whether it
-    is colored by contact pressure, and the direction to the camera."""
+    """Draws shell-NNNN.vtu of the step of a run to a PNG file. Returns the
+    foundation in the picture, which is then colored by contact pressure, or None;
+    and the direction to the camera."""
     if not find_spec("vtk"):
         raise NoPicture("VTK for Python is missing (Debian: python3-vtk9).")
-    command = [sys.executable, "-B", "-m", "biface_report.shell_view",
+    command = [sys.executable, "-B", "-m", "biface_report.shell_picture",
                run.path("shell", ending="vtu"), target]
-    by_pressure = run.is_contact and run.plane_normal() is not None
-    if by_pressure:
-        command += ["--normal", *map(repr, map(float, run.plane_normal()))]
+    foundation = foundation_in_step(run) if run.is_contact else None
+    if foundation:
+        command += ["--foundation", json.dumps(foundation.as_dict())]
     path = [str(Path(__file__).resolve().parents[1]),
             os.environ.get("PYTHONPATH", "")]
     environment = dict(os.environ,
                        PYTHONPATH=os.pathsep.join(filter(None, path)))
-    virtual = shutil.which("xvfb-run")
-    attempts = []
-    if virtual and shutil.which("xauth"):
-        attempts.append([virtual, "-a", "-s", "-screen 0 2000x1600x24"])
-    if os.environ.get("DISPLAY"):
-        attempts.append([])
-    for prefix in attempts:
+    displays = available_displays()
+    for prefix in displays:
         done = subprocess.run([*prefix, *map(str, command)], env=environment,
                               capture_output=True, check=False, text=True)
         if done.returncode == 0 and target.exists():
-            return by_pressure, [float(x) for x in done.stdout.split()]
-    raise NoPicture("VTK could not draw it." if attempts else
-                    "VTK needs a display to draw it; a virtual one will do "
-                    "(Debian: xvfb, xauth).")
+            return foundation, [float(x) for x in done.stdout.split()]
+    raise NoPicture("VTK could not draw it." if displays else
+                    "VTK needs a display; a virtual one will do (Debian: xvfb, "
+                    "xauth).")
 
 
-def view_of_contact(normal):
-    """Direction from the shell to the camera, and which way is up: from beyond
-    the foundation and a little aside."""
-    # the Cartesian axes that are most nearly in the plane
-    order = np.argsort(np.abs(normal), kind="stable")
-    aside, up = (np.eye(3)[i] for i in sorted(order[:2]))
-    direction = normal + 0.44 * aside + 0.32 * up
-    return direction / np.linalg.norm(direction), up
-
-
-def view_of_shell(points, area):
-    """The same without contact. Points are those of the outer face; area is the
-    integral of its normal over its area. An open shell lies before the camera
-    with its outer face up; a closed one stands on its axis, which is y."""
-    share = np.linalg.norm(area)
-    if share < 0.3:
-        return np.array([0.52, 0.45, 0.72]) / np.linalg.norm([0.52, 0.45, 0.72]), \
-            np.array([0, 1.0, 0])
-    up = area / share
-    flat = points - points.mean(0)
-    flat = flat - np.outer(flat @ up, up)
-    _, _, axes = np.linalg.svd(flat[::max(1, len(flat) // 2000)],
-                               full_matrices=False)
-    # the Cartesian axes, unless the shell lies obliquely
-    long = np.eye(3)[np.argmax(np.abs(axes[0]))]
-    long = long - (long @ up) * up
-    long /= np.linalg.norm(long)
-    short = np.cross(up, long)
-    direction = 0.55 * long - 0.8 * short + 0.75 * up
-    return direction / np.linalg.norm(direction), up
-
-
-# ---------------------------------------------------------------- in the process
-
-
-def face_surface(grid, outer, name):
-    """A face as a smooth surface with the values of a field, or lengths of
-    vectors, as scalars."""
-    import vtk
-    from vtk.util.numpy_support import numpy_to_vtk
-    from . import rendering
-
-    cells = rendering.corners(grid, 4)
-    is_outer = rendering.point_values(grid, "outer_face")
-    cells = cells[is_outer[cells[:, 0]] == outer]
-    points = rendering.positions(grid)
-    values = rendering.point_values(grid, name)
-    values = np.linalg.norm(values, axis=1) if values.ndim > 1 else values
-    # every cell of the file has points of its own: they are joined
-    size = np.ptp(points, axis=0).max()
-    used = np.unique(cells)
-    first, which = rendering.merge_points(points[used] / size, 6)
-    number = np.full(len(points), -1)
-    number[used] = which
-
-    data, polygons = vtk.vtkPolyData(), vtk.vtkCellArray()
-    for corners in number[cells]:
-        polygons.InsertNextCell(4, corners)
-    data.SetPoints(rendering.to_vtk_points(points[used][first]))
-    data.SetPolys(polygons)
-    data.GetPointData().SetScalars(
-        numpy_to_vtk(values[used][first], deep=True))
-    normals = vtk.vtkPolyDataNormals()
-    normals.SetInputData(data)
-    normals.SplittingOff()
-    normals.Update()
-    return normals.GetOutput()
-
-
-def area_vector(surface):
-    """The integral of the normal over a surface, over its area."""
-    from vtk.util.numpy_support import vtk_to_numpy
-
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    corners = points[vtk_to_numpy(
-        surface.GetPolys().GetConnectivityArray()).reshape(-1, 4)]
-    areas = np.cross(corners[:, 2] - corners[:, 0],
-                     corners[:, 3] - corners[:, 1]) / 2
-    return areas.sum(0) / np.linalg.norm(areas, axis=1).sum()
-
-
-def mesh_actor(surface):
-    """The sides of the cells."""
-    import vtk
-    from . import rendering
-
-    edges = vtk.vtkExtractEdges()
-    edges.SetInputData(surface)
-    edges.Update()
-    return rendering.line_actor(edges.GetOutput(), (0, 0, 0), 0.6, 0.3)
-
-
-def colored_actor(surface, colors, limits):
-    """A surface all of which is colored, and lit a little."""
-    from . import rendering
-
-    actor = rendering.lit_actor(surface, OUTSIDE)
-    actor.GetMapper().ScalarVisibilityOn()
-    rendering.use_colors(actor.GetMapper(), colors, limits)
-    actor.GetProperty().SetAmbient(0.45)
-    actor.GetProperty().SetDiffuse(0.55)
-    return actor
-
-
-def foundation_actors(surface, normal):
-    """A pane of glass under the zone with pressure, with an outline."""
-    from . import rendering
-    from .footprint import plane_axes
-    import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
-
-    points = vtk_to_numpy(surface.GetPoints().GetData())
-    pressure = vtk_to_numpy(surface.GetPointData().GetScalars())
-    axes, _ = plane_axes(normal)
-    zone = points[pressure > 0] @ axes.T
-    size = np.ptp(points @ axes.T, axis=0)
-    low = np.minimum(zone.min(0) - 0.12 * size.max(), zone.mean(0) - 0.25 * size)
-    high = np.maximum(zone.max(0) + 0.12 * size.max(),
-                      zone.mean(0) + 0.25 * size)
-    # a little above the zone, so as not to change its colors
-    height = (points @ normal).max() - 0.002 * size.max()
-    places = [(low[0], low[1]), (high[0], low[1]), (high[0], high[1]),
-              (low[0], high[1])]
-    loop = np.array([height * normal + place @ axes for place in places])
-    pane, polygon = vtk.vtkPolyData(), vtk.vtkCellArray()
-    polygon.InsertNextCell(4, range(4))
-    pane.SetPoints(rendering.to_vtk_points(loop))
-    pane.SetPolys(polygon)
-    actor = rendering.lit_actor(pane, (0.55, 0.7, 0.85))
-    actor.GetProperty().SetOpacity(0.12)
-    outline = rendering.line_data([loop[[0, 1, 2, 3, 0]]])
-    return [actor, rendering.line_actor(outline, (0.35, 0.45, 0.55), 1.2)]
-
-
-def add_directions(figure, direction, up):
-    """The Cartesian axes as the camera sees them, in a corner."""
-    right = np.cross(up, direction)
-    right /= np.linalg.norm(right)
-    above = np.cross(direction, right)
-    axes = figure.add_axes([0.01, 0.01, 0.15, 0.15 * WIDTH / HEIGHT])
-    axes.set(xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
-    axes.axis("off")
-    for name, axis in zip("xyz", np.eye(3)):
-        tip = np.array([axis @ right, axis @ above])
-        if np.linalg.norm(tip) < 0.05:
-            continue
-        axes.annotate("", tip, (0, 0), arrowprops={
-            "arrowstyle": "-|>", "color": "0.25", "shrinkA": 0, "shrinkB": 0})
-        axes.text(*(tip + 0.26 * tip / np.linalg.norm(tip)), name, fontsize=17,
-                  ha="center", va="center")
-
-
-def main():
-    """Draws one file."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("shell", type=Path, help="shell-NNNN.vtu")
-    parser.add_argument("picture", type=Path, help="the PNG to write")
-    parser.add_argument("--normal", type=float, nargs=3,
-                        help="normal of the foundation: color by pressure")
-    arguments = parser.parse_args()
-
-    import matplotlib.pyplot as plt
-    from . import rendering
-
-    grid = rendering.read_grid(arguments.shell)
-    normal = None if arguments.normal is None else np.array(arguments.normal)
-    name = "displacement" if normal is None else "contact_pressure"
-    outer, inner = (face_surface(grid, face, name) for face in (1, 0))
-    limits = (0, max(outer.GetScalarRange()[1], inner.GetScalarRange()[1]))
-    if normal is None:
-        colors, label = plt.get_cmap("viridis"), "displacement [length]"
-        actors = [colored_actor(face, colors, limits)
-                  for face in (outer, inner)]
-    else:
-        colors = plt.get_cmap("plasma")
-        label = "contact pressure [force/length²]"
-        actors = [rendering.lit_actor(outer, OUTSIDE),
-                  rendering.lit_actor(inner, INSIDE),
-                  rendering.zone_actor(outer, 0.01 * limits[1], colors, limits),
-                  *foundation_actors(outer, normal)]
-    actors.append(mesh_actor(outer))
-
-    shown = np.concatenate([rendering.positions(face)
-                            for face in (outer, inner)])
-    direction, up = (view_of_shell(shown, area_vector(outer))
-                     if normal is None else view_of_contact(normal))
-    camera = rendering.fitted_camera(shown, direction, up, WIDTH / HEIGHT,
-                                     right_margin=0.17)
-    figure = rendering.figure_of(
-        rendering.render(actors, (WIDTH, HEIGHT), camera))
-    rendering.add_color_bar(figure, [0.86, 0.2, 0.024, 0.6], colors, limits,
-                            label)
-    add_directions(figure, direction, up)
-    figure.savefig(arguments.picture)
-    print(*direction)
-
-
-if __name__ == "__main__":
-    main()
+def available_displays():
+    """What to put before a command for it to have a display: a virtual one if
+    possible, then the user's."""
+    result = []
+    virtual = shutil.which("xvfb-run")
+    if virtual and shutil.which("xauth"):
+        result.append([virtual, "-a", "-s", "-screen 0 2000x1600x24"])
+    if os.environ.get("DISPLAY"):
+        result.append([])
+    return result
