@@ -63,11 +63,14 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-"Finite elements for layered shells such as inflated tires, which press on a
-rigid plane. Displacements and rotations are as large as they come. Program,
-library with headers, and examples.")
+"Finite elements for layered shells such as inflated tires in contact with a
+rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
+Program, library with headers, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-pthread, openmpi-bin")
+# the second line is what biface-report needs
+string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
+  "libopenblas0-pthread, openmpi-bin, "
+  "python3-matplotlib, python3-vtk9 | python3-paraview, xvfb, xauth")
 # for those who link the library
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libdeal.ii-dev, cmake, paraview")
 include(CPack)
