@@ -32,5 +32,5 @@ check(abs(found - 25) < 1, f"the direction is {found} degrees")
 for i, exact in enumerate((LENGTH, WIDTH)):
     check(abs(footprint.lengths[i] - exact) < CELL,
           f"length {i} is {footprint.lengths[i]}, not {exact}")
-    check(footprint.least_lengths[i] <= exact <= footprint.greatest_lengths[i],
+    check(footprint.minimum_lengths[i] <= exact <= footprint.maximum_lengths[i],
           f"length {i} is not between its bounds")

@@ -18,7 +18,7 @@ for head, expected in (
          / (last["approach"] - before["approach"])),
         ("Contact area", last["contact_area"]),
         ("Mean contact pressure", last["force"] / last["contact_area"]),
-        ("Greatest contact pressure", last["max_pressure"]),
+        ("Maximum contact pressure", last["max_pressure"]),
         ("Pressure on the shell", last["pressure"]),
         ("Steps", len(history)),
         ("Newton iterations", sum(int(row["iterations"]) for row in history))):

@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Turns a directory of results of biface into one page of HTML.
+"""Turns a directory of biface results into one page of HTML.
 
-    results     reads and checks the files of a run
-    parameters  reads parameters.prm
-    footprint   the contact zone in the plane of the foundation
-    section     the plane of the deformed section
-    drawing     how charts look, and how they get into the page
-    charts      curves; maps: footprint and section; plies: stresses in plies
-    rendering   what pictures by VTK have in common
-    shell_view  the picture of the deformed shell
-    page        HTML
-    content     what the page says, section by section; summary: its head and
-                numbers; point_content: the named points
+    results        reads and checks the files of a run
+    parameters     reads parameters.prm
+    loading        what changes from step to step
+    foundation     the plane, drum or sphere, and where it stands
+    footprint      the contact zone, projected along the direction of travel
+    section        the plane of the deformed section
+    drawing        the look of charts, and how they get into the page
+    charts         curves
+    maps           pictures of the footprint and the section
+    plies          charts of ply stresses
+    rendering      common parts of VTK pictures
+    shell_picture  draws the deformed shell
+    shell_view     runs shell_picture in a process of its own
+    page           HTML
+    summary        the head of the page and the table of numbers
+    point_content  the sections on named points
+    content        all other sections, and the whole page
 """

@@ -6,12 +6,12 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-# What the page cannot do without, and the package of Debian that brings it
+# Required modules, and the Debian packages that provide them
 NEEDED = {"numpy": "python3-matplotlib", "matplotlib": "python3-matplotlib"}
 
 
 class Arguments(argparse.ArgumentParser):
-    """Wrong words on the command line are wrong input: exit code 1."""
+    """Exits with 1, as for any wrong input."""
 
     def error(self, message):
         self.print_usage(sys.stderr)
@@ -22,19 +22,19 @@ def parse_arguments():
     """The directory, the step and the file to write."""
     parser = Arguments(
         prog="biface-report",
-        description="Turns a directory of results of biface into one page of "
-                    "HTML that needs no other file.")
+        description="Writes one self-contained HTML page about a directory "
+                    "of biface results.")
     parser.add_argument("directory", metavar="OUTPUT_DIR", type=Path,
                         help="directory with history.csv and the other results")
     parser.add_argument("--step", type=int, metavar="N",
-                        help="the step to show; the last one unless told")
+                        help="the step to show (default: the last one)")
     parser.add_argument("-o", "--output", metavar="FILE", type=Path,
-                        help="what to write; OUTPUT_DIR/report.html unless told")
+                        help="the page (default: OUTPUT_DIR/report.html)")
     return parser.parse_args()
 
 
 def main():
-    """Writes the page; the exit code is 1 where that is not possible."""
+    """Writes the page. The exit code is 1 if that is not possible."""
     arguments = parse_arguments()
     for module, package in NEEDED.items():
         if not find_spec(module):

@@ -9,12 +9,12 @@ from .drawing import BLUE, DISTINCT, GRAY, headroom
 from .loading import first_step_counted, varying_load
 from .page import ROUND_OFF
 
-# More points than this in one chart cannot be told apart
-GREATEST_NUMBER_OF_CURVES = len(DISTINCT)
+# More curves in one chart would be hard to tell apart
+MAXIMUM_CURVES = len(DISTINCT)
 
 
 def contact_curve(run):
-    """Approaches and forces of the steps from the first touch on."""
+    """Approaches and forces of the steps after first contact, from 0."""
     chosen = (run.history["approach"] != 0) | run.in_contact
     return (np.append(0, run.history["approach"][chosen]),
             np.append(0, run.history["force"][chosen]))
@@ -42,17 +42,17 @@ def draw_contact_curve(run):
 
 
 class ProbeCurves:
-    """A load against the displacements of the named points, each in the
-    direction in which it moves most."""
+    """A load against the displacements of the named points: of each the component
+    that changes most."""
 
     def __init__(self, run, probes):
-        """Points of the middle of the wall, see Run.probes()."""
+        """Points of the middle surface, see Run.probes()."""
         self.load_name, loads = varying_load(run)
         load_of = dict(zip(run.steps, loads))
         first = first_step_counted(run)
-        begins_at_zero = first == run.steps[0]
+        starts_at_zero = first == run.steps[0]
         self.curves, self.at_rest = {}, []
-        greatest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
+        largest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
         for name in dict.fromkeys(probes["name"]):
             rows = probes.where((probes["name"] == name)
                                 & (probes["step"] >= first))
@@ -60,18 +60,18 @@ class ProbeCurves:
                 continue
             moves = {i: np.abs(rows["u_" + i]).max() for i in "xyz"}
             direction = max(moves, key=moves.get)
-            if moves[direction] <= ROUND_OFF * greatest:
+            if moves[direction] <= ROUND_OFF * largest:
                 self.at_rest.append(name)
                 continue
-            origin = [0] if begins_at_zero else []
+            origin = [0] if starts_at_zero else []
             self.curves[name, direction] = (
                 np.append(origin, rows["u_" + direction]),
                 np.append(origin, [load_of[step] for step in rows["step"]]))
 
     def draw(self):
-        """The chart; points beyond the greatest number of curves are left."""
+        """The chart, with MAXIMUM_CURVES curves at most."""
         figure, axes = plt.subplots(figsize=(5.6, 3.8))
-        curves = list(self.curves.items())[:GREATEST_NUMBER_OF_CURVES]
+        curves = list(self.curves.items())[:MAXIMUM_CURVES]
         for ((name, direction), (moved, load)), color in zip(curves, DISTINCT):
             axes.plot(moved, load, "o-", color=color, markersize=4,
                       label=f"{name}, $u_{direction}$", clip_on=False)
@@ -87,7 +87,7 @@ class ProbeCurves:
 
 
 def draw_iterations(run):
-    """Iterations and seconds of each step."""
+    """Iterations and seconds per step."""
     figure, (above, below) = plt.subplots(2, 1, figsize=(5.6, 4.2), sharex=True,
                                           layout="constrained")
     for axes, column, label, color in (
@@ -104,7 +104,7 @@ def draw_iterations(run):
 
 
 def mark_stages(axes, run):
-    """Where stages begin."""
+    """Marks where stages start."""
     names = run.history["stage"]
     starts = [i for i in range(1, len(names)) if names[i] != names[i - 1]]
     for i in starts:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the page says, section by section. A section whose files are missing
-says so in a sentence."""
+"""The sections of the page. A section whose files are missing is replaced by one
+sentence that says so."""
 
 import tempfile
 from html import escape
@@ -14,8 +14,8 @@ from .drawing import STYLE, embed, embed_png
 from .footprint import Footprint, normal_of_nodes
 from .foundation import foundation_in_step, foundation_of
 from .loading import step_labels
-from .page import (LeftOut, Section, details, figure, missing, number, page,
-                   plain_number, table)
+from .page import (LeftOut, Section, count, details, figure, missing, number,
+                   page, plain_number, table)
 from .point_content import ply_stresses, points
 from .section import SectionPlane
 from .summary import introduction, summary, title
@@ -52,40 +52,40 @@ def find_footprint(run):
 
 
 def curve(run):
-    """Force against approach, or a load against displacements."""
+    """Force against approach; without contact, a load against displacements."""
     if run.in_contact.any():
         html = figure(embed(charts.draw_contact_curve(run)),
-                       "Chart of the force on the foundation against its "
-                       f"approach. {contact_range(run)}",
-                       "One point for each step in contact.")
+                      "Chart of the force on the foundation against its "
+                      f"approach. {contact_range(run)}",
+                      "One point per step in contact.")
         return Section("curve", "Load and deflection", html)
     probes = run.probes() if run.setting("Named points", "?") != "" else None
     name = "Load and deflection"
     if len(run.steps) < 2:
         return LeftOut(
-            name, "The run has one step only up to here; a curve takes two.")
+            name, "There is only one step; a curve needs two.")
     if probes is None or len(probes) == 0:
         return LeftOut(
-            name, "There is no curve, since the run has no contact and no named "
-            "points: the entry Points of the input names them.")
+            name, "Without contact, the curve needs named points: set the entry "
+            "'Named points'.")
     found = charts.ProbeCurves(run, probes)
     if not found.curves:
         return LeftOut(name, "The named points do not move.")
-    more = len(found.curves) - charts.GREATEST_NUMBER_OF_CURVES
-    caption = ("Displacements of the middle of the wall, each point in the "
-               "direction of x, y and z in which it moves most.")
+    more = len(found.curves) - charts.MAXIMUM_CURVES
+    caption = ("Displacements of the middle surface: for each named point, the "
+               "component that changes most.")
     if more > 0:
-        caption += f" {more} further points are left out."
+        caption += f" {count(more, 'more point is', 'more points are')} left out."
     if found.at_rest:
         caption += f" At rest: {escape(', '.join(found.at_rest))}."
     html = figure(embed(found.draw()),
-                   f"Chart of the {found.load_name} against the displacements of "
-                   "the named points.", caption)
+                  f"Chart of the {found.load_name} against the displacements of "
+                  "the named points.", caption)
     return Section("curve", name, html)
 
 
 def contact_range(run):
-    """The end of the curve in words."""
+    """The last point of the curve in words."""
     return (f"At an approach of {plain_number(run.last('approach'))} the force "
             f"is {plain_number(run.last('force'))}.")
 
@@ -95,12 +95,12 @@ def footprint_map(run, footprint):
     name = "Footprint"
     if not run.is_contact:
         return LeftOut(
-            name, f"In step {run.step} the shell touches no foundation.")
+            name, f"The shell is not in contact in step {run.step}.")
     if footprint is None:
         path = run.path("contact")
         reason = (f"{path.name} is missing." if not path.exists() else
-                  "the nodes in contact do not tell the plane of the foundation, "
-                  "and parameters.prm is missing.")
+                  "parameters.prm is missing, and too few nodes are in contact to "
+                  "find the direction of the foundation.")
         return LeftOut(name, reason)
     foundation = foundation_of(run)
     where = ("" if foundation is None or foundation.shape == "plane" else
@@ -112,7 +112,7 @@ def footprint_map(run, footprint):
     alternative = (
         "Map of the contact pressure. The zone is "
         f"{plain_number(footprint.lengths[0], 4)} long and "
-        f"{plain_number(footprint.lengths[1], 4)} wide; the greatest pressure "
+        f"{plain_number(footprint.lengths[1], 4)} wide; the maximum pressure "
         f"is {plain_number(run.last('max_pressure'))}.")
     return Section("footprint", name, figure(
         embed(maps.draw_footprint(footprint), "png"), alternative, text))
@@ -122,7 +122,7 @@ def footprint_map(run, footprint):
 
 
 def sections_of_shell(run):
-    """The deformed section in some steps."""
+    """The deformed section in several steps."""
     name = "Deformed section"
     steps = [step for step in run.steps if run.path("profile", step).exists()]
     if run.step not in steps:
@@ -132,7 +132,7 @@ def sections_of_shell(run):
     profiles = [run.profile(step) for step in chosen]
     if min(map(len, profiles)) < 2:
         return LeftOut(
-            name, f"{run.path('profile', chosen[0]).name} has no section.")
+            name, f"{run.path('profile', chosen[0]).name} is empty.")
     foundations = [None] * len(chosen)
     normal = None
     if run.in_contact.any() and foundation_of(run):
@@ -141,10 +141,10 @@ def sections_of_shell(run):
     plane = SectionPlane(profiles, normal, run.setting("Surface/Type"))
     drawing, is_to_scale, has_foundation = maps.draw_sections(
         plane, profiles, step_labels(run, chosen), foundations)
-    text = "Outer and inner face along the line " + (
-        f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
-        + ("to scale." if is_to_scale else
-           "<strong>the axes have different scales</strong>."))
+    text = ("Outer and inner face along "
+            f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
+            + ("to scale." if is_to_scale else
+               "<strong>the axes have different scales</strong>."))
     if has_foundation:
         text += f" Dashes: the {foundation_of(run).name()}."
     return Section("section", name, figure(
@@ -157,7 +157,7 @@ def shell(run):
     path = run.path("shell", ending="vtu")
     name = "Deformed shell"
     if run.setting("Output/Write VTU") == "false" or not path.exists():
-        reason = ("the entry Output/Write VTU of the input is false."
+        reason = ("Output/Write VTU is false."
                   if run.setting("Output/Write VTU") == "false"
                   else f"{path.name} is missing.")
         return LeftOut(name, reason)
@@ -168,13 +168,13 @@ def shell(run):
         except shell_view.NoPicture as error:
             return LeftOut(name, str(error))
         image = embed_png(target.read_bytes(), 800)
-    what = "contact pressure" if foundation else "length of the displacement"
-    where = (f"through the {foundation.name()}, of which a part is drawn as glass"
-             if foundation else "from outside, aside and above")
-    text = (f"Displacements to scale, color: {what}. Seen {where}; the camera is in "
-            "the direction ({:.2f}, {:.2f}, {:.2f}) of the shell. ".format(
+    what = "contact pressure" if foundation else "magnitude of the displacement"
+    where = (f"through the {foundation.name()}, part of which is drawn as glass, "
+             if foundation else "")
+    text = (f"Displacements to scale; color: {what}. Seen {where}"
+            + "from the direction ({:.2f}, {:.2f}, {:.2f}). ".format(
                 *direction).replace("-", "−")
-            + "Between the nodes the shell is drawn straight.")
+            + "Cells are drawn with straight edges.")
     return Section("shell", name, figure(
         image, f"The deformed shell, colored by {what}.", text))
 
@@ -183,34 +183,35 @@ def shell(run):
 
 
 def iterations(run):
-    """How the iteration went."""
+    """Newton iterations and times, and the table of all steps."""
     history = run.history
+    columns = [("pressure", "Pressure", 5), ("load_factor", "Load factor", 5),
+               ("iterations", "Iterations", 5), ("seconds", "Seconds", 3)]
+    if run.in_contact.any():
+        columns = [("approach", "Approach", 5), ("force", "Force", 5),
+                   ("contact_area", "Contact area", 5),
+                   ("max_pressure", "Maximum contact pressure", 4)] + columns
     cells = [[str(run.steps[i]), escape(history["stage"][i])]
-             + [number(history[column][i], digits) for column, digits in
-                (("approach", 5), ("force", 5), ("contact_area", 5),
-                 ("max_pressure", 4), ("pressure", 5), ("load_factor", 5),
-                 ("iterations", 5), ("seconds", 3))]
+             + [number(history[column][i], digits) for column, _, digits in columns]
              for i in range(len(history))]
-    heads = ["Step", "Stage", "Approach", "Force", "Contact area",
-             "Greatest contact pressure", "Pressure", "Load factor",
-             "Iterations", "Seconds"]
-    all_steps = table("All steps, from history.csv", heads, cells)
+    all_steps = table("All steps, from history.csv",
+                      ["Step", "Stage"] + [head for _, head, _ in columns], cells)
     name = "Steps and iterations"
     if len(history) == 1:
         return Section("steps", name, all_steps, True)
     worst = int(np.argmax(history["iterations"]))
     chart = figure(
         embed(charts.draw_iterations(run)),
-        "Bar charts of Newton iterations and of seconds in each step.",
-        "Newton iterations, those of failed attempts included, and wall time of "
-        f"each step. The most iterations, {int(history['iterations'][worst])}, "
-        f"are those of step {run.steps[worst]}.")
+        "Bar charts of the Newton iterations and the seconds per step.",
+        "Newton iterations, including those of failed attempts, and wall time of "
+        f"each step. Step {run.steps[worst]} took the most iterations: "
+        f"{int(history['iterations'][worst])}.")
     return Section("steps", name,
                    chart + "\n" + details("All steps", all_steps))
 
 
 def input_of_run(run):
-    """The parameters: first those that are not defaults, then the file."""
+    """The parameters: those that differ from the defaults, then the file."""
     if run.parameters is None:
         return LeftOut("Input", "parameters.prm is missing.")
     changed = run.parameters.changed()
@@ -219,8 +220,8 @@ def input_of_run(run):
         rows = [[escape(entry.name), escape(entry.value),
                  escape(entry.default) or "(empty)"] for entry in changed]
         parts.append(details(
-            f"Entries that are not the default ({len(changed)})",
-            table("Entries with another value than the default",
+            f"Entries that differ from the default ({len(changed)})",
+            table("Entries that differ from the default",
                   ["Entry", "Value", "Default"], rows).replace(
                       'class="scroll"', 'class="scroll words"', 1), True))
     parts.append(details("All of parameters.prm",

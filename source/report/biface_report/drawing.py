@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How charts look, here and in the figures of the documentation."""
+"""The look of charts, also of those in the documentation, and how they get into
+the page."""
 
 import base64
 import io
@@ -34,32 +35,31 @@ STYLE = {
 
 BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
 
-# Colors that remain apart for the color-blind, for lines of different things
+# Colors for different things, distinct for the color-blind too
 DISTINCT = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
             "0.35")
 
 
-# A picture as part of a page: its address, and the width it has if there is
-# room, in pixels of the page
+# A picture in a page: its address, and its preferred width in pixels
 Picture = namedtuple("Picture", "address width")
 
 
 def shades(count):
-    """Colors of steps in order, darker for later ones."""
+    """Colors for consecutive steps, later ones darker."""
     return plt.get_cmap("viridis_r")(np.linspace(0.12, 0.95, count))
 
 
 def save(figure, target, **options):
-    """Write a figure to a file, without blank margins, and be done with it."""
+    """Writes a figure to a file, without blank margins, and closes it."""
     figure.savefig(target, bbox_inches="tight", pad_inches=0.08, **options)
     plt.close(figure)
 
 
 def embed(figure, kind="svg"):
-    """A figure as a picture that is part of the page, SVG for lines, PNG for
-    areas of color."""
+    """A figure as a picture within the page: SVG for lines, PNG for areas of
+    color."""
     buffer = io.BytesIO()
-    # the same run gives the same page: no date, no random names
+    # no date and no random names: the same run gives the same page
     with plt.rc_context({"svg.hashsalt": "biface", "savefig.dpi": 150}):
         save(figure, buffer, format=kind,
              metadata={"Date": None} if kind == "svg" else {"Software": None})
@@ -83,8 +83,8 @@ def embed_png(data, width):
 
 
 def headroom(axes, share=0.06):
-    """Some room beyond the curves drawn so far, but none beyond zero where they
-    begin or end there."""
+    """Leaves room around the curves drawn so far, but none beyond zero if they start
+    or end there."""
     for get, put in ((axes.get_xlim, axes.set_xlim),
                      (axes.get_ylim, axes.set_ylim)):
         values = np.concatenate([

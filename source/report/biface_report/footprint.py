@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The contact zone in the plane of the foundation.
+"""The contact zone, projected onto the plane normal to the foundation's direction.
 
-contact-NNNN.csv has the nodes in contact and all that share a cell with them,
-so that every cell with a corner in contact is known by its four corners. The
-edge of the zone is somewhere between the last node in contact and the next one
-apart; the outline is drawn halfway, as the contact area of history.csv is
-counted.
+contact-NNNN.csv has the nodes in contact and all that share a cell with them, so
+that all four corners of every cell with a corner in contact are known. The edge of
+the zone is somewhere between the last node in contact and the next one; the
+outline is drawn halfway, which agrees with the contact area of history.csv.
 """
 
 import matplotlib.figure
@@ -14,15 +13,15 @@ import numpy as np
 
 from .foundation import plane_axes
 
-# Pieces that a cell's side is cut into
+# Pieces into which the side of a cell is cut
 SUBDIVISIONS = 8
 
-# Moments of the zone less different than this have no directions of their own
+# If the moments of the zone differ by less, its principal axes are not unique
 ROUND = 0.02
 
 
 def normal_of_nodes(contact):
-    """The normal that nodes in contact lie across, where no file tells."""
+    """The normal of the plane through nodes in contact, if no file gives it."""
     chosen = contact["active"] > 0
     points = contact.positions()[chosen]
     if len(points) < 3:
@@ -32,8 +31,8 @@ def normal_of_nodes(contact):
 
 
 def cells_in_contact(contact, is_closed):
-    """The four corners of each cell with a corner in contact, as rows of the
-    table: the lines of the mesh next to each other in the table make cells."""
+    """The four corners of each cell with a corner in contact, as row numbers of the
+    table. Cells lie between adjacent grid lines of the table."""
     lines, places = zip(*(np.unique(contact[name], return_inverse=True)
                           for name in ("alpha_1", "alpha_2")))
     rows = np.full((len(lines[0]), len(lines[1])), -1)
@@ -47,8 +46,8 @@ def cells_in_contact(contact, is_closed):
 
 
 def bilinear_weights():
-    """Weights of a cell's corners at the points of a grid in it, and the
-    triangles between these points."""
+    """Weights of a cell's corners at the points of a grid in it, and the triangles
+    of this grid."""
     n = SUBDIVISIONS
     s, t = (grid.ravel() for grid in
             np.meshgrid(*2 * [np.linspace(0, 1, n + 1)], indexing="ij"))
@@ -77,8 +76,8 @@ class Footprint:
         self._find_principal_axes()
         neighbors = self.nodes[np.unique(cells)]
         self.lengths = self._extents(self.outline_points())
-        self.least_lengths = self._extents(self.nodes[self.active])
-        self.greatest_lengths = self._extents(neighbors)
+        self.minimum_lengths = self._extents(self.nodes[self.active])
+        self.maximum_lengths = self._extents(neighbors)
 
     def _interpolate(self, cells):
         """Bilinear values on a fine triangulation of the cells."""
@@ -87,7 +86,7 @@ class Footprint:
         pressure = self.pressure[cells] @ weights.T
         contact = self.active[cells].astype(float) @ weights.T
         shift = weights.shape[0] * np.arange(len(cells))
-        # cells share the points on their sides, so that outlines are whole
+        # cells share the points on their sides: outlines are not interrupted
         points = points.reshape(-1, 2)
         size = np.ptp(points, axis=0).max()
         _, first, which = np.unique(np.round(points / size, 9), axis=0,
@@ -102,7 +101,7 @@ class Footprint:
         return matplotlib.tri.Triangulation(*self.points.T, self.triangles)
 
     def _find_outline(self):
-        """Polylines halfway between nodes in contact and nodes apart."""
+        """Polylines halfway between nodes in contact and their neighbors."""
         corners = self.points[self.triangles]
         edges = corners[:, 1:] - corners[:, :1]
         area = np.abs(edges[:, 0, 0] * edges[:, 1, 1]
@@ -115,8 +114,8 @@ class Footprint:
         self.outline = contour.allsegs[0]
 
     def outline_points(self):
-        """All points of the outline, and the nodes in contact: where the shell
-        ends in the zone, there is no outline."""
+        """All points of the outline, and the nodes in contact: there is no outline
+        where the shell ends within the zone."""
         return np.concatenate([*self.outline, self.nodes[self.active]])
 
     def _find_principal_axes(self):
@@ -137,5 +136,5 @@ class Footprint:
             axis *= np.sign(axis[np.argmax(np.abs(axis))])
 
     def _extents(self, points):
-        """How far points reach along the principal axes."""
+        """The extent of points along the principal axes."""
         return np.ptp(points @ self.principal.T, axis=0)

@@ -9,14 +9,14 @@ from matplotlib.transforms import ScaledTranslation
 
 from .drawing import shades
 
-# Pressures: none is white, and paper shows all of them
+# For pressures: no color is white, and all of them print well
 PRESSURE_COLORS = plt.get_cmap("YlOrRd")
 
-# Sections longer than this times their height are not drawn to scale
+# Sections longer than this many times their height are not drawn to scale
 SLENDER = 12
 
 # Sections drawn at most
-GREATEST_NUMBER_OF_SECTIONS = 6
+MAXIMUM_SECTIONS = 6
 
 
 # ---------------------------------------------------------------- footprint
@@ -24,7 +24,7 @@ GREATEST_NUMBER_OF_SECTIONS = 6
 
 def draw_footprint(footprint):
     """The contact pressure, the outline of the zone and its principal axes. The
-    longer side of the zone lies horizontally."""
+    longer side of the zone is horizontal."""
     order = [0, 1]
     chosen = footprint.outline_points()
     if np.ptp(chosen[:, 1]) > np.ptp(chosen[:, 0]):
@@ -67,8 +67,8 @@ def draw_principal_axes(axes, footprint, order):
 
 
 def chosen_steps(steps):
-    """The first step, the last, and some between them."""
-    count = min(len(steps), GREATEST_NUMBER_OF_SECTIONS)
+    """The first step, the last one, and some in between."""
+    count = min(len(steps), MAXIMUM_SECTIONS)
     places = np.round(np.linspace(0, len(steps) - 1, count)).astype(int)
     return [steps[i] for i in places]
 
@@ -111,7 +111,7 @@ def draw_sections(plane, profiles, labels, foundations):
     is_to_scale = sides[1] < SLENDER * sides[0]
     if is_to_scale:
         axes.set_aspect("equal")
-        # as many numbers as there is room for
+        # as many ticks as there is room for
         scale = min(4.6 / (right - left), 3.4 / (high - low))
         for axis, length, room in ((axes.xaxis, right - left, 0.6),
                                    (axes.yaxis, high - low, 0.4)):
@@ -121,7 +121,7 @@ def draw_sections(plane, profiles, labels, foundations):
         # upward on paper is toward smaller values
         axes.yaxis.set_major_formatter(
             lambda value, _: f"{0 - value:g}".replace("-", "−"))
-    # as far below the axes in points, however flat they are
+    # at the same distance below the axes, however flat they are
     below = ScaledTranslation(0, -42 / 72, figure.dpi_scale_trans)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2,
                 fontsize=10, bbox_transform=axes.transAxes + below)

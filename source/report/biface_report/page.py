@@ -6,27 +6,27 @@ from collections import namedtuple
 from html import escape
 from pathlib import Path
 
-# One part of the page: its identifier, heading, content as HTML, and whether it
-# takes the whole width of a wide page or half of it
+# A section of the page: its identifier, heading, content as HTML, and whether it
+# takes the full width of a wide page or half of it
 Section = namedtuple("Section", "name title html is_wide", defaults=[False])
 
-# A part that is not there, and why: one sentence
+# A section that is left out, and why: one sentence
 LeftOut = namedtuple("LeftOut", "title reason")
 
-# What is less than this times what it stands beside is round-off
+# Relative to its neighbors, anything smaller is round-off
 ROUND_OFF = 1e-9
 
 
 def number(value, digits=5, scale=0):
-    """A number for people, and the exact one for programs. What is but round-off
-    beside a scale is shown as such."""
+    """A rounded number for people, and the exact one for programs. Round-off,
+    relative to a scale, is shown as such."""
     shown = ("≈ 0" if 0 < abs(value) < ROUND_OFF * scale
              else plain_number(value, digits))
     return f'<data value="{float(value)!r}">{shown}</data>'
 
 
 def plain_number(value, digits=5):
-    """A number with some digits; a power of ten only where it is shorter."""
+    """A number with some digits; with a power of ten only if that is shorter."""
     value = float(value)
     if not math.isfinite(value):
         return "–"
@@ -43,24 +43,24 @@ def plain_number(value, digits=5):
 
 
 def count(value, noun, plural=None):
-    """A number of things."""
+    """A number with its noun."""
     return f"{value} {noun if value == 1 else plural or noun + 's'}"
 
 
 def paragraph(html, kind=None):
-    """A paragraph of HTML, of a class if told."""
+    """A paragraph of HTML, with a class if there is one."""
     return f'<p class="{kind}">{html}</p>' if kind else f"<p>{html}</p>"
 
 
 def missing(parts):
-    """The section of what is not there."""
+    """The section on what is left out."""
     items = "\n".join(f"<li>{escape(part.title)}: {escape(part.reason)}</li>"
                       for part in parts)
     return Section("missing", "Not in this report", f"<ul>\n{items}\n</ul>", True)
 
 
 def table(caption, heads, rows, row_heads=True):
-    """A table that scrolls by itself where it is too wide.
+    """A table that scrolls if it is too wide.
 
     Cells are HTML. The first cell of each row is its head."""
     head = "".join(f'<th scope="col">{cell}</th>' for cell in heads)
@@ -79,15 +79,14 @@ def table(caption, heads, rows, row_heads=True):
 
 
 def figure(picture, alternative, caption=None):
-    """A picture (see drawing.py), what it shows in words, and a caption in
-    HTML."""
+    """A picture (see drawing.py), its description, and a caption in HTML."""
     text = f"<figcaption>{caption}</figcaption>" if caption else ""
     return (f'<figure><img src="{picture.address}" width="{picture.width}" '
             f'alt="{escape(alternative, quote=True)}">{text}</figure>')
 
 
 def details(summary, html, is_open=False):
-    """What can be folded, and is until asked for unless told otherwise."""
+    """HTML that can be folded, and is at first unless it is_open."""
     start = "<details open>" if is_open else "<details>"
     return f"{start}\n<summary>{escape(summary)}</summary>\n{html}\n</details>"
 

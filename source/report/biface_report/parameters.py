@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads parameters.prm as the program writes it.
 
-It marks each value that is not the default by a comment '# default: VALUE'
-behind it, and begins with a comment that names the program and the file of the
-input.
+A comment '# default: VALUE' follows each value that differs from the default. The
+first line is a comment that names the program and the parameter file.
 """
 
 import re
 from collections import namedtuple
 
-# One entry: section/name, its value, and its default if the value is another
+# An entry: section/name, its value, and its default if that differs
 Entry = namedtuple("Entry", "name value default")
 
 ENTRY = re.compile(r"set\s+(.*?)\s*=\s*(.*?)\s*(?:#\s*default:\s*(.*?)\s*)?$")
@@ -21,7 +20,7 @@ ORIGIN = re.compile(r"#\s*biface\s+(\S+?)(?:,\s*from\s+(.+?))?\s*$")
 
 
 class Parameters:
-    """All entries by name, the text, and where it comes from if it says so."""
+    """All entries by name, the text, and its origin if it names one."""
 
     def __init__(self, text):
         self.text = text
@@ -50,7 +49,7 @@ def is_same(value, default):
 
 
 def read_parameters(text):
-    """The parameters of the text of a file."""
+    """Parses the text of a file."""
     result = Parameters(text)
     origin = ORIGIN.match(text.split("\n", 1)[0])
     if origin:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stresses through the thickness at the named points."""
+"""Charts and numbers of the stresses in the plies at the named points."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -7,7 +7,7 @@ import numpy as np
 from .drawing import DISTINCT
 from .page import ROUND_OFF
 
-# What is drawn: columns of plies-NNNN.csv, and what they are
+# Columns of plies-NNNN.csv and their names
 STRESSES = {
     "s_L": "stress along the fibers",
     "s_T": "stress across the fibers",
@@ -20,7 +20,7 @@ INDICES = {
 
 
 def quantities(table):
-    """The columns to draw: stresses, and the failure indices there are."""
+    """The columns to draw: stresses, and failure indices if there are any."""
     return [*STRESSES, *(name for name in INDICES if name in table
                          and np.isfinite(table[name]).any())]
 
@@ -38,17 +38,17 @@ def material_colors(table):
 
 
 def plies_of(rows):
-    """The rows of each ply, from the inner one outward."""
+    """The rows of each ply, the innermost first."""
     return [rows.where(rows["ply"] == ply) for ply in np.unique(rows["ply"])]
 
 
 def scale(rows):
-    """The greatest stress at a point."""
+    """The largest absolute stress at a point."""
     return max(np.abs(rows[column]).max() for column in STRESSES)
 
 
 def draw_quantity(rows, column, colors):
-    """One column over the height at one point. Rows are of that point."""
+    """Chart of one column through the thickness; rows are those of one point."""
     figure, axes = plt.subplots(figsize=(3.3, 3.3))
     low, high = rows["height"].min(), rows["height"].max()
     margin = 0.05 * (high - low) or 1
@@ -70,7 +70,7 @@ def draw_quantity(rows, column, colors):
         label = INDICES[column]
     else:
         label = f"{STRESSES[column]}\n[force/length²]"
-        # nothing but round-off is drawn as nothing
+        # round-off is drawn as zero
         least = ROUND_OFF * scale(rows)
         if np.abs(rows[column]).max() < least:
             axes.set_xlim(-1e3 * least or -1, 1e3 * least or 1)
@@ -82,8 +82,8 @@ def draw_quantity(rows, column, colors):
 
 
 def summary(rows, columns):
-    """For each ply of a point: number, material, angle, tension of the fibers,
-    and least and greatest value of some columns."""
+    """For each ply of a point: number, material, angle, fiber tension, and the
+    minimum and maximum of some columns."""
     result = []
     for ply in plies_of(rows):
         line = {"ply": int(ply["ply"][0]), "material": ply["material"][0],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the page says of the named points."""
+"""The sections on named points: displacements and ply stresses."""
 
 from html import escape
 
@@ -9,37 +9,37 @@ from .page import LeftOut, Section, figure, number, paragraph, table
 
 
 def points(run):
-    """Displacements of the named points in the step."""
+    """Displacements of the named points."""
     name = "Named points"
     if run.setting("Named points", "?") == "":
         return LeftOut(name, "The input names no points.")
     probes = run.probes()
     if probes is None:
         return LeftOut(
-            name, "probes.csv is missing; it is written where the input "
-            "names points.")
+            name, "probes.csv is missing; it is written if there are named "
+            "points.")
     rows = probes.where(probes["step"] == run.step)
     if len(rows) == 0:
         return LeftOut(
-            name, f"probes.csv has no lines of step {run.step}.")
+            name, f"probes.csv has no line of step {run.step}.")
     scale = max(abs(rows["u_" + axis]).max() for axis in "xyz")
     cells = [[escape(rows["name"][i])]
              + [number(rows["u_" + axis][i], scale=scale) for axis in "xyz"]
              for i in range(len(rows))]
     return Section("points", name, table(
-        f"Displacements [length] of the middle of the wall in step {run.step}",
+        f"Displacements [length] of the middle surface in step {run.step}",
         ["Point"] + [f"<i>u<sub>{axis}</sub></i>" for axis in "xyz"], cells))
 
 
 def ply_stresses(run):
-    """Stresses through the thickness."""
+    """Stresses through the thickness at the named points."""
     name = "Stresses in the plies"
     if run.setting("Output/Points per ply") == "0":
         return LeftOut(
-            name, "The input asks for none: the entry Output/Points per ply is 0.")
+            name, "Output/Points per ply is 0.")
     if run.setting("Named points", "?") == "":
         return LeftOut(
-            name, "There are none, since the input names no points.")
+            name, "The input names no points.")
     values = run.plies()
     if values is None or len(values) == 0:
         return LeftOut(
@@ -47,10 +47,10 @@ def ply_stresses(run):
     colors = plies.material_colors(values)
     columns = plies.quantities(values)
     parts = [paragraph(
-        "Second Piola–Kirchhoff stresses in the axes of each ply over the height "
-        "above the reference surface; the inner face is below. In a material "
-        "without fibers they are counted along and across the ply's angle."
-        + (" At a failure index of 1 (dashes) the ply fails."
+        "Second Piola–Kirchhoff stresses in the axes of each ply, over the height "
+        "above the reference surface; the inner face is at the bottom. In a "
+        "material without fibers, the axes follow the angle of the ply."
+        + (" A ply fails at an index of 1 (dashes)."
            if len(columns) > len(plies.STRESSES) else ""))]
     parts.append(material_key(colors))
     for point in plies.points(values):
@@ -66,14 +66,14 @@ def ply_stresses(run):
 
 
 def material_key(colors):
-    """Which color is which material."""
+    """The legend: the color of each material."""
     return paragraph("Materials: " + ", ".join(
         f'<span style="color:{css_color(color)}" aria-hidden="true">●</span> '
         + escape(material) for material, color in colors.items()) + ".")
 
 
 def css_color(color):
-    """A color of matplotlib as one of CSS."""
+    """A matplotlib color in CSS."""
     return color if color.startswith("#") else "#595959"
 
 
@@ -102,5 +102,5 @@ def ply_table(point, rows, columns):
                 cells.append(f"{number(low, 4, scale)} to "
                              f"{number(high, 4, scale)}")
         body.append(cells)
-    return table(f"Plies at {point}, the inner one first; stresses [force/length²]"
-                 ", indices the greatest in the ply", heads, body)
+    return table(f"Plies at {point}, innermost first; stresses [force/length²], "
+                 "maximum indices", heads, body)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What pictures drawn by VTK have in common, here and in the figures of the
-documentation. Needs VTK and a display; a virtual one (xvfb-run) will do."""
+"""Common parts of pictures drawn by VTK, also of those in the documentation.
+Needs VTK and a display; a virtual one (xvfb-run) will do."""
 
 import matplotlib
 
@@ -11,7 +11,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-# How much larger a picture is drawn before it is reduced
+# Pictures are drawn larger by this factor and then reduced
 OVERSAMPLING = 2
 
 
@@ -27,7 +27,7 @@ def read_grid(path):
 
 
 def positions(grid):
-    """The points of a grid, as rows."""
+    """The points of a grid, one per row."""
     return vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
 
 
@@ -37,7 +37,7 @@ def point_values(grid, name):
 
 
 def corners(grid, count):
-    """The numbers of the points of each cell, as rows; all have as many."""
+    """The point numbers of each cell, one cell per row; all have count points."""
     return vtk_to_numpy(
         grid.GetCells().GetConnectivityArray()).reshape(-1, count)
 
@@ -50,8 +50,8 @@ def to_vtk_points(points):
 
 
 def merge_points(points, decimals):
-    """Of points that agree to some decimals, the numbers of the first ones, and
-    for each point which of these it is."""
+    """The numbers of distinct points, those that agree to some decimals counted
+    once, and for each point its place among them."""
     _, first, which = np.unique(np.round(points, decimals), axis=0,
                                 return_index=True, return_inverse=True)
     return first, which
@@ -104,8 +104,8 @@ def below(data, threshold):
 
 
 def zone_actor(data, threshold, colors, limits):
-    """The part of a surface where its scalars exceed a threshold, in the exact
-    colors of the bar, in front of the surface itself."""
+    """The part of a surface where its scalars exceed a threshold, unlit, in the
+    exact colors of the bar, in front of the surface itself."""
     clip = vtk.vtkClipPolyData()
     clip.SetInputData(data)
     clip.SetValue(threshold)
@@ -133,7 +133,7 @@ def line_data(lines):
 
 
 def line_actor(data, color, width, opacity=1):
-    """Lines in front of the surface that they lie on."""
+    """Lines in front of the surface on which they lie."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
@@ -201,8 +201,8 @@ def fixed_camera(position, focal_point, view_angle):
 
 
 def fitted_camera(points, direction, up, aspect, right_margin):
-    """A camera for render() without perspective that shows all points; the share
-    of the width at the right is left free. direction leads to the camera."""
+    """A camera for render() without perspective that shows all points and leaves a
+    share of the width free at the right. direction points to the camera."""
     def place(renderer):
         right = np.cross(up, direction)
         right /= np.linalg.norm(right)
@@ -225,7 +225,7 @@ def fitted_camera(points, direction, up, aspect, right_margin):
 
 
 def reduce_size(pixels):
-    """Averages blocks of pixels, which smooths all edges."""
+    """Averages blocks of pixels, which smooths edges."""
     height, width, _ = pixels.shape
     blocks = pixels.reshape(height // OVERSAMPLING, OVERSAMPLING,
                             width // OVERSAMPLING, OVERSAMPLING, 3)
@@ -233,7 +233,7 @@ def reduce_size(pixels):
 
 
 def figure_of(pixels):
-    """A figure of the size of a picture, with nothing but the picture."""
+    """A figure that consists of a picture."""
     height, width, _ = pixels.shape
     figure = plt.figure(figsize=(width / 100, height / 100), dpi=100)
     axes = figure.add_axes([0, 0, 1, 1])

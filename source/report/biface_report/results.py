@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The files of one run, read and checked.
 
-Files of steps are complete once history.csv has the line of their step, since
-the program writes that line last. The last lines of history.csv and probes.csv
-may be cut off where a run was stopped, and are left out then.
+The files of a step are complete once history.csv has its line, which is written
+last. The last lines of history.csv and probes.csv may be cut off if the run was
+stopped; they are left out then.
 """
 
 import re
@@ -13,7 +13,7 @@ import numpy as np
 
 from .parameters import read_parameters
 
-# Columns that hold words
+# Columns of text
 WORDS = ("stage", "name", "face", "material")
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
@@ -34,7 +34,7 @@ class ReportError(Exception):
 
 
 class Table(dict):
-    """Columns by name: arrays of numbers or of words, all of one length."""
+    """Columns by name: arrays of numbers or of text, all of the same length."""
 
     def __len__(self):
         return self.n_rows
@@ -44,7 +44,7 @@ class Table(dict):
         self.n_rows = len(next(iter(columns.values())))
 
     def where(self, chosen):
-        """The rows for which an array of truth values holds."""
+        """The rows chosen by an array of booleans."""
         return Table({name: values[chosen] for name, values in self.items()})
 
     def positions(self, prefix=""):
@@ -63,7 +63,7 @@ def read_text(path):
 
 
 def split_line(line, names):
-    """The fields of a line. Names of stages may have commas in them."""
+    """The fields of a line. Names of stages may contain commas."""
     fields = line.split(",")
     surplus = len(fields) - len(names)
     if surplus > 0 and "stage" in names:
@@ -73,7 +73,7 @@ def split_line(line, names):
 
 
 def to_number(text, name, place):
-    """A field as a number; an empty one, a value that does not exist, is NaN."""
+    """A field as a number; an empty one is NaN."""
     try:
         return float(text) if text else np.nan
     except ValueError:
@@ -82,10 +82,10 @@ def to_number(text, name, place):
 
 
 def read_csv(path, required, may_be_cut=False):
-    """One of biface's CSV files, and whether its last line was cut off.
+    """One of biface's CSV files, and whether its last line is cut off.
 
-    Throws a ReportError where a required column is missing or has no number in a
-    line, and where a line has too few or too many fields."""
+    Throws a ReportError if a required column is missing or has a line without a
+    number, or if a line has too few or too many fields."""
     lines = read_text(path).split("\n")
     is_cut = lines.pop() != ""
     if is_cut and not may_be_cut:
@@ -116,10 +116,10 @@ def read_csv(path, required, may_be_cut=False):
 
 
 class Run:
-    """A directory of results, up to a step of it."""
+    """A directory of results, up to a step."""
 
     def __init__(self, directory, step=None):
-        """Reads the history. The step is the last one unless told."""
+        """Reads the history, up to the step or, by default, the last one."""
         self.directory = Path(directory)
         if not self.directory.is_dir():
             raise ReportError(f"{directory} is not a directory.")
@@ -149,9 +149,9 @@ class Run:
         self.last_step = steps[-1]
         self.step = steps[-1] if step is None else step
         if self.step not in steps:
-            raise ReportError(f"There is no step {step} in "
-                              f"{self.directory / 'history.csv'}: it has the "
-                              f"steps {steps[0]} to {steps[-1]}.")
+            raise ReportError(f"{self.directory / 'history.csv'} has no step "
+                              f"{step}: it has the steps {steps[0]} to "
+                              f"{steps[-1]}.")
         self.history = self.history.where(steps <= self.step)
         self.steps = self.history["step"].astype(int)
 
@@ -161,7 +161,7 @@ class Run:
 
     @property
     def in_contact(self):
-        """For each step, whether the foundation carries any force."""
+        """For each step, whether any node is in contact."""
         return self.history["contact_nodes"] > 0
 
     @property
@@ -174,7 +174,7 @@ class Run:
         return self.directory / f"{kind}-{step or self.step:04d}.{ending}"
 
     def contact(self, step=None):
-        """contact-NNNN.csv, or None where it is missing."""
+        """contact-NNNN.csv, or None if it is missing."""
         table = self._read_step("contact", CONTACT_COLUMNS, step)
         at = np.searchsorted(self.steps, step or self.step)
         expected = int(self.history["contact_nodes"][at])
@@ -186,11 +186,11 @@ class Run:
         return table
 
     def profile(self, step=None):
-        """profile-NNNN.csv, or None where it is missing."""
+        """profile-NNNN.csv, or None if it is missing."""
         return self._read_step("profile", PROFILE_COLUMNS, step)
 
     def plies(self):
-        """plies-NNNN.csv, or None where it is missing."""
+        """plies-NNNN.csv, or None if it is missing."""
         return self._read_step("plies", PLY_COLUMNS, None)
 
     def _read_step(self, kind, columns, step):
@@ -198,8 +198,8 @@ class Run:
         return read_csv(path, columns)[0] if path.exists() else None
 
     def probes(self):
-        """The lines of probes.csv for the middle of the wall, up to the step of
-        the report; None where it is missing."""
+        """The lines of probes.csv for the middle surface, up to the step of the
+        report; None if it is missing."""
         path = self.directory / "probes.csv"
         if not path.exists():
             return None

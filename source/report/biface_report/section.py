@@ -11,8 +11,8 @@ TRACE_POINTS = 401
 
 
 class SectionPlane:
-    """The plane nearest to all points of some profiles, with a horizontal and
-    an upward axis: the foundation is below, if there is one."""
+    """The plane nearest to all points of some profiles, with a horizontal and an
+    upward axis; the foundation is below, if there is one."""
 
     def __init__(self, profiles, normal=None, surface=None):
         """From the tables of profiles, the normal of the foundation, and the
@@ -34,8 +34,8 @@ class SectionPlane:
         self.right = right * np.sign(right[np.argmax(np.abs(right))])
 
     def _upward(self, profile):
-        """Of the Cartesian axes in the plane the one that is nearest to the way
-        from the inner face to the outer one."""
+        """The Cartesian axis in the plane that is nearest to the direction from the
+        inner face to the outer one."""
         outward = (profile.positions("outer_")
                    - profile.positions("inner_")).mean(0)
         candidates = np.eye(3) - np.outer(self.across, self.across)
@@ -45,7 +45,7 @@ class SectionPlane:
         return up if up @ outward > 0 else -up
 
     def project(self, points):
-        """Horizontal and upward coordinate of points, as columns."""
+        """Horizontal and upward coordinates of points, as columns."""
         points = np.asarray(points)
         return np.stack([points @ self.right, points @ self.up], -1)
 
@@ -78,7 +78,7 @@ def across_coordinate_line(surface, alpha_2):
 
 
 def cartesian_if_near(axis):
-    """The axis, or the Cartesian one that it hardly differs from."""
+    """The axis, or the Cartesian one if they hardly differ."""
     main = np.argmax(np.abs(axis))
     if abs(axis[main]) > 0.999:
         return np.eye(3)[main]

@@ -19,8 +19,8 @@ OUTSIDE, INSIDE = (0.62, 0.66, 0.71), (0.80, 0.81, 0.83)
 
 
 def view_of_contact(normal):
-    """Direction from the shell to the camera, and which way is up: from beyond
-    the foundation and a little aside."""
+    """Direction from the shell to the camera, and which way is up. The camera looks
+    through the foundation, slightly from the side."""
     # the Cartesian axes that are most nearly in the plane
     order = np.argsort(np.abs(normal), kind="stable")
     aside, up = (np.eye(3)[i] for i in sorted(order[:2]))
@@ -29,9 +29,9 @@ def view_of_contact(normal):
 
 
 def view_of_shell(points, area):
-    """The same without contact. Points are those of the outer face; area is the
-    integral of its normal over its area. An open shell lies before the camera
-    with its outer face up; a closed one stands on its axis, which is y."""
+    """The same without contact. points are those of both faces; area is the mean
+    normal of the outer face. An open shell lies with its outer face up; for a
+    closed one, y is up."""
     share = np.linalg.norm(area)
     if share < 0.3:
         return np.array([0.52, 0.45, 0.72]) / np.linalg.norm([0.52, 0.45, 0.72]), \
@@ -51,7 +51,7 @@ def view_of_shell(points, area):
 
 
 def face_surface(grid, outer, name):
-    """A face as a smooth surface with the values of a field, or lengths of
+    """A face as a smooth surface, with the values of a field, or magnitudes of
     vectors, as scalars."""
     cells = rendering.corners(grid, 4)
     is_outer = rendering.point_values(grid, "outer_face")
@@ -59,7 +59,7 @@ def face_surface(grid, outer, name):
     points = rendering.positions(grid)
     values = rendering.point_values(grid, name)
     values = np.linalg.norm(values, axis=1) if values.ndim > 1 else values
-    # every cell of the file has points of its own: they are joined
+    # each cell of the file has its own points: join them
     size = np.ptp(points, axis=0).max()
     used = np.unique(cells)
     first, which = rendering.merge_points(points[used] / size, 6)
@@ -81,7 +81,7 @@ def face_surface(grid, outer, name):
 
 
 def area_vector(surface):
-    """The integral of the normal over a surface, over its area."""
+    """The mean normal of a surface: its integral divided by the area."""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     corners = points[vtk_to_numpy(
         surface.GetPolys().GetConnectivityArray()).reshape(-1, 4)]
@@ -99,7 +99,7 @@ def mesh_actor(surface):
 
 
 def colored_actor(surface, colors, limits):
-    """A surface all of which is colored, and lit a little."""
+    """A slightly lit surface, colored by its scalars."""
     actor = rendering.lit_actor(surface, OUTSIDE)
     actor.GetMapper().ScalarVisibilityOn()
     rendering.use_colors(actor.GetMapper(), colors, limits)
@@ -120,7 +120,7 @@ def foundation_patch(surface, foundation):
     margin = 0.12 * size.max()
     low = np.minimum(zone.min(0) - margin, zone.mean(0) - reach)
     high = np.maximum(zone.max(0) + margin, zone.mean(0) + reach)
-    # a little above the zone, so as not to change its colors
+    # slightly behind the zone as seen by the camera, so that its colors are exact
     return foundation.patch(low, high) - 0.002 * size.max() * foundation.direction
 
 

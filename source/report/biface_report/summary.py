@@ -1,53 +1,51 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The head of the page, and the numbers of the step."""
+"""The head of the page, and the table of its most important numbers."""
 
 from html import escape
 
 import numpy as np
 
-from . import charts
+from . import charts, plies
 from .page import Section, count, number, paragraph, plain_number, table
 from .parameters import stages
 
 UNITS = {"length": "length", "force": "force", "area": "length²",
          "pressure": "force/length²", "stiffness": "force/length",
-         "seconds": "s", "": ""}
+         "seconds": "s", "energy": "force · length", "": ""}
 
 
 def title(run):
-    """What the page is called: by the file of the input if it is known."""
+    """The title of the page: it names the parameter file if that is known."""
     return f"biface: {input_name(run)}"
 
 
 def input_name(run):
-    """The file of the input, or else the directory of the results."""
+    """The parameter file, or else the directory of the results."""
     if run.parameters and run.parameters.source:
         return run.parameters.source.rsplit("/", 1)[-1]
     return run.directory.resolve().name
 
 
 def introduction(run):
-    """Where the numbers come from, what they are counted in, and whether the
-    run has done all that it was to do."""
+    """Where the numbers come from, their units, and whether the run is complete."""
     facts = [f"Results in the directory {escape(run.directory.resolve().name)}"]
     if run.parameters and run.parameters.version:
         facts.append(f"biface {escape(run.parameters.version)}")
     facts.append(f"step {run.step} of {run.last_step}")
     facts.append(f"stage “{escape(run.last('stage'))}”")
     result = [paragraph(", ".join(facts) + ".", "facts"),
-              paragraph("Units are those of the input: [length] and [force] stand "
-                        "for its units of length and force. Angles are in "
-                        "degrees.", "facts")]
+              paragraph("Units are those of the input: [length] and [force] are "
+                        "its units of length and force. Angles are in degrees.", "facts")]
     result += [paragraph(escape(text), "warning") for text in warnings(run)]
     return "\n".join(result)
 
 
 def warnings(run):
-    """Sentences on what the run has not done."""
+    """What is missing of the run, in sentences."""
     result = []
     if run.is_cut:
-        result.append("The last line of history.csv is cut off, as of a run that "
-                      "was stopped while it wrote; that line is left out.")
+        result.append("The last line of history.csv is cut off, as if the run was "
+                      "stopped while writing it; that line is left out.")
     if run.parameters and run.step == run.last_step:
         result += unfinished(run)
     return result
@@ -61,8 +59,8 @@ def unfinished(run):
         return []
     if run.last("stage") != names[-1]:
         rest = names[names.index(run.last("stage")) + 1:]
-        return [f"The run ended in the stage “{run.last('stage')}”, before it "
-                f"came to: {', '.join(rest)}."]
+        return [f"The run ended in the stage “{run.last('stage')}”, before: "
+                f"{', '.join(rest)}."]
     last = f"Stage {planned[-1][0]}/"
     goals = {"load": [("Pressure", "pressure"), ("Load factor", "load_factor")],
              "foundation force": [("Force", "force")]}
@@ -87,14 +85,15 @@ def unfinished(run):
 
 
 def row(name, value, kind="", remark="", digits=5):
-    """One line: value and unit of a kind, and what there is to say of it."""
+    """One line: the name, the value with the unit of its kind, and a remark."""
     unit = f' <span class="unit">[{UNITS[kind]}]</span>' if UNITS[kind] else ""
     return [name, number(value, digits) + unit, remark]
 
 
 def summary(run, footprint):
-    """The section of numbers; the footprint is None without contact."""
-    rows = contact_rows(run, footprint) if run.is_contact else []
+    """The table of numbers; the footprint is None without contact."""
+    rows = (contact_rows(run, footprint) if run.is_contact else
+            displacement_rows(run))
     history = run.history
     if history["pressure"].any():
         rows.append(row("Pressure on the shell", run.last("pressure"),
@@ -102,12 +101,15 @@ def summary(run, footprint):
     if history["load_factor"].any():
         rows.append(row("Load factor", run.last("load_factor"), "",
                         "of dead loads and prescribed displacements"))
+    rows += failure_rows(run)
+    if "strain_energy" in history:
+        rows.append(row("Strain energy", run.last("strain_energy"), "energy"))
     rows += [row("Steps", len(run.steps), "",
                  count(len(dict.fromkeys(history["stage"])), "stage")),
              row("Newton iterations", history["iterations"].sum(), "",
                  f"at most {int(history['iterations'].max())} in a step"),
              row("Wall time", history["seconds"].sum(), "seconds",
-                 "of all steps up to this one", 3)]
+                 "of all steps so far", 3)]
     text = table(f"Step {run.step}, stage {run.last('stage')}", [], rows)
     text = text.replace('<div class="scroll"', '<div class="scroll summary"', 1)
     return Section("summary", "Summary", text, True)
@@ -122,22 +124,52 @@ def contact_rows(run, footprint):
     slope = charts.stiffness(run)
     if slope is not None:
         rows.append(row("Stiffness", slope, "stiffness",
-                        "change of force over change of approach in this step"))
+                        "increment of force over increment of approach"))
     rows.append(row("Contact area", area, "area",
                     f"{count(int(run.last('contact_nodes')), 'node')}, on the "
-                    "undeformed surface midway between the faces"))
+                    "undeformed middle surface"))
     if area > 0:
         rows.append(row("Mean contact pressure", force / area, "pressure",
                         "force over contact area"))
-    rows.append(row("Greatest contact pressure", run.last("max_pressure"),
+    rows.append(row("Maximum contact pressure", run.last("max_pressure"),
                     "pressure", "at a node" + place_of_peak(run)))
     if footprint is not None:
         rows += footprint_rows(footprint)
     return rows
 
 
+def displacement_rows(run):
+    """The largest displacement of a named point, if there are any."""
+    probes = run.probes()
+    if probes is None:
+        return []
+    probes = probes.where(probes["step"] == run.step)
+    if len(probes) == 0:
+        return []
+    moved = np.linalg.norm(probes.positions("u_"), axis=1)
+    at = int(np.argmax(moved))
+    return [row("Largest displacement", moved[at], "length",
+                f"magnitude, at the named point “{escape(probes['name'][at])}”")]
+
+
+def failure_rows(run):
+    """The largest value of each failure index at the named points."""
+    rows = []
+    table_of_plies = run.plies() or {}
+    for column, name in plies.INDICES.items():
+        values = table_of_plies.get(column, np.array([np.nan]))
+        if not np.isfinite(values).any():
+            continue
+        at = int(np.nanargmax(values))
+        rows.append(row(
+            f"Largest {name}", values[at], "",
+            f"at “{escape(table_of_plies['name'][at])}”, ply "
+            f"{int(table_of_plies['ply'][at])}; a ply fails at 1"))
+    return rows
+
+
 def place_of_peak(run):
-    """Where the pressure is greatest."""
+    """Where the contact pressure is largest."""
     contact = run.contact()
     if contact is None or len(contact) == 0:
         return ""
@@ -150,17 +182,16 @@ def footprint_rows(footprint):
     """Length and width, each with its bounds."""
     rows = []
     for i, name in enumerate(("Length of the footprint", "Width of the footprint")):
-        least, most = footprint.least_lengths[i], footprint.greatest_lengths[i]
+        least, most = footprint.minimum_lengths[i], footprint.maximum_lengths[i]
         rows.append(row(
             name, footprint.lengths[i], "length",
-            f"{direction(footprint, i)}; nodes in contact reach over "
-            f"{number(least, 4)}, with the next ones {number(most, 4)}", 4))
+            f"{direction(footprint, i)}; between {number(least, 4)} (nodes in "
+            f"contact) and {number(most, 4)} (with their neighbors)", 4))
     return rows
 
 
 def direction(footprint, i):
-    """The direction of a principal axis in words, relative to the axis that it
-    is nearest to."""
+    """The direction of a principal axis in words, relative to the nearest axis."""
     axis = footprint.principal[i]
     near = np.argmax(np.abs(axis))
     name = footprint.axis_names[near]
@@ -168,7 +199,7 @@ def direction(footprint, i):
     angle = np.degrees(np.arctan2(axis[1 - near], axis[near]))
     angle = (angle + 90) % 180 - 90
     if footprint.is_round:
-        return name + ", the zone being nearly round"
+        return name + "; the zone is nearly round"
     if abs(angle) < 0.05:
         return name
     toward = footprint.axis_names[1 - near]
