@@ -191,7 +191,7 @@ namespace Biface
         const auto        item =
           split_named(entry, text, "it must be written 'name: F_1 F_2 F_3'");
         const Force        force(entry, text, item.second);
-        const unsigned int n = mesh.node_of_point(entry, item.first);
+        const unsigned int n = node_of_point(mesh, entry, item.first);
         if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
           add_nodal_force(mesh, mesh.nodes[n], force, 1, nodal_forces);
       }

@@ -2,11 +2,15 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <unordered_map>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/named_points.h>
+#include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
@@ -50,5 +54,132 @@ namespace Biface
                                    numbers[1] * surface.coordinate_unit(1))});
       }
     return points;
+  }
+
+
+  namespace
+  {
+    unsigned int
+    nearest_line(const std::vector<double> &lines, const double alpha)
+    {
+      const auto above =
+        std::lower_bound(lines.begin() + 1, lines.end() - 1, alpha);
+      const bool below = alpha - above[-1] < above[0] - alpha;
+      return above - lines.begin() - (below ? 1 : 0);
+    }
+
+
+    /** The node at a point. Throws InputError if there is none. */
+    GridIndex
+    find_node(const NamedPoint &point, const ShellMesh &mesh)
+    {
+      const ReferenceSurface &surface = mesh.get_surface();
+      const auto             &lines   = mesh.grid.lines;
+
+      // where a coordinate is periodic, a point outside the grid may be written
+      // for one inside
+      Point<2>     alpha  = point.alpha;
+      const double period = surface.get_periodicity()[1];
+      const double start = lines[1].front(), end = lines[1].back();
+      if (period > 0 &&
+          (alpha[1] < start - 1e-9 * period || alpha[1] > end + 1e-9 * period))
+        alpha[1] = (start + end) / 2 +
+                   std::remainder(alpha[1] - (start + end) / 2, period);
+
+      GridIndex node;
+      Point<2>  nearest;
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          node[a]    = nearest_line(lines[a], alpha[a]);
+          nearest[a] = lines[a][node[a]];
+        }
+      const SurfacePoint at_node = surface.evaluate(nearest);
+      for (unsigned int a = 0; a < 2; ++a)
+        if (!(std::abs(alpha[a] - nearest[a]) * at_node.lame[a] <
+              1e-8 * mesh.size()))
+          {
+            const auto text = [&](const Point<2> &place) {
+              std::string numbers;
+              for (unsigned int b = 0; b < 2; ++b)
+                {
+                  const double unit = surface.coordinate_unit(b);
+                  numbers +=
+                    (b == 0 ? "" : " ") + number_to_string(place[b] / unit);
+                }
+              return numbers;
+            };
+            throw InputError("Named points",
+                             point.name + ": " + text(point.alpha),
+                             "a point must be a node of the mesh; the nearest "
+                             "node is at " +
+                               text(nearest));
+          }
+      node[1] %= mesh.grid.n_nodes(1);
+      return node;
+    }
+  } // namespace
+
+
+  std::vector<unsigned int>
+  find_nodes(std::vector<NamedPoint> &points, const ShellMesh &mesh)
+  {
+    if (points.empty())
+      return {};
+
+    std::unordered_map<types::global_cell_index, unsigned int> by_number;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      by_number[mesh.nodes[n].number] = n;
+
+    std::vector<unsigned int> nodes;
+    for (NamedPoint &point : points)
+      {
+        const GridIndex grid_index = find_node(point, mesh);
+        point.alpha                = mesh.grid.alpha(grid_index);
+        const auto node = by_number.find(mesh.grid.node_number(grid_index));
+        nodes.push_back(node != by_number.end()
+                          ? node->second
+                          : numbers::invalid_unsigned_int);
+      }
+    return nodes;
+  }
+
+
+  unsigned int
+  node_of_point(const ShellMesh   &mesh,
+                const std::string &entry,
+                const std::string &name)
+  {
+    for (unsigned int i = 0; i < mesh.points.size(); ++i)
+      if (mesh.points[i].name == name)
+        return mesh.nodes_of_points[i];
+
+    std::string names;
+    for (const NamedPoint &point : mesh.points)
+      names += (names.empty() ? "'" : ", '") + point.name + "'";
+    throw InputError(entry,
+                     name,
+                     names.empty()
+                       ? "there are no points; they are named in 'Named points'"
+                       : "the points are " + names);
+  }
+
+
+  LA::Vector
+  displacement_functional(const ShellMesh   &mesh,
+                          const std::string &point,
+                          const unsigned int component)
+  {
+    LA::Vector         functional = mesh.owned_vector();
+    const unsigned int n          = node_of_point(mesh, "Control point", point);
+    if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
+      {
+        const Node &node = mesh.nodes[n];
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int face = 0; face < 2; ++face)
+            functional(node.dofs[2 * i + face]) =
+              node.surface.frame[i][component] / 2;
+      }
+    functional.compress(VectorOperation::insert);
+    return functional;
   }
 } // namespace Biface

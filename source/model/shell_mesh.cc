@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/distributed/shared_tria.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -57,6 +59,145 @@ namespace Biface
       distributed->create_triangulation(description);
       return distributed;
     }
+
+
+    /** The plies between the lines of the first coordinate. Throws InputError
+     * if a ply ends between two lines. */
+    std::vector<Strip>
+    make_strips(const Layup            &layup,
+                const ReferenceSurface &surface,
+                const ChartGrid        &grid)
+    {
+      std::vector<double> lines = grid.lines[0];
+      for (double &alpha_1 : lines)
+        alpha_1 /= surface.coordinate_unit(0);
+
+      const double tolerance = 1e-7 * (lines.back() - lines.front());
+      for (const PlyDescription &ply : layup.get_plies())
+        for (const double end : {ply.begin, ply.end})
+          if (std::isfinite(end) &&
+              std::none_of(lines.begin(), lines.end(), [&](const double line) {
+                return std::abs(line - end) <= tolerance;
+              }))
+            throw InputError(
+              "Laminate/Plies",
+              ply.text,
+              "a ply must begin and end at lines of the mesh, and "
+              "there is none at alpha_1 = " +
+                number_to_string(end));
+
+      std::vector<Strip> strips;
+      for (unsigned int i = 0; i + 1 < lines.size(); ++i)
+        {
+          const double middle = (lines[i] + lines[i + 1]) / 2;
+          strips.push_back({layup.laminate(middle),
+                            {{layup.laminate(lines[i], middle),
+                              layup.laminate(lines[i + 1], middle)}}});
+        }
+      return strips;
+    }
+
+
+    /** Laminate::face_heights() on each line of the first coordinate: the mean
+     * of both sides where a ply ends. */
+    std::vector<std::array<double, 2>>
+    face_heights_on_lines(const std::vector<Strip> &strips)
+    {
+      std::vector<std::array<double, 2>> heights;
+      heights.push_back(strips.front().at_lines[0].face_heights());
+      for (unsigned int i = 1; i < strips.size(); ++i)
+        {
+          const auto below = strips[i - 1].at_lines[1].face_heights();
+          const auto above = strips[i].at_lines[0].face_heights();
+          heights.push_back(
+            {{below[0] / 2 + above[0] / 2, below[1] / 2 + above[1] / 2}});
+        }
+      heights.push_back(strips.back().at_lines[1].face_heights());
+      return heights;
+    }
+
+
+    /** Throw InputError unless the surface and both faces are regular at all
+     * nodes. */
+    void
+    check_geometry(const ReferenceSurface                   &surface,
+                   const ChartGrid                          &grid,
+                   const std::vector<std::array<double, 2>> &face_heights)
+    {
+      double size = 0;
+      for (const double alpha_1 : grid.lines[0])
+        size = std::max(size,
+                        surface.evaluate(Point<2>(alpha_1, grid.lines[1][0]))
+                          .position.norm());
+
+      for (unsigned int i = 0; i < grid.lines[0].size(); ++i)
+        for (const double alpha_2 : grid.lines[1])
+          {
+            const double                 alpha_1 = grid.lines[0][i];
+            const std::array<double, 2> &heights = face_heights[i];
+            const SurfacePoint           point =
+              surface.evaluate(Point<2>(alpha_1, alpha_2));
+            const auto where = [&] {
+              return "alpha_1 = " +
+                     coordinate_to_string(
+                       alpha_1 / surface.coordinate_unit(0),
+                       (grid.lines[0].back() - grid.lines[0].front()) /
+                         surface.coordinate_unit(0));
+            };
+
+            if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
+              throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +
+                               where() +
+                               ", where the radius of the surface is " +
+                               number_to_string(point.lame[1]) +
+                               ", but the surface must keep clear of its axis "
+                               "(A_2 > 0).");
+
+            const ThicknessMetric metric(point.curvature, heights);
+            for (unsigned int face = 0; face < 2; ++face)
+              for (unsigned int a = 0; a < 2; ++a)
+                if (!(metric.zeta[face][a] > 0))
+                  throw InputError(
+                    "the entry 'Laminate/Plies' puts a face at " +
+                    number_to_string(heights[face]) +
+                    " from the reference surface, but at " + where() +
+                    " it must stay nearer than the center of curvature, " +
+                    number_to_string(1 / std::abs(point.curvature[a])) +
+                    " away.");
+          }
+    }
+
+
+    /** The diagonal of the box around a triangulation on all ranks. */
+    double
+    diagonal_of_box(const parallel::TriangulationBase<2, 3> &triangulation)
+    {
+      const MPI_Comm communicator = triangulation.get_communicator();
+      const auto     box =
+        GridTools::compute_bounding_box(triangulation).get_boundary_points();
+      Tensor<1, 3> diagonal;
+      for (unsigned int d = 0; d < 3; ++d)
+        diagonal[d] = Utilities::MPI::max(box.second[d], communicator) -
+                      Utilities::MPI::min(box.first[d], communicator);
+      return diagonal.norm();
+    }
+
+
+    /** Whether any displacement of the outer face is free. One that follows
+     * another displacement is free, too. */
+    bool
+    outer_face_is_free(const Node                      &node,
+                       const AffineConstraints<double> &constraints)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const auto dof = node.dofs[2 * i + Resultants::outer];
+          if (!constraints.is_constrained(dof) ||
+              !constraints.get_constraint_entries(dof)->empty())
+            return true;
+        }
+      return false;
+    }
   } // namespace
 
 
@@ -73,8 +214,12 @@ namespace Biface
     , surface(std::move(surface))
     , fe(FE_Q<2, 3>(1), 6)
   {
-    make_strips(grid);
-    check_geometry(grid);
+    strips = make_strips(layup, *this->surface, grid);
+    const std::vector<std::array<double, 2>> face_heights =
+      face_heights_on_lines(strips);
+    for (const auto &heights : face_heights)
+      max_thickness = std::max(max_thickness, heights[1] - heights[0]);
+    check_geometry(*this->surface, grid, face_heights);
     if (grid.closed)
       for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
         if (!supports.edge_conditions(static_cast<unsigned int>(edge)).empty())
@@ -88,109 +233,117 @@ namespace Biface
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
 
-    const auto box =
-      GridTools::compute_bounding_box(*triangulation).get_boundary_points();
-    Tensor<1, 3> diagonal;
-    for (unsigned int d = 0; d < 3; ++d)
-      diagonal[d] = Utilities::MPI::max(box.second[d], communicator) -
-                    Utilities::MPI::min(box.first[d], communicator);
-    diameter = diagonal.norm();
+    diameter = diagonal_of_box(*triangulation);
 
-    collect_cells_and_nodes(grid);
-    find_points();
-    make_constraints(supports);
+    collect_cells_and_nodes(face_heights);
+    nodes_of_points = find_nodes(this->points, *this);
+    make_constraints(supports, *this, constraints, prescribed);
+
+    for (Node &node : nodes)
+      node.outer_face_free = outer_face_is_free(node, constraints);
+    types::global_dof_index n_owned_free = 0;
+    for (const auto dof : locally_owned)
+      if (!constraints.is_constrained(dof))
+        ++n_owned_free;
+    n_free = Utilities::MPI::sum(n_owned_free, communicator);
   }
 
 
   void
-  ShellMesh::make_strips(const ChartGrid &grid)
+  ShellMesh::collect_cells_and_nodes(
+    const std::vector<std::array<double, 2>> &face_heights)
   {
-    std::vector<double> lines = grid.lines[0];
-    for (double &alpha_1 : lines)
-      alpha_1 /= surface->coordinate_unit(0);
+    ShellFEValues fe_values(*surface);
 
-    const double span = lines.back() - lines.front();
-    // formulas and sentences see 0, not what is left of it
-    for (double &alpha_1 : lines)
-      if (std::abs(alpha_1) < 1e-14 * span)
-        alpha_1 = 0;
-    const double tolerance = 1e-7 * span;
-    for (const PlyDescription &ply : layup.get_plies())
-      for (const double end : {ply.begin, ply.end})
-        if (std::isfinite(end) &&
-            std::none_of(lines.begin(), lines.end(), [&](const double line) {
-              return std::abs(line - end) <= tolerance;
-            }))
-          throw InputError("Laminate/Plies",
-                           ply.text,
-                           "a ply must begin and end at lines of the mesh, and "
-                           "there is none at alpha_1 = " +
-                             number_to_string(end));
+    // from the vertices of the triangulation to nodes of this rank
+    std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),
+                                             numbers::invalid_unsigned_int);
 
-    line_faces.resize(lines.size());
-    for (unsigned int i = 0; i + 1 < lines.size(); ++i)
+    const auto add_node =
+      [&](const DoFHandler<2, 3>::active_cell_iterator &cell,
+          const unsigned int                            v,
+          const GridIndex                              &grid_index) {
+        unsigned int &index = node_of_vertex[cell->vertex_index(v)];
+        if (index != numbers::invalid_unsigned_int)
+          return index;
+
+        Node node;
+        node.grid_index   = grid_index;
+        node.alpha        = grid.alpha(grid_index);
+        node.face_heights = face_heights[grid_index[0]];
+        node.surface      = surface->evaluate(node.alpha);
+        node.number       = grid.node_number(grid_index);
+        Assert(node.surface.position.distance(cell->vertex(v)) <
+                 1e-8 * cell->diameter(),
+               ExcMessage("Coarse cells must be numbered as in the grid."));
+        for (unsigned int i = 0; i < 6; ++i)
+          node.dofs[i] = cell->vertex_dof_index(v, i);
+        node.locally_owned   = locally_owned.is_element(node.dofs[0]);
+        node.outer_face_free = true;
+        index                = nodes.size();
+        nodes.push_back(node);
+        return index;
+      };
+
+    std::vector<std::set<unsigned int>> adjacent;
+    for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        const double middle = (lines[i] + lines[i + 1]) / 2;
-        strips.push_back({layup.laminate(middle),
-                          {{layup.laminate(lines[i], middle),
-                            layup.laminate(lines[i + 1], middle)}}});
-        for (unsigned int side = 0; side < 2; ++side)
-          for (unsigned int face = 0; face < 2; ++face)
-            line_faces[i + side][face] +=
-              strips[i].at_lines[side].face_heights()[face] / 2;
+        if (cell->is_artificial())
+          continue;
+
+        const types::global_cell_index number = cell->id().get_coarse_cell_id();
+        const GridIndex                cell_index = grid.cell_index(number);
+        std::array<unsigned int, 4>    cell_nodes;
+        for (unsigned int v = 0; v < 4; ++v)
+          cell_nodes[v] = add_node(cell, v, grid.node_of_cell(cell_index, v));
+        adjacent.resize(nodes.size());
+        for (const unsigned int i : cell_nodes)
+          adjacent[i].insert(cell_nodes.begin(), cell_nodes.end());
+
+        if (!cell->is_locally_owned())
+          continue;
+
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            {
+              const std::array<unsigned int, 2> ends{
+                {GeometryInfo<2>::face_to_cell_vertices(f, 0),
+                 GeometryInfo<2>::face_to_cell_vertices(f, 1)}};
+              const std::array<unsigned int, 2> side{
+                {cell_nodes[ends[0]], cell_nodes[ends[1]]}};
+
+              // the coordinate that runs along the side
+              const unsigned int a      = 1 - f / 2;
+              const double       start  = grid.lines[a][cell_index[a]];
+              const double       end    = grid.lines[a][cell_index[a] + 1];
+              Point<2>           middle = nodes[side[0]].alpha;
+              middle[a]                 = (start + end) / 2;
+              boundary.push_back(
+                {static_cast<Edge>(cell->face(f)->boundary_id()),
+                 static_cast<unsigned int>(cells.size()),
+                 ends,
+                 side,
+                 (end - start) * surface->evaluate(middle).lame[a]});
+            }
+
+        Cell local;
+        local.nodes  = cell_nodes;
+        local.strip  = cell_index[0];
+        local.number = number;
+        ShellFEValues::FaceHeights heights;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            heights[v] = nodes[cell_nodes[v]].face_heights;
+            for (unsigned int i = 0; i < 6; ++i)
+              local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
+          }
+        fe_values.reinit(cell, heights);
+        local.geometry = fe_values.get_geometry();
+        cells.push_back(local);
       }
-    // lines at the edges have one side only
-    for (unsigned int face = 0; face < 2; ++face)
-      {
-        line_faces.front()[face] *= 2;
-        line_faces.back()[face] *= 2;
-      }
-    for (const auto &faces : line_faces)
-      greatest_thickness = std::max(greatest_thickness, faces[1] - faces[0]);
-  }
 
-
-  void
-  ShellMesh::check_geometry(const ChartGrid &grid) const
-  {
-    double size = 0;
-    for (const double alpha_1 : grid.lines[0])
-      size = std::max(
-        size,
-        surface->evaluate(Point<2>(alpha_1, grid.lines[1][0])).position.norm());
-
-    for (unsigned int i = 0; i < grid.lines[0].size(); ++i)
-      for (const double alpha_2 : grid.lines[1])
-        {
-          const double                 alpha_1 = grid.lines[0][i];
-          const std::array<double, 2> &faces   = line_faces[i];
-          const SurfacePoint           point =
-            surface->evaluate(Point<2>(alpha_1, alpha_2));
-          const std::string where =
-            "alpha_1 = " + coordinate_to_string(
-                             alpha_1 / surface->coordinate_unit(0),
-                             (grid.lines[0].back() - grid.lines[0].front()) /
-                               surface->coordinate_unit(0));
-
-          if (!(point.lame[0] > 1e-8 * size && point.lame[1] > 1e-8 * size))
-            throw InputError("the entry 'Mesh/Intervals alpha_1' reaches " +
-                             where + ", where the radius of the surface is " +
-                             number_to_string(point.lame[1]) +
-                             ", but the surface must keep clear of its axis "
-                             "(A_2 > 0).");
-
-          const ThicknessMetric metric(point.curvature, faces);
-          for (unsigned int face = 0; face < 2; ++face)
-            for (unsigned int a = 0; a < 2; ++a)
-              if (!(metric.zeta[face][a] > 0))
-                throw InputError(
-                  "the entry 'Laminate/Plies' puts a face at " +
-                  number_to_string(faces[face]) +
-                  " from the reference surface, but at " + where +
-                  " it must stay nearer than the center of curvature, " +
-                  number_to_string(1 / std::abs(point.curvature[a])) +
-                  " away.");
-        }
+    for (const auto &set : adjacent)
+      neighbors.emplace_back(set.begin(), set.end());
   }
 
 

@@ -72,6 +72,11 @@ namespace Biface
     for (unsigned int a = 0; a < 2; ++a)
       lines[a] = parse_intervals(
         entry_names[a], parameters.intervals[a], surface.coordinate_unit(a));
+    // the line at 0 lies there exactly, for formulas and messages
+    for (std::vector<double> &coordinates : lines)
+      for (double &line : coordinates)
+        if (std::abs(line) < 1e-12 * (coordinates.back() - coordinates.front()))
+          line = 0;
 
     const std::pair<double, double> range = surface.range();
     const double tolerance = 1e-9 * (lines[0].back() - lines[0].front());

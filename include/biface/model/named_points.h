@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include <biface/base/linear_algebra.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
+  class ShellMesh;
+
   /** A point of the surface that has a name: nodes can be supported, loaded,
    * watched and steered by it. */
   struct NamedPoint
@@ -35,6 +38,34 @@ namespace Biface
     std::vector<NamedPoint>
     parse(const ReferenceSurface &surface) const;
   };
+
+
+  /**
+   * The nodes of the mesh at points: positions in ShellMesh::nodes, or invalid
+   * numbers where a node is on other ranks only. The points get the coordinates
+   * of their nodes, which differ by a period or by round-off.
+   *
+   * Throws InputError, naming the nearest node, if a point is not a node.
+   */
+  std::vector<unsigned int>
+  find_nodes(std::vector<NamedPoint> &points, const ShellMesh &mesh);
+
+  /** The node of a named point of the mesh, see find_nodes(). Throws
+   * InputError, naming @p entry, if there is no such point. */
+  unsigned int
+  node_of_point(const ShellMesh   &mesh,
+                const std::string &entry,
+                const std::string &name);
+
+  /**
+   * The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is a
+   * Cartesian component of the displacement of the middle surface at a named
+   * point.
+   */
+  LA::Vector
+  displacement_functional(const ShellMesh   &mesh,
+                          const std::string &point,
+                          const unsigned int component);
 } // namespace Biface
 
 #endif

@@ -12,14 +12,13 @@
 
 #include <array>
 #include <memory>
-#include <set>
-#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/constraints.h>
 #include <biface/model/named_points.h>
 #include <biface/model/supports.h>
 #include <biface/surface/chart_grid.h>
@@ -30,8 +29,14 @@ namespace Biface
   /** A node of the mesh: a vertex with the displacements of both faces. */
   struct Node
   {
-    /** The node's coordinates @f$(\alpha_1,\alpha_2)@f$, in the surface's
-     * internal unit. */
+    /** The lines of the grid that meet at the node. */
+    GridIndex grid_index;
+
+    /** See ChartGrid::node_number(): independent of the number of ranks. */
+    dealii::types::global_cell_index number;
+
+    /** The coordinates @f$(\alpha_1,\alpha_2)@f$, in the internal unit of the
+     * surface. */
     dealii::Point<2> alpha;
 
     SurfacePoint surface;
@@ -41,9 +46,6 @@ namespace Biface
 
     /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
     std::array<dealii::types::global_dof_index, 6> dofs;
-
-    /** See ChartGrid::node_number(): the same on any number of ranks. */
-    dealii::types::global_cell_index number;
 
     /** Whether the node belongs to this rank. */
     bool locally_owned;
@@ -92,24 +94,11 @@ namespace Biface
   };
 
 
-  /** A displacement that a support prescribes:
-   * @f$v = f\,v_{other} + \bar v@f$, where @f$\bar v@f$ grows with the load
-   * factor. */
-  struct PrescribedDisplacement
-  {
-    dealii::types::global_dof_index dof;
-    /** Invalid where f is zero. */
-    dealii::types::global_dof_index other;
-    double                          factor;
-    double                          value;
-  };
-
-
   /**
-   * The mesh with its degrees of freedom: what is fixed once the surface, the
-   * grid, the plies and the supports are known.
+   * The mesh with its degrees of freedom: everything that is fixed once the
+   * surface, the grid, the plies and the supports are known.
    *
-   * Cells and nodes are plain arrays, filled once, so that what runs in every
+   * The data of cells and nodes are plain arrays, filled once, so that each
    * iteration walks through memory in order. Each rank has the cells it owns
    * and the nodes of these cells and of their neighbors.
    */
@@ -117,9 +106,9 @@ namespace Biface
   {
   public:
     /**
-     * Throws InputError where @f$A_2@f$ vanishes within the grid, where plies
-     * have no positive thickness or a face lies beyond a center of curvature,
-     * or where an edge that does not exist is supported.
+     * Throws InputError if @f$A_2@f$ vanishes within the grid, if plies have no
+     * positive thickness or a face lies beyond a center of curvature, if an
+     * edge that does not exist is supported, or if a point is not a node.
      */
     ShellMesh(const MPI_Comm                          communicator,
               std::unique_ptr<const ReferenceSurface> surface,
@@ -130,31 +119,33 @@ namespace Biface
 
     const MPI_Comm communicator;
 
-    std::vector<Cell> cells;
-    std::vector<Node> nodes;
-
     const ChartGrid grid;
     const Layup     layup;
 
-    /** By the lines of the first coordinate, rising. */
+    /** Between the lines of the first coordinate, in ascending order. */
     std::vector<Strip> strips;
 
-    /** Nodes that share a cell with the node of the same position, itself
-     * included. Complete for locally owned nodes. */
+    std::vector<Cell> cells;
+    std::vector<Node> nodes;
+
+    /** Nodes that share a cell with the node of the same position, including
+     * itself. Complete for locally owned nodes. */
     std::vector<std::vector<unsigned int>> neighbors;
 
-    /** Sides of locally owned cells on the shell's edges. */
+    /** Sides of locally owned cells on the edges of the shell. */
     std::vector<BoundarySegment> boundary;
 
-    const std::vector<NamedPoint> points;
-
-    /** Displacements that are prescribed and not zero. */
-    std::vector<PrescribedDisplacement> prescribed;
+    /** Named points, with the coordinates of their nodes, and these nodes: see
+     * find_nodes(). */
+    std::vector<NamedPoint>   points;
+    std::vector<unsigned int> nodes_of_points;
 
     dealii::IndexSet locally_owned;
     dealii::IndexSet locally_relevant;
-    /** The supports with zero prescribed displacements. */
-    dealii::AffineConstraints<double> constraints;
+
+    /** See make_constraints(). */
+    dealii::AffineConstraints<double>   constraints;
+    std::vector<PrescribedDisplacement> prescribed;
 
     const ReferenceSurface &
     get_surface() const
@@ -168,14 +159,21 @@ namespace Biface
       return dof_handler;
     }
 
-    /** The shell's greatest thickness. Unit: length. */
+    /** The maximum thickness of the shell. Unit: length. */
     double
     thickness() const
     {
-      return greatest_thickness;
+      return max_thickness;
     }
 
-    /** Displacements that are not given by supports. */
+    /** The diagonal of the box around the reference surface. Unit: length. */
+    double
+    size() const
+    {
+      return diameter;
+    }
+
+    /** Displacements that are not determined by supports. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
@@ -195,31 +193,6 @@ namespace Biface
     {
       return triangulation->n_global_active_cells();
     }
-
-    /** The diagonal of the box around the reference surface. Unit: length. */
-    double
-    size() const
-    {
-      return diameter;
-    }
-
-    /**
-     * The node of a named point: its position in nodes, or an invalid number
-     * where it is on other ranks only.
-     *
-     * Throws InputError, naming @p entry, where there is no such point.
-     */
-    unsigned int
-    node_of_point(const std::string &entry, const std::string &name) const;
-
-    /**
-     * The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is a
-     * Cartesian component of the displacement of the middle surface at a named
-     * point.
-     */
-    LA::Vector
-    displacement_functional(const std::string &point,
-                            const unsigned int component) const;
 
     /** A vector whose entries can be read at all nodes of this rank. */
     LA::Vector
@@ -252,36 +225,18 @@ namespace Biface
     cell_values(const LA::Vector &V, const Cell &cell) const;
 
   private:
+    /** @param face_heights on each line of the first coordinate. */
     void
-    make_strips(const ChartGrid &grid);
-
-    /** Check that the surface and both faces are regular at all grid points. */
-    void
-    check_geometry(const ChartGrid &grid) const;
-
-    void
-    collect_cells_and_nodes(const ChartGrid &grid);
-
-    void
-    find_points();
-
-    void
-    make_constraints(const Supports &supports);
+    collect_cells_and_nodes(
+      const std::vector<std::array<double, 2>> &face_heights);
 
     std::unique_ptr<const ReferenceSurface>                    surface;
     std::unique_ptr<dealii::parallel::TriangulationBase<2, 3>> triangulation;
     const dealii::FESystem<2, 3>                               fe;
     dealii::DoFHandler<2, 3>                                   dof_handler;
-    dealii::types::global_dof_index                            n_free   = 0;
-    double                                                     diameter = 0;
-    double greatest_thickness                                           = 0;
-    /** Laminate::face_heights() on each line of the first coordinate: where a
-     * ply ends there, the mean of both sides. */
-    std::vector<std::array<double, 2>> line_faces;
-    /** Nodes of this rank on the shell's edges. */
-    std::array<std::set<unsigned int>, 4> edge_nodes;
-    /** Of each named point. */
-    std::vector<unsigned int> nodes_of_points;
+    dealii::types::global_dof_index                            n_free = 0;
+    double max_thickness                                              = 0;
+    double diameter                                                   = 0;
   };
 } // namespace Biface
 

@@ -25,6 +25,17 @@ namespace Biface
   };
 
 
+  /** Boundary indicators of the edges of a grid: the edges
+   * @f$\alpha_1@f$ = min, max and @f$\alpha_2@f$ = min, max. */
+  enum class Edge : dealii::types::boundary_id
+  {
+    alpha_1_min = 0,
+    alpha_1_max = 1,
+    alpha_2_min = 2,
+    alpha_2_max = 3
+  };
+
+
   /** Indices (i, j) of a node, the lines that meet there, or of a cell, the
    * lines below and to the left of it: positions in ChartGrid::lines. */
   using GridIndex = std::array<unsigned int, 2>;
@@ -124,6 +135,17 @@ namespace Biface
       return dealii::Point<2>(lines[0][node[0]], lines[1][node[1]]);
     }
 
+    /** Whether a node lies on an edge. */
+    bool
+    on_edge(const GridIndex &node, const Edge edge) const
+    {
+      const unsigned int face = static_cast<unsigned int>(edge);
+      const unsigned int a    = face / 2;
+      if (a == 1 && closed)
+        return false;
+      return node[a] == (face % 2 == 0 ? 0 : n_cells(a));
+    }
+
     /**
      * Every second line of this grid and the lines that must be kept. A
      * coordinate with fewer than four cells keeps all its lines.
@@ -132,17 +154,6 @@ namespace Biface
      */
     ChartGrid
     coarsened(const std::array<std::vector<double>, 2> &kept) const;
-  };
-
-
-  /** Boundary indicators of the edges of a grid: the edges
-   * @f$\alpha_1@f$ = min, max and @f$\alpha_2@f$ = min, max. */
-  enum class Edge : dealii::types::boundary_id
-  {
-    alpha_1_min = 0,
-    alpha_1_max = 1,
-    alpha_2_min = 2,
-    alpha_2_max = 3
   };
 
 

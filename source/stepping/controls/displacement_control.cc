@@ -48,7 +48,7 @@ namespace Biface
   DisplacementControl::check(const std::string &section,
                              const ShellMesh   &mesh) const
   {
-    mesh.node_of_point(section + "/Control point", stage.control_point);
+    node_of_point(mesh, section + "/Control point", stage.control_point);
     check_nothing_prescribed(stage, mesh);
   }
 
@@ -62,8 +62,8 @@ namespace Biface
     const ShellMesh &mesh         = from.equations.mesh;
     LA::Vector       displacement = mesh.owned_vector();
     displacement                  = from.state.displacement;
-    start_value = mesh.displacement_functional(stage.control_point,
-                                               stage.control_component) *
+    start_value                   = displacement_functional(
+                    mesh, stage.control_point, stage.control_component) *
                   displacement;
   }
 
@@ -76,8 +76,8 @@ namespace Biface
     trial.mu       = load_fraction;
     trial.equation = std::make_shared<const DisplacementEquation>(
       load_rate(),
-      from.equations.mesh.displacement_functional(stage.control_point,
-                                                  stage.control_component),
+      displacement_functional(
+        from.equations.mesh, stage.control_point, stage.control_component),
       (next() - fraction) * (stage.control_value - start_value));
     return trial;
   }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -7,6 +10,8 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/model/constraints.h>
+#include <biface/model/named_points.h>
 #include <biface/model/shell_mesh.h>
 
 namespace Biface
@@ -21,10 +26,12 @@ namespace Biface
     {
       std::vector<std::array<double, 3>> rows;
 
-      /** @return whether the new equation agrees with those there are. */
+      /** Add an equation. @return whether it agrees with the others, but for
+       * the round-off of the values that it combines. */
       bool
       add(std::array<double, 3> row)
       {
+        double scale = std::abs(row[2]);
         for (const auto &old : rows)
           {
             const unsigned int pivot =
@@ -33,9 +40,10 @@ namespace Biface
             for (unsigned int i = 0; i < 3; ++i)
               row[i] -= factor * old[i];
             row[pivot] = 0;
+            scale      = std::max(scale, std::abs(factor * old[2]));
           }
         if (std::abs(row[0]) < 1e-12 && std::abs(row[1]) < 1e-12)
-          return std::abs(row[2]) < 1e-12;
+          return std::abs(row[2]) <= 1e-12 * scale;
         rows.push_back(row);
         return true;
       }
@@ -44,7 +52,10 @@ namespace Biface
 
 
   void
-  ShellMesh::make_constraints(const Supports &supports)
+  make_constraints(const Supports                      &supports,
+                   const ShellMesh                     &mesh,
+                   AffineConstraints<double>           &constraints,
+                   std::vector<PrescribedDisplacement> &prescribed)
   {
     // equations of the components of the nodes
     std::map<std::pair<unsigned int, unsigned int>, FaceEquations> equations;
@@ -62,24 +73,28 @@ namespace Biface
     for (unsigned int edge = 0; edge < 4; ++edge)
       {
         const auto conditions = supports.edge_conditions(edge);
-        for (const unsigned int node : edge_nodes[edge])
-          add(node, conditions);
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
+                                static_cast<Edge>(edge)))
+            add(n, conditions);
       }
     for (const auto &item : supports.point_conditions())
       {
-        const unsigned int node = node_of_point("Supports/Point supports", item.first);
+        const unsigned int node =
+          node_of_point(mesh, "Supports/Point supports", item.first);
         if (node != numbers::invalid_unsigned_int)
           add(node, item.second);
       }
     if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
-                            communicator) > 0)
+                            mesh.communicator) > 0)
       throw InputError("the section 'Supports' prescribes different values of "
                        "one displacement, but at most one value is possible.");
 
-    constraints.reinit(locally_relevant);
+    constraints.reinit(mesh.locally_relevant);
+    prescribed.clear();
     for (const auto &item : equations)
       {
-        const Node        &node = nodes[item.first.first];
+        const Node        &node = mesh.nodes[item.first.first];
         const unsigned int i    = item.first.second;
         const auto        &rows = item.second.rows;
 
@@ -122,24 +137,5 @@ namespace Biface
           }
       }
     constraints.close();
-
-    for (Node &node : nodes)
-      {
-        node.outer_face_free = false;
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            // a displacement that follows another one is free, too
-            const auto dof = node.dofs[2 * i + Resultants::outer];
-            if (!constraints.is_constrained(dof) ||
-                !constraints.get_constraint_entries(dof)->empty())
-              node.outer_face_free = true;
-          }
-      }
-
-    types::global_dof_index n_owned_free = 0;
-    for (const auto dof : locally_owned)
-      if (!constraints.is_constrained(dof))
-        ++n_owned_free;
-    n_free = Utilities::MPI::sum(n_owned_free, communicator);
   }
 } // namespace Biface
