@@ -71,7 +71,7 @@ namespace Biface
         const auto   E     = Modes::at_vertices(
           equations.internal_forces().total_strains(state, c));
 
-        // at each vertex, how far up the ply at hand begins
+        // at each vertex, the height of the inner side of the ply
         std::array<double, 4> height{};
         for (unsigned int p = 0; p < strip.laminate.get_plies().size(); ++p)
           {

@@ -26,7 +26,7 @@ namespace Biface
     prm.add_parameter("Every minutes",
                       every_minutes,
                       "Time from a checkpoint to the next, which is written "
-                      "after the step at hand; 0: time does not count. Unit: "
+                      "after the current step; 0: time does not count. Unit: "
                       "minutes.",
                       Patterns::Double(0));
   }

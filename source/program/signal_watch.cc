@@ -11,7 +11,7 @@ namespace Biface
 {
   namespace
   {
-    // all that a handler may touch
+    // the only type that a handler may change
     volatile std::sig_atomic_t noted = 0;
 
     extern "C" void
@@ -33,7 +33,7 @@ namespace Biface
         const bool       ignore = (watched[i] == SIGXFSZ);
         struct sigaction action = {};
         action.sa_handler       = (ignore ? SIG_IGN : biface_note_signal);
-        // calls of the system go on; a second signal is not ours any more
+        // system calls continue; the second signal has its previous effect
         action.sa_flags = (ignore ? 0 : SA_RESTART | SA_RESETHAND);
         sigemptyset(&action.sa_mask);
         sigaction(watched[i], &action, &before[i]);

@@ -47,14 +47,14 @@ namespace Biface
         return;
       const double gigabyte = 1e9;
       throw InputError(
-        "the section 'Mesh' asks for " + number_to_string(n_nodes) +
-        " nodes, which take more than " +
+        "the mesh has " + number_to_string(n_nodes) +
+        " nodes and needs more than " +
         number_to_string(
           std::ceil(Utilities::MPI::max(needed, communicator) / gigabyte)) +
-        " GB, but the memory of a machine is " +
+        " GB, but a machine has " +
         number_to_string(
           std::floor(Utilities::MPI::min(available, communicator) / gigabyte)) +
-        " GB.");
+        " GB of memory.");
     }
 
 

@@ -28,10 +28,10 @@ namespace Biface
   {
     namespace
     {
-      /** What a file begins with. */
+      /** The first bytes of a file. */
       constexpr std::array<char, 8> magic{
         {'b', 'i', 'f', 'a', 'c', 'e', '\r', '\n'}};
-      /** Reads otherwise where numbers are stored otherwise. */
+      /** Reads as another number on machines of another byte order. */
       constexpr std::uint32_t byte_order = 0x01020304;
 
       /** Numbers that pass through the first rank at once. */
@@ -222,7 +222,7 @@ namespace Biface
       };
 
 
-      /** What is wrong with a file, as the end of a sentence that begins with
+      /** What is wrong with a file, as the end of a sentence that starts with
        * its name; empty if nothing is. */
       std::string
       damage(const std::string &path)

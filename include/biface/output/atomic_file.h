@@ -9,10 +9,9 @@
 namespace Biface
 {
   /**
-   * A file that is there as a whole or not at all, whenever the program ends:
-   * it is written under the name with ".tmp" at its end, and gets its own name
-   * when it is complete. For one rank; what goes wrong is remembered and told
-   * by error().
+   * A file that exists completely or not at all, whenever the program ends: it
+   * is written under its name with ".tmp" appended, and renamed when complete.
+   * For a single rank. After a failure, error() says why.
    */
   class AtomicFile
   {
@@ -20,7 +19,7 @@ namespace Biface
     /** Open the temporary file. */
     explicit AtomicFile(const std::string &path);
 
-    /** Remove the temporary file, if it still is there. */
+    /** Remove the temporary file, if it still exists. */
     ~AtomicFile();
 
     AtomicFile(const AtomicFile &) = delete;
@@ -36,16 +35,15 @@ namespace Biface
       write(text.data(), text.size());
     }
 
-    /** Bring all that was written to the disk, where it outlives the machine.
-     */
+    /** Flush what was written to the disk. */
     void
     sync();
 
-    /** Close the file and give it its name. Does nothing after an error. */
+    /** Close and rename the file. Does nothing after an error. */
     void
     commit();
 
-    /** Why something did not succeed; empty where all is well. */
+    /** The reason of a failure; empty without one. */
     const std::string &
     error() const
     {
@@ -53,7 +51,7 @@ namespace Biface
     }
 
   private:
-    /** Remember the reason of the system's last error. */
+    /** Store the reason of the last error of the system. */
     void
     failed();
 
@@ -64,8 +62,8 @@ namespace Biface
   };
 
 
-  /** Bring a file or a directory to the disk.
-   * @return why it did not succeed; empty where it did. */
+  /** Flush a file or a directory to the disk.
+   * @return the reason of a failure; empty on success. */
   std::string
   sync_to_disk(const std::string &path);
 } // namespace Biface

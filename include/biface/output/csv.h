@@ -28,14 +28,14 @@ namespace Biface
             const Rows        &rows,
             const MPI_Comm     communicator);
 
-  /** A number with the 12 digits that files show. */
+  /** A number with the 12 digits of files of results. */
   std::string
   csv_number(const double value);
 
   /**
-   * Write a text to a file on the first rank, at its end or in place of what
-   * it held: as a whole, or the file stays as it was. Must be called on all
-   * ranks. Throws OutputError on all of them where the file cannot be written.
+   * Append a text to a file, or replace the contents, on the first rank. On
+   * failure the file is unchanged. Must be called on all ranks. Throws
+   * OutputError on all of them where the file cannot be written.
    */
   void
   write_text(const std::string &path,
@@ -44,10 +44,10 @@ namespace Biface
              const MPI_Comm     communicator);
 
   /**
-   * Write the texts of all ranks one after the other, as one file: as a whole,
-   * or the file stays as it was. Must be called on all ranks; the first one
-   * writes, and holds the text of one rank at a time. Throws OutputError on all
-   * of them where the file cannot be written.
+   * Write the texts of all ranks, in the order of the ranks, to one file. On
+   * failure the file is unchanged. Must be called on all ranks; the first one
+   * writes, and stores the text of one rank at a time. Throws OutputError on
+   * all of them where the file cannot be written.
    */
   void
   write_texts_of_ranks(const std::string &path,

@@ -16,8 +16,8 @@ namespace Biface
   class Simulation;
 
 
-  /** Writes checkpoints into the directory of results when it is time for one.
-   * All functions must be called on all ranks. */
+  /** Decides when checkpoints are written to the directory of results. All
+   * functions must be called on all ranks. */
   class CheckpointWriter
   {
   public:
@@ -37,7 +37,7 @@ namespace Biface
 
     /**
      * The objects are kept by reference.
-     * @param restarted whether the checkpoint of the last step is there.
+     * @param restarted whether a checkpoint of the last step exists.
      */
     CheckpointWriter(const Parameters  &parameters,
                      const std::string &directory,
@@ -45,11 +45,11 @@ namespace Biface
                      ResultsWriter     &results,
                      const bool         restarted);
 
-    /** Write a checkpoint, if it is time for one. Throws OutputError. */
+    /** Write a checkpoint if one is due. Throws OutputError. */
     void
     write_if_due(RunRecord &record);
 
-    /** Write a checkpoint, unless the one of the last step is there. Throws
+    /** Write a checkpoint, unless one of the last step exists. Throws
      * OutputError. */
     void
     write(RunRecord &record);

@@ -11,8 +11,8 @@
 namespace Biface
 {
   /**
-   * What a run says: on the screen, unless that is to be quiet, and in a file.
-   * A rank other than the first says nothing.
+   * What a run prints: to the screen, unless it is to be quiet, and to a file.
+   * Only the first rank prints.
    */
   class RunLog : private std::streambuf
   {
@@ -30,12 +30,12 @@ namespace Biface
     /**
      * Print to a file, too; what was printed before is at its head. A file that
      * cannot be opened does not end the run: a line on the screen says so.
-     * @param append whether to go on with the file of an earlier run.
+     * @param append whether to continue the file of an earlier run.
      */
     void
     open(const std::string &file_name, const bool append);
 
-    /** Write to the file what the screen has from elsewhere, such as errors. */
+    /** Write to the file only, such as errors that the screen already shows. */
     void
     note(const std::string &text);
 

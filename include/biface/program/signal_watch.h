@@ -12,31 +12,31 @@
 namespace Biface
 {
   /**
-   * While an object of this class lives, SIGTERM and SIGINT no longer end the
-   * process but are noted, and a file that grows beyond the limit of the
-   * process is an error of writing instead of the end (SIGXFSZ). A second
-   * signal of a kind does what it did before. One object at a time: signals
-   * belong to the process.
+   * During the life of an object, SIGTERM and SIGINT are recorded instead of
+   * ending the process, and a file that exceeds the limit of the process is a
+   * failure to write instead of the end (SIGXFSZ). A second signal of the same
+   * kind has its previous effect. Signals belong to the process: only one
+   * object at a time.
    */
   class SignalWatch
   {
   public:
     SignalWatch();
 
-    /** What signals did before, they do again. */
+    /** Restore the previous handlers. */
     ~SignalWatch();
 
     SignalWatch(const SignalWatch &) = delete;
     SignalWatch &
     operator=(const SignalWatch &) = delete;
 
-    /** The signal that came to any of the ranks, or 0. Must be called on all
-     * ranks, which get the same answer. */
+    /** The signal received by any rank, or 0: the same on all ranks, all of
+     * which must call this. */
     int
     caught(const MPI_Comm communicator) const;
 
   private:
-    /** What SIGTERM, SIGINT and SIGXFSZ did before. */
+    /** The previous handlers of SIGTERM, SIGINT and SIGXFSZ. */
     std::array<struct sigaction, 3> before;
   };
 

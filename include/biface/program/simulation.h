@@ -41,8 +41,8 @@ namespace Biface
                const MPI_Comm    communicator,
                std::ostream     &stream);
 
-    /** Go through all stages, or what is left of them, and tell each converged
-     * step to @p observer.
+    /** Run all stages, or what is left of them, and pass each converged step to
+     * @p observer.
      * @param stop see Newton. */
     LoadSteppingResult
     run(const LoadStepping::Observer &observer, const Newton::Stop &stop = {});
@@ -109,7 +109,7 @@ namespace Biface
     ChartGrid
     coarser_grid(const ChartGrid &grid) const;
 
-    /** Go through all stages on the coarser mesh, and learn where steps lead.
+    /** Run all stages on the coarser mesh, and record the states of its steps.
      */
     std::unique_ptr<const NestedPredictor>
     run_coarser(const Newton::Stop &stop);

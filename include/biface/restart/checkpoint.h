@@ -19,7 +19,7 @@
 
 namespace Biface
 {
-  /** What a checkpoint holds beside the fields of the shell, see
+  /** The contents of a checkpoint except the fields of the shell, see
    * doc/restart.md. */
   struct RunRecord
   {
@@ -72,15 +72,15 @@ namespace Biface
      */
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 
-    /** Where the newest one could not be used: a sentence. */
+    /** A sentence if the newest checkpoint could not be used. */
     const std::string &
     get_warning() const
     {
       return warning;
     }
 
-    /** Remove the newest one where it could not be used, so that it will not
-     * take the place of the one before. */
+    /** Remove the newest checkpoint if it could not be used, so that it never
+     * becomes the previous one. */
     void
     remove_unusable() const;
 
@@ -90,8 +90,8 @@ namespace Biface
       return record;
     }
 
-    /** Put the equations of the same shell, its state, and the progress of the
-     * load stepping where they were. */
+    /** Restore the equations, the state and the progress of the load stepping
+     * for the same shell. */
     void
     restore(ShellEquations &equations, State &state, Progress &progress) const;
 

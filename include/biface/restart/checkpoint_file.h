@@ -16,25 +16,24 @@
 namespace Biface
 {
   /**
-   * The form of a checkpoint on the disk: one binary file with a header, which
-   * means nothing here, tables of rows by the numbers of nodes and cells, and a
-   * checksum (CRC-64) over all of it. It does not depend on the number of
-   * ranks. The first rank writes and reads it, in pieces, so that it never
-   * holds a whole table.
+   * The format of checkpoints: a binary file with a header, whose contents do
+   * not matter here, tables of rows by the numbers of nodes and cells, and a
+   * checksum (CRC-64) over everything. It does not depend on the number of
+   * ranks. The first rank writes and reads it in pieces, so that it never
+   * stores a whole table.
    *
-   * Numbers are those of the machine; one that stores them otherwise refuses
-   * the file.
+   * Numbers are binary; machines of another byte order refuse the file.
    */
   namespace CheckpointFile
   {
-    /** Of the form; files of another one are refused. */
+    /** Version of the format; files of other versions are refused. */
     constexpr std::uint32_t format = 3;
 
     using Table = std::pair<std::string, NumberedRows>;
 
-    /** Write the file as a whole or not at all, and to the disk. The file of
-     * the same name that was there before becomes @p previous. Must be called
-     * on all ranks. Throws OutputError. */
+    /** Write the file completely or not at all, and flush it to the disk. An
+     * existing file of the same name becomes @p previous. Must be called on all
+     * ranks. Throws OutputError. */
     void
     write(const std::string        &path,
           const std::string        &previous,
@@ -42,13 +41,12 @@ namespace Biface
           const std::vector<Table> &tables,
           const MPI_Comm            communicator);
 
-    /** A file that was checked. */
+    /** Reads a file whose checksum is correct. */
     class Reader
     {
     public:
-      /** Check the file, and read its header. Throws InputError that says
-       * which file it is and why it cannot be used. Must be called on all
-       * ranks, as all functions. */
+      /** Check the file, and read its header. Throws InputError where it
+       * cannot be used. All functions must be called on all ranks. */
       Reader(const std::string &path, const MPI_Comm communicator);
 
       const std::string &

@@ -30,19 +30,19 @@ namespace Biface
   };
 
 
-  /** A row of six displacements a node. */
+  /** A row of six displacements per node. */
   NumberedRows
   rows_of(const LA::Vector &displacement, const ShellMesh &mesh);
 
-  /** A row of modes a cell. */
+  /** A row of modes per cell. */
   NumberedRows
   rows_of(const std::vector<Modes::Vector> &modes, const ShellMesh &mesh);
 
-  /** A row of one number a node. */
+  /** A row of one number per node. */
   NumberedRows
   rows_of(const ActiveSet &active, const ShellMesh &mesh);
 
-  /** A row of three components a node, at all nodes of each rank. */
+  /** A row of three components per node, at all nodes of each rank. */
   NumberedRows
   rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
           const ShellMesh                         &mesh);
