@@ -107,20 +107,43 @@ namespace Biface
 
 
   double
+  InternalForces::strain_energy(const unsigned int               c,
+                                const MixedElement::NodalVector &V) const
+  {
+    const Cell         &cell = mesh.cells[c];
+    const MixedElement  element(cell.geometry, V);
+    const Modes::Vector E = element.strain();
+    return cell.geometry.weight *
+           (Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2 +
+            Modes::mean_product(history.initial_resultants[c],
+                                element.nonlinear_strain()));
+  }
+
+
+  double
   InternalForces::strain_energy(const State &state) const
   {
-    double energy = 0;
+    double     energy = 0;
+    CellForces forces;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell         &cell = mesh.cells[c];
-        const MixedElement  element(cell.geometry,
-                                   mesh.cell_values(state.displacement, cell));
-        const Modes::Vector E = element.strain();
-        energy +=
-          cell.geometry.weight *
-          (Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2 +
-           Modes::mean_product(history.initial_resultants[c],
-                               element.nonlinear_strain()));
+        const Cell &cell = mesh.cells[c];
+        const auto  V    = mesh.cell_values(state.displacement, cell);
+        if (!history.linearization_point)
+          {
+            energy += strain_energy(c, V);
+            continue;
+          }
+
+        const State &base = *history.linearization_point;
+        const auto   V_0  = mesh.cell_values(base.displacement, cell);
+        const auto   dV   = V - V_0;
+        forces.clear();
+        add({c, cell, V_0, base, Loads()}, forces);
+        energy += strain_energy(c, V_0) - forces.force * dV;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            energy += dV[i] * forces.tangent[i][j] * dV[j] / 2;
       }
     return Utilities::MPI::sum(energy, mesh.communicator);
   }

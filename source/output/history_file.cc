@@ -11,7 +11,8 @@ namespace Biface
                            const ShellEquations &equations)
     : StepTable("history.csv",
                 "step,stage,approach,force,contact_nodes,contact_area,"
-                "max_pressure,iterations,seconds,pressure,load_factor",
+                "max_pressure,iterations,seconds,pressure,load_factor,"
+                "strain_energy",
                 1,
                 directory,
                 equations)
@@ -19,7 +20,7 @@ namespace Biface
 
 
   void
-  HistoryFile::write(const StepReport &report, const State & /*state*/)
+  HistoryFile::write(const StepReport &report, const State &state)
   {
     std::ostringstream line;
     line << report.step << ',' << report.stage << ','
@@ -29,7 +30,9 @@ namespace Biface
          << csv_number(report.contact.max_pressure) << ',' << report.iterations
          << ',' << csv_number(report.seconds) << ','
          << csv_number(report.loads.pressure) << ','
-         << csv_number(report.loads.factor) << '\n';
+         << csv_number(report.loads.factor) << ','
+         << csv_number(equations.internal_forces().strain_energy(state))
+         << '\n';
     append(line.str());
   }
 } // namespace Biface

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The residual of an unloaded, prestressed shell is minus the derivative of its
-// strain energy; a pressure adds its work on the inner face.
+// strain energy, with the nonlinear and with the linear theory; a pressure adds
+// its work on the inner face.
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -13,7 +14,9 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name, const ThicknessLaw law)
+  test(const std::string &name,
+       const ThicknessLaw law,
+       const StrainTheory theory)
   {
     Layup::Parameters parameters;
     parameters.law              = law;
@@ -26,6 +29,9 @@ namespace
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     equations.internal_forces().take_as_prestress(state);
     state = at(equations, state, some_displacement(*mesh, 0.2, 2));
+    equations.internal_forces().set_theory(theory, state);
+    if (theory == StrainTheory::linear)
+      state = at(equations, state, some_displacement(*mesh, 0.2, 5));
 
     const LA::Vector direction = some_displacement(*mesh, 1, 3);
     equations.assemble(state, Loads());
@@ -80,6 +86,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  test("symmetric law", ThicknessLaw::symmetric);
-  test("full law", ThicknessLaw::full);
+  test("symmetric law", ThicknessLaw::symmetric, StrainTheory::nonlinear);
+  test("full law", ThicknessLaw::full, StrainTheory::nonlinear);
+  test("linear theory", ThicknessLaw::symmetric, StrainTheory::linear);
 }

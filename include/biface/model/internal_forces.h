@@ -104,14 +104,21 @@ namespace Biface
       return state.resultants[cell] + history.initial_resultants[cell];
     }
 
-    /** Strain energy of the state, on all ranks; where the law is not
-     * symmetric, the work @f$\frac12\mathbf H\cdot\mathbf E@f$. Initial
-     * resultants work on the nonlinear part of the strains. Unit: force times
-     * length. */
+    /** Strain energy of the state on all ranks, whose derivative the forces
+     * are: @f$\frac12\mathbf H\cdot\mathbf E@f$, and the work of initial
+     * resultants on the nonlinear part of the strains; with strains that are
+     * linearized, to the second order in the displacements since. Where the law
+     * is not symmetric, it is a work and has no such derivative. Unit: force
+     * times length. */
     double
     strain_energy(const State &state) const;
 
   private:
+    /** By the nonlinear theory. */
+    double
+    strain_energy(const unsigned int               cell,
+                  const MixedElement::NodalVector &V) const;
+
     /** The strains of the displacements, by the theory in use. */
     Modes::Vector
     strains(const State &state, const Cell &cell) const;

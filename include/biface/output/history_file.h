@@ -7,7 +7,8 @@
 
 namespace Biface
 {
-  /** history.csv: a line per step with its loads and its contact zone. */
+  /** history.csv: a line per step with its loads, its contact zone and
+   * its strain energy. */
   class HistoryFile : public StepTable
   {
   public:

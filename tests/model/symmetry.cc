@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The tangent is symmetric, and says so, unless a foundation is there with the
+// consistent multiplier mass, or a follower pressure that is not zero, or the
+// law is not symmetric.
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string   &name,
+       const ThicknessLaw   law,
+       const MultiplierMass mass,
+       const PressureKind   kind,
+       const bool           symmetric,
+       const bool           with_pressure,
+       const bool           with_foundation)
+  {
+    Layup::Parameters parameters;
+    parameters.law = law;
+    const Layup layup(parameters, cord_ply());
+    const auto  mesh = coarse_torus(layup);
+
+    ContactInteraction::Parameters contact_parameters;
+    contact_parameters.condition.mass           = mass;
+    contact_parameters.condition.regularization = 1;
+    const ContactInteraction contact(*mesh, contact_parameters);
+    PressureLoad             pressure;
+    pressure.kind = kind;
+    ShellEquations equations(
+      *mesh, make_force_terms(*mesh, contact, DeadLoads(), pressure));
+
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    Loads loads;
+    loads.pressure = (with_pressure ? 0.1 : 0.);
+    if (with_foundation)
+      loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
+    contact.update_active_set(state, loads);
+    equations.assemble(state, loads);
+
+    LA::Vector       product = mesh->owned_vector();
+    const LA::Vector x       = some_displacement(*mesh, 1, 6);
+    const LA::Vector y       = some_displacement(*mesh, 1, 7);
+    equations.tangent().vmult(product, y);
+    double skew = product * x;
+    equations.tangent().vmult(product, x);
+    skew = std::abs(skew - product * y) / (product.l2_norm() * y.l2_norm());
+
+    check_true(name,
+               (skew < 1e-12) == symmetric &&
+                 equations.is_symmetric(loads) == symmetric);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const auto law        = ThicknessLaw::symmetric;
+  const auto asymmetric = ThicknessLaw::asymmetric;
+  const auto consistent = MultiplierMass::consistent;
+  const auto lumped     = MultiplierMass::lumped;
+  const auto dead       = PressureKind::dead;
+  const auto follower   = PressureKind::follower;
+
+  test("symmetric: no foundation", law, consistent, dead, true, true, false);
+  test("not: consistent mass", law, consistent, dead, false, true, true);
+  test("symmetric: lumped mass", law, lumped, dead, true, true, true);
+  test("not: follower pressure", law, lumped, follower, false, true, false);
+  test("symmetric: follower pressure of 0",
+       law,
+       lumped,
+       follower,
+       true,
+       false,
+       false);
+  test("not: asymmetric law", asymmetric, lumped, dead, false, false, false);
+}
