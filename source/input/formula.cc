@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
@@ -16,8 +17,14 @@ namespace Biface
   struct Formula::Parser
   {
     mu::Parser parser;
-    /** Where the parser reads the variables. */
-    mutable std::vector<double> values;
+    /** What the parser reads, by names. */
+    mutable std::map<std::string, double> values;
+
+    static double *
+    add_variable(const char *name, void *parser)
+    {
+      return &static_cast<Parser *>(parser)->values[name];
+    }
   };
 
 
@@ -42,20 +49,41 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    std::string
+    allowed_form(const std::vector<std::string> &variables)
+    {
+      std::string names;
+      for (const std::string &name : variables)
+        names += (names.empty() ? "" : ", ") + name;
+      return "it must be a number or a formula" +
+             (names.empty() ? std::string() : " of " + names);
+    }
+  } // namespace
+
+
   Formula::Formula(const std::string              &entry,
                    const std::string              &text,
                    const std::vector<std::string> &variables)
-    : entry(entry), text(text), variables(variables)
+    : entry(entry), text(text)
+  {
+    compile(allowed_form(variables));
+    bind(variables);
+  }
+
+
+  Formula::Formula(const std::string &entry, const std::string &text)
+    : entry(entry), text(text)
+  {
+    compile(allowed_form({}));
+  }
+
+
+  void
+  Formula::compile(const std::string &allowed)
   {
     const auto new_parser = std::make_shared<Parser>();
-    new_parser->values.resize(variables.size());
-
-    std::string names;
-    for (const std::string &name : variables)
-      names += (names.empty() ? "" : ", ") + name;
-    const std::string allowed =
-      "it must be a number or a formula" +
-      (names.empty() ? std::string() : " of " + names);
     if (assigns(text))
       throw InputError(
         entry, text, allowed + " without '=' (to compare, write '==')");
@@ -63,8 +91,7 @@ namespace Biface
       {
         mu::Parser &p = new_parser->parser;
         p.DefineConst("pi", dealii::numbers::PI);
-        for (unsigned int i = 0; i < variables.size(); ++i)
-          p.DefineVar(variables[i], &new_parser->values[i]);
+        p.SetVarFactory(&Parser::add_variable, new_parser.get());
         p.SetExpr(text);
         int n_values = 0;
         p.Eval(n_values);
@@ -84,12 +111,45 @@ namespace Biface
   }
 
 
+  void
+  Formula::bind(const std::vector<std::string> &variables)
+  {
+    for (const auto &value : parser->values)
+      if (std::find(variables.begin(), variables.end(), value.first) ==
+          variables.end())
+        throw InputError(entry,
+                         text,
+                         allowed_form(variables) + " (there is no " +
+                           quoted(value.first) + ")");
+    this->variables = variables;
+    slots.clear();
+    for (const std::string &name : variables)
+      {
+        const auto value = parser->values.find(name);
+        slots.push_back(value != parser->values.end() ? &value->second
+                                                      : nullptr);
+      }
+  }
+
+
+  std::vector<std::string>
+  Formula::used_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &value : parser->values)
+      names.push_back(value.first);
+    return names;
+  }
+
+
   double
   Formula::operator()(const std::vector<double> &values) const
   {
     Assert(values.size() == variables.size(),
            dealii::ExcDimensionMismatch(values.size(), variables.size()));
-    std::copy(values.begin(), values.end(), parser->values.begin());
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (slots[i] != nullptr)
+        *slots[i] = values[i];
     const double result = parser->parser.Eval();
     if (!(std::abs(result) <= greatest_number))
       {

@@ -139,16 +139,42 @@ namespace Biface
   }
 
 
-  void
-  check_list_length(const std::string &entry,
-                    const std::string &list,
-                    const unsigned int limit)
+  std::vector<std::string>
+  split_list(const std::string &entry,
+             const std::string &text,
+             const char         separator,
+             const unsigned int limit)
   {
-    const auto n = 1 + std::count(list.begin(), list.end(), ',');
-    if (n > limit)
-      throw InputError("the entry '" + entry + "' has " + std::to_string(n) +
-                       " items, but at most " + std::to_string(limit) +
-                       " are allowed.");
+    std::vector<std::string> items(1);
+    int                      depth  = 0;
+    bool                     quotes = false;
+    for (const char c : text)
+      {
+        if (c == '"')
+          quotes = !quotes;
+        else if (!quotes)
+          depth += (c == '(') - (c == ')');
+        if (c == separator && depth <= 0 && !quotes)
+          {
+            if (items.size() > limit)
+              throw InputError("the entry '" + entry + "' has more than " +
+                               std::to_string(limit) + " items.");
+            items.emplace_back();
+          }
+        else
+          items.back() += c;
+      }
+    for (std::string &item : items)
+      item = dealii::Utilities::trim(item);
+    if (items.back().empty())
+      items.pop_back();
+    for (const std::string &item : items)
+      if (item.empty())
+        throw InputError(entry,
+                         text,
+                         std::string("there must be an item before each '") +
+                           separator + "'");
+    return items;
   }
 
 

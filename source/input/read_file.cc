@@ -51,7 +51,7 @@ namespace Biface
                (errno != 0 ? std::strerror(errno) : "unknown reason") +
                "), but it must exist and be readable";
       if (text.size() > limit)
-        return "has more than 64 MiB, but it must not";
+        return "exceeds the limit of 64 MiB";
       const auto nul = text.find('\0');
       if (nul != std::string::npos)
         return "has a zero byte in line " +
@@ -146,5 +146,67 @@ namespace Biface
                             parse_number(entry, cells[1], form));
       }
     return points;
+  }
+
+
+  void
+  PairsFile::read(const std::string &meaning, const MPI_Comm communicator)
+  {
+    pairs = parse_pairs(read_file(name, communicator), name, meaning);
+  }
+
+
+  std::string
+  parse_file_name(const std::string &entry, const std::string &text)
+  {
+    if (text.empty() || text[0] != '"')
+      return text;
+    const std::string form =
+      "a file name in double quotes must end with one, and %XX in it must have "
+      "two hexadecimal digits";
+    if (text.size() < 2 || text.find('"', 1) != text.size() - 1)
+      throw InputError(entry, text, form);
+    std::string name;
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+      if (text[i] == '%')
+        {
+          const std::string digits = text.substr(i + 1, 2);
+          if (digits.size() < 2 ||
+              digits.find_first_not_of("0123456789abcdefABCDEF") !=
+                std::string::npos ||
+              std::stoi(digits, nullptr, 16) == 0)
+            throw InputError(entry, text, form);
+          name += static_cast<char>(std::stoi(digits, nullptr, 16));
+          i += 2;
+        }
+      else
+        name += text[i];
+    return name;
+  }
+
+
+  std::string
+  print_file_name(const std::string &name)
+  {
+    // what ends a value or an item, and what a list of files is made of
+    const auto is_special = [](const char c) {
+      return static_cast<unsigned char>(c) < 0x20 ||
+             std::strchr("#{}(),;\"%\\", c) != nullptr;
+    };
+    if (std::none_of(name.begin(), name.end(), is_special) &&
+        Utilities::trim(name) == name)
+      return name;
+    std::string text = "\"";
+    for (const char c : name)
+      if (is_special(c))
+        {
+          char code[4];
+          std::snprintf(
+            code, sizeof(code), "%%%02X", static_cast<unsigned char>(c));
+          text += code;
+        }
+      else
+        text += c;
+    return text + '"';
   }
 } // namespace Biface

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
-#include <biface/laminate/meridional_tables.h>
 
 namespace Biface
 {
@@ -18,37 +18,50 @@ namespace Biface
   void
   Layup::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Plies",
-                      plies,
-                      "The plies, inner ply first, separated by commas, each "
-                      "as 'material: thickness @ angle', followed by 'from A "
-                      "to B' if the ply covers only this part of alpha_1 "
-                      "(between two mesh lines; the jump in thickness is "
-                      "spread over the cells on both sides). The angle of the "
-                      "material's first axis is measured from the first "
-                      "coordinate line (the meridian) toward the second. "
-                      "Thickness and angle are numbers, or formulas of "
-                      "alpha_1 and of the 'Tables', such as 1.2 + "
-                      "0.01*abs(alpha_1). Units: length, degrees, alpha_1 as "
-                      "in 'Mesh'.",
-                      Patterns::Anything());
-    prm.add_parameter("Tables",
-                      tables,
-                      "Tables for the formulas of 'Plies': a list of 'name: "
-                      "file', separated by commas. Each CSV file has rows "
-                      "'alpha_1, value' with increasing alpha_1; values are "
-                      "interpolated linearly and constant beyond the ends. "
-                      "Paths are relative to the parameter file.",
-                      Patterns::Anything());
-    prm.add_parameter("Initial ply stresses",
-                      initial_stresses,
-                      "Initial stresses in the undeformed shell, one triple "
-                      "'sigma_L sigma_T tau_LT' per ply, inner ply first, "
-                      "separated by commas; empty for none. They act only "
-                      "through the nonlinear part of the strains, being in "
-                      "equilibrium with loads that are not given. Unit: "
-                      "force/area.",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Laminate/",
+               "Plies",
+               "cord: 1.2 @ 52, cord: 1.2 @ -52, cord: 1.2 @ 52, "
+               "cord: 1.2 @ -52",
+               plies,
+               parse_plies,
+               "The plies, inner ply first, separated by commas, each "
+               "as 'material: thickness @ angle', followed by 'from A "
+               "to B' if the ply covers only this part of alpha_1 "
+               "(between two mesh lines; the jump in thickness is "
+               "spread over the cells on both sides). The angle of the "
+               "material's first axis is measured from the first "
+               "coordinate line (the meridian) toward the second. "
+               "Thickness and angle are numbers, or formulas of "
+               "alpha_1 and of the 'Tables', such as 1.2 + "
+               "0.01*abs(alpha_1). Units: length, degrees, alpha_1 as "
+               "in 'Mesh'.");
+    add_parsed(prm,
+               "Laminate/",
+               "Tables",
+               "",
+               tables,
+               parse_tables,
+               "Tables for the formulas of 'Plies': a list of 'name: "
+               "file', separated by commas. Each CSV file has rows "
+               "'alpha_1, value' with increasing alpha_1; values are "
+               "interpolated linearly and constant beyond the ends. "
+               "Paths are relative to the parameter file. A name with "
+               "a comma must be put in double quotes, in which %XX "
+               "stands for the byte with this hexadecimal number.");
+    add_parsed(prm,
+               "Laminate/",
+               "Initial ply stresses",
+               "",
+               initial_stresses,
+               parse_ply_stresses,
+               "Initial stresses in the undeformed shell, one triple "
+               "'sigma_L sigma_T tau_LT' per ply, inner ply first, "
+               "separated by commas; empty for none. Each is a number "
+               "or a formula, without blanks, as in 'Plies'. They act "
+               "only through the nonlinear part of the strains, being "
+               "in equilibrium with loads that are not given. Unit: "
+               "force/area.");
     add_choice(prm,
                "Thickness law",
                law,
@@ -57,201 +70,241 @@ namespace Biface
                "(constant thickness stress, eliminated; free of locking), "
                "'asymmetric' (the paper's law, with an unsymmetric tangent) "
                "or 'full' (three-dimensional law; locks in bending).");
-    prm.add_parameter("Reference surface",
-                      reference,
-                      "The surface of the shell that 'Surface' describes: "
-                      "'inner', 'middle', 'outer', 'ply N' (the outer side of "
-                      "ply N, counted from the inner face), or its distance "
-                      "from the inner face. Unit: length.",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Laminate/",
+               "Reference surface",
+               "inner",
+               reference,
+               parse_thickness_position,
+               "The surface of the shell that 'Surface' describes: "
+               "'inner', 'middle', 'outer', 'ply N' (the outer side of "
+               "ply N, counted from the inner face), or its distance "
+               "from the inner face. Unit: length.");
   }
 
 
   namespace
   {
-    /** Split a text at commas, but not within parentheses. */
-    std::vector<std::string>
-    split_plies(const std::string &text)
-    {
-      std::vector<std::string> parts(1);
-      int                      depth = 0;
-      for (const char c : text)
-        {
-          depth += (c == '(') - (c == ')');
-          if (c == ',' && depth <= 0)
-            parts.emplace_back();
-          else
-            parts.back() += c;
-        }
-      for (std::string &part : parts)
-        part = Utilities::trim(part);
-      return parts;
-    }
-
-
     /** Split "from A to B" off the end of the text of a ply, if present. */
-    void
+    std::pair<double, double>
     take_range(const std::string &entry,
-               std::string       &angle,
-               PlyDescription    &ply)
+               const std::string &text,
+               std::string       &angle)
     {
-      const auto from = angle.find(" from ");
+      const double infinity = std::numeric_limits<double>::infinity();
+      const auto   from     = angle.find(" from ");
       if (from == std::string::npos)
-        return;
+        return {-infinity, infinity};
       const std::string form =
         "the covered part must have the form 'from A to B' with numbers A < B";
       const std::vector<std::string> words =
         split_words(angle.substr(from + 6));
       if (words.size() != 3 || words[1] != "to")
-        throw InputError(entry, ply.text, form);
-      ply.begin = parse_number(entry, words[0], form);
-      ply.end   = parse_number(entry, words[2], form);
-      if (!(ply.begin < ply.end))
-        throw InputError(entry, ply.text, form);
-      angle.erase(from);
-    }
-
-
-    std::vector<PlyDescription>
-    parse_plies(const Layup::Parameters               &parameters,
-                const std::vector<MaterialParameters> &materials,
-                const MeridionalTables                &tables)
-    {
-      const std::string entry = "Laminate/Plies";
-      const std::string form  = "each ply must have the form 'material: "
-                                "thickness @ angle'";
-      std::string       names;
-      for (const MaterialParameters &material : materials)
-        names += (names.empty() ? "'" : ", '") + material.name + "'";
-
-      // commas within formulas count, too, which is harmless
-      check_list_length(entry, parameters.plies, 1000);
-      std::vector<PlyDescription> plies;
-      for (const std::string &text : split_plies(parameters.plies))
-        {
-          if (text.empty())
-            throw InputError(entry,
-                             parameters.plies,
-                             "commas must separate plies of the form "
-                             "'material: thickness @ angle'");
-          PlyDescription ply;
-          ply.text         = text;
-          const auto colon = text.find(':');
-          const auto at    = text.find('@');
-          if (colon == std::string::npos || at == std::string::npos ||
-              at < colon)
-            throw InputError(entry, text, form);
-
-          ply.material = Utilities::trim(text.substr(0, colon));
-          const auto material =
-            std::find_if(materials.begin(),
-                         materials.end(),
-                         [&](const auto &m) { return m.name == ply.material; });
-          if (material == materials.end())
-            throw InputError(
-              entry, text, "its material must be one of " + names);
-          ply.stiffness = material->stiffness();
-          ply.strengths = material->get_strengths();
-
-          std::string angle = text.substr(at + 1);
-          take_range(entry, angle, ply);
-          angle = Utilities::trim(angle);
-          const std::string thickness =
-            Utilities::trim(text.substr(colon + 1, at - colon - 1));
-          if (thickness.empty() || angle.empty())
-            throw InputError(entry, text, form);
-          ply.thickness      = tables.parse(entry, thickness);
-          const auto degrees = tables.parse(entry, angle);
-          ply.angle          = [degrees](const double alpha_1) {
-            return degrees(alpha_1) * numbers::PI / 180;
-          };
-          plies.push_back(ply);
-        }
-      return plies;
-    }
-
-
-    void
-    parse_initial_stresses(const std::string           &text,
-                           std::vector<PlyDescription> &plies)
-    {
-      const std::string entry = "Laminate/Initial ply stresses";
-      const std::string form =
-        "it must contain one triple 'sigma_L sigma_T tau_LT' per ply (" +
-        std::to_string(plies.size()) + " plies), separated by commas";
-
-      const std::vector<std::string> triples =
-        Utilities::split_string_list(text, ',');
-      if (triples.empty())
-        return;
-      if (triples.size() != plies.size())
         throw InputError(entry, text, form);
-      for (unsigned int p = 0; p < plies.size(); ++p)
-        {
-          const std::vector<double> stress =
-            parse_numbers(entry, triples[p], 3, form);
-          plies[p].initial_stress[0][0] = stress[0];
-          plies[p].initial_stress[1][1] = stress[1];
-          plies[p].initial_stress[0][1] = stress[2];
-        }
-    }
-
-
-    /** The height of the reference surface for given plies. */
-    std::function<double(const std::vector<Ply> &)>
-    parse_reference(const std::string &text, const unsigned int n_plies)
-    {
-      const std::string entry = "Laminate/Reference surface";
-      const std::string form =
-        "it must be 'inner', 'middle', 'outer', 'ply N' with N from 1 to " +
-        std::to_string(n_plies) + ", or a number";
-
-      // the thickness of the plies with numbers below n
-      const auto height = [](const std::vector<Ply> &plies,
-                             const unsigned int      n) {
-        double sum = 0;
-        for (const Ply &ply : plies)
-          sum += (ply.number < n ? ply.thickness : 0.);
-        return sum;
-      };
-      const auto fraction_of_thickness = [=](const double fraction) {
-        return [=](const std::vector<Ply> &plies) {
-          return fraction * height(plies, n_plies);
-        };
-      };
-
-      if (text == "inner")
-        return fraction_of_thickness(0);
-      if (text == "middle")
-        return fraction_of_thickness(0.5);
-      if (text == "outer")
-        return fraction_of_thickness(1);
-      if (text.rfind("ply ", 0) == 0)
-        {
-          const double n = parse_number(entry, text.substr(4), form);
-          if (!(n >= 1 && n <= n_plies && n == std::floor(n)))
-            throw InputError(entry, text, form);
-          return [=](const std::vector<Ply> &plies) {
-            return height(plies, static_cast<unsigned int>(n));
-          };
-        }
-      const double distance = parse_number(entry, text, form);
-      return [=](const std::vector<Ply> &) { return distance; };
+      const double begin = parse_number(entry, words[0], form);
+      const double end   = parse_number(entry, words[2], form);
+      if (!(begin < end))
+        throw InputError(entry, text, form);
+      angle.erase(from);
+      return {begin, end};
     }
   } // namespace
 
 
-  Layup::Layup(const Parameters                      &parameters,
-               const std::vector<MaterialParameters> &materials,
-               const MPI_Comm                         communicator)
-    : plies(parse_plies(parameters,
-                        materials,
-                        MeridionalTables(parameters.tables, communicator)))
-    , law(parameters.law)
-    , reference_height(parse_reference(parameters.reference, plies.size()))
+  std::vector<PlyParameters>
+  parse_plies(const std::string &entry, const std::string &text)
   {
-    parse_initial_stresses(parameters.initial_stresses, plies);
+    const std::string form = "each ply must have the form 'material: "
+                             "thickness @ angle'";
+
+    std::vector<PlyParameters> plies;
+    for (const std::string &item : split_list(entry, text, ',', 1000))
+      {
+        const auto colon = item.find(':');
+        const auto at    = item.find('@');
+        if (colon == std::string::npos || at == std::string::npos || at < colon)
+          throw InputError(entry, item, form);
+        std::string       angle = item.substr(at + 1);
+        const auto        range = take_range(entry, item, angle);
+        const std::string thickness =
+          Utilities::trim(item.substr(colon + 1, at - colon - 1));
+        angle = Utilities::trim(angle);
+        if (thickness.empty() || angle.empty())
+          throw InputError(entry, item, form);
+        plies.push_back({item,
+                         Utilities::trim(item.substr(0, colon)),
+                         Formula(entry, thickness),
+                         Formula(entry, angle),
+                         range.first,
+                         range.second});
+      }
+    if (plies.empty())
+      throw InputError(entry, text, form + ", and there must be one");
+    return plies;
   }
+
+
+  ThicknessPosition
+  parse_thickness_position(const std::string &entry, const std::string &text)
+  {
+    using Kind             = ThicknessPosition::Kind;
+    const std::string form = "it must be 'inner', 'middle', 'outer', 'ply N' "
+                             "with N from 1, or a number";
+    if (text == "inner")
+      return {Kind::fraction, 0};
+    if (text == "middle")
+      return {Kind::fraction, 0.5};
+    if (text == "outer")
+      return {Kind::fraction, 1};
+    if (text.rfind("ply ", 0) == 0)
+      {
+        const double n = parse_number(entry, text.substr(4), form);
+        if (!(n >= 1 && n <= 1000 && n == std::floor(n)))
+          throw InputError(entry, text, form);
+        return {Kind::ply, n};
+      }
+    return {Kind::distance, parse_number(entry, text, form)};
+  }
+
+
+  PlyStresses
+  parse_ply_stresses(const std::string &entry, const std::string &text)
+  {
+    PlyStresses stresses;
+    for (const std::string &item : split_list(entry, text, ',', 1000))
+      {
+        const std::vector<std::string> words = split_words(item);
+        if (words.size() != 3)
+          throw InputError(entry,
+                           item,
+                           "each ply must have a triple 'sigma_L sigma_T "
+                           "tau_LT'");
+        stresses.push_back({{Formula(entry, words[0]),
+                             Formula(entry, words[1]),
+                             Formula(entry, words[2])}});
+      }
+    return stresses;
+  }
+
+
+  void
+  Layup::Parameters::check(
+    const std::vector<MaterialParameters> &materials) const
+  {
+    std::string names;
+    for (const MaterialParameters &material : materials)
+      names += (names.empty() ? "'" : ", '") + material.name + "'";
+    for (const PlyParameters &ply : plies)
+      {
+        const auto material =
+          std::find_if(materials.begin(), materials.end(), [&](const auto &m) {
+            return m.name == ply.material;
+          });
+        if (material == materials.end())
+          throw InputError(
+            "Laminate/Plies", ply.text, "its material must be one of " + names);
+        material->stiffness();
+        material->get_strengths();
+        for (Formula formula : {ply.thickness, ply.angle})
+          MeridionalTables::bind(formula, tables);
+      }
+
+    if (!initial_stresses.empty() && initial_stresses.size() != plies.size())
+      {
+        std::string text;
+        for (const auto &triple : initial_stresses)
+          text += (text.empty() ? "" : ", ") + triple[0].get_text() + " " +
+                  triple[1].get_text() + " " + triple[2].get_text();
+        throw InputError("Laminate/Initial ply stresses",
+                         text,
+                         "it must contain one triple 'sigma_L sigma_T tau_LT' "
+                         "per ply (" +
+                           std::to_string(plies.size()) +
+                           " plies), separated by commas");
+      }
+    for (const auto &triple : initial_stresses)
+      for (Formula formula : triple)
+        MeridionalTables::bind(formula, tables);
+
+    if (reference.kind == ThicknessPosition::Kind::ply &&
+        reference.value > plies.size())
+      throw InputError("Laminate/Reference surface",
+                       "ply " + number_to_string(reference.value),
+                       "N must lie between 1 and " +
+                         std::to_string(plies.size()));
+  }
+
+
+  Layup::Layup(const Parameters                      &parameters,
+               const std::vector<MaterialParameters> &materials)
+    : law(parameters.law), reference(parameters.reference)
+  {
+    parameters.check(materials);
+    const MeridionalTables tables(parameters.tables);
+    for (unsigned int p = 0; p < parameters.plies.size(); ++p)
+      {
+        const PlyParameters &given = parameters.plies[p];
+        const auto           material =
+          std::find_if(materials.begin(), materials.end(), [&](const auto &m) {
+            return m.name == given.material;
+          });
+        PlyDescription ply;
+        ply.text           = given.text;
+        ply.material       = given.material;
+        ply.stiffness      = material->stiffness();
+        ply.strengths      = material->get_strengths();
+        ply.thickness      = tables.function(given.thickness);
+        const auto degrees = tables.function(given.angle);
+        ply.angle          = [degrees](const double alpha_1) {
+          return degrees(alpha_1) * numbers::PI / 180;
+        };
+        ply.begin = given.begin;
+        ply.end   = given.end;
+        if (!parameters.initial_stresses.empty())
+          {
+            const auto &triple = parameters.initial_stresses[p];
+            const auto  L      = tables.function(triple[0]);
+            const auto  T      = tables.function(triple[1]);
+            const auto  LT     = tables.function(triple[2]);
+            ply.initial_stress = [L, T, LT](const double alpha_1) {
+              SymmetricTensor<2, 3> stress;
+              stress[0][0] = L(alpha_1);
+              stress[1][1] = T(alpha_1);
+              stress[0][1] = LT(alpha_1);
+              return stress;
+            };
+          }
+        plies.push_back(ply);
+      }
+  }
+
+
+  namespace
+  {
+    /** The height of a position above the inner face, in given plies. */
+    double
+    height(const ThicknessPosition &position, const std::vector<Ply> &plies)
+    {
+      double thickness = 0, below = 0;
+      for (const Ply &ply : plies)
+        {
+          thickness += ply.thickness;
+          if (ply.number < position.value)
+            below += ply.thickness;
+        }
+      switch (position.kind)
+        {
+          case ThicknessPosition::Kind::fraction:
+            return position.value * thickness;
+          case ThicknessPosition::Kind::ply:
+            return below;
+          case ThicknessPosition::Kind::distance:
+            return position.value;
+        }
+      Assert(false, ExcInternalError());
+      return 0;
+    }
+  } // namespace
 
 
   Laminate
@@ -273,14 +326,15 @@ namespace Biface
         present.push_back({ply.stiffness,
                            thickness,
                            ply.angle(alpha_1),
-                           ply.initial_stress,
+                           ply.initial_stress ? ply.initial_stress(alpha_1)
+                                              : SymmetricTensor<2, 3>(),
                            p});
       }
     if (present.empty())
       throw InputError(
         "no ply of the entry 'Laminate/Plies' covers alpha_1 = " +
         number_to_string(within) + ".");
-    const double height = reference_height(present);
-    return Laminate(std::move(present), law, height);
+    const double reference_height = height(reference, present);
+    return Laminate(std::move(present), law, reference_height);
   }
 } // namespace Biface

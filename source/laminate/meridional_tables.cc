@@ -1,37 +1,93 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/utilities.h>
-
+#include <algorithm>
 #include <array>
-#include <vector>
+#include <utility>
 
 #include <biface/base/errors.h>
-#include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/input/read_file.h>
 #include <biface/laminate/meridional_tables.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  MeridionalTables::MeridionalTables(const std::string &list,
-                                     const MPI_Comm     communicator)
+  namespace
   {
-    const std::string entry = "Laminate/Tables";
-    check_list_length(entry, list, 1000);
+    /** Whether a text is one variable of a formula: not a number, not a name
+     * that is taken, such as pi, and one word. */
+    bool
+    is_variable(const std::string &name)
+    {
+      try
+        {
+          return Formula("", name).used_names() ==
+                 std::vector<std::string>{name};
+        }
+      catch (const InputError &)
+        {
+          return false;
+        }
+    }
 
-    for (const std::string &text : Utilities::split_string_list(list, ','))
+
+    std::vector<std::string>
+    variables(const std::vector<TableFile> &tables)
+    {
+      std::vector<std::string> names{"alpha_1"};
+      for (const TableFile &table : tables)
+        names.push_back(table.name);
+      return names;
+    }
+  } // namespace
+
+
+  std::vector<TableFile>
+  parse_tables(const std::string &entry, const std::string &text)
+  {
+    const std::string      form = "each table must have the form 'name: file'";
+    std::vector<TableFile> tables;
+    for (const std::string &item : split_list(entry, text, ',', 1000))
       {
-        const std::string form = "each table must have the form 'name: file'";
-        const auto        item = split_named(entry, text, form);
-        if (item.second.empty())
-          throw InputError(entry, text, form);
-        check_name(item.first);
-        const auto pairs = parse_pairs(
-          read_file(item.second, communicator), item.second, "alpha_1, value");
+        const auto named = split_named(entry, item, form);
+        if (named.second.empty())
+          throw InputError(entry, item, form);
+        const std::string &name = named.first;
+        if (!is_variable(name) || name == "alpha_1" ||
+            std::any_of(tables.begin(), tables.end(), [&](const auto &table) {
+              return table.name == name;
+            }))
+          throw InputError(
+            entry,
+            name,
+            "the name of a table must start with a letter, consist of letters, "
+            "digits and '_', and differ from other tables, variables and "
+            "constants");
+        tables.push_back({name, {parse_file_name(entry, named.second), {}}});
+      }
+    return tables;
+  }
+
+
+  std::string
+  print_tables(const std::vector<TableFile> &tables)
+  {
+    std::string text;
+    for (const TableFile &table : tables)
+      text += (text.empty() ? "" : ", ") + table.name + ": " +
+              print_file_name(table.file.name);
+    return text;
+  }
+
+
+  MeridionalTables::MeridionalTables(const std::vector<TableFile> &files)
+    : names(variables(files))
+  {
+    for (const TableFile &file : files)
+      {
+        const auto &pairs = file.file.pairs;
         if (pairs.size() < 2)
-          throw InputError(item.second +
+          throw InputError(file.file.name +
                            ": the table needs at least two rows to "
                            "interpolate.");
 
@@ -40,7 +96,7 @@ namespace Biface
         for (unsigned int i = 0; i < pairs.size(); ++i)
           {
             if (i > 0 && !(pairs[i][0] > alpha.back()))
-              throw InputError(item.second +
+              throw InputError(file.file.name +
                                ": alpha_1 must increase from "
                                "row to row, but " +
                                number_to_string(alpha.back()) +
@@ -49,53 +105,28 @@ namespace Biface
             alpha.push_back(pairs[i][0]);
             values(i) = pairs[i][1];
           }
-        tables[item.first] = std::make_shared<const Table>(
-          std::array<std::vector<double>, 1>{{alpha}}, values);
+        tables.push_back(std::make_shared<const Table>(
+          std::array<std::vector<double>, 1>{{alpha}}, values));
       }
-  }
-
-
-  /** Throw an InputError if the name of a table cannot be used in formulas or
-   * is not unique. */
-  void
-  MeridionalTables::check_name(const std::string &name) const
-  {
-    bool usable = true;
-    try
-      {
-        // throws if the name is taken, such as pi, or is not one word
-        Formula("", name, {"alpha_1", name});
-      }
-    catch (const InputError &)
-      {
-        usable = false;
-      }
-    if (!usable || name == "alpha_1" || tables.count(name) > 0)
-      throw InputError("Laminate/Tables",
-                       name,
-                       "the name of a table must start with a letter, "
-                       "consist of letters, digits and '_', "
-                       "and differ from other tables, variables and constants");
   }
 
 
   std::function<double(const double)>
-  MeridionalTables::parse(const std::string &entry,
-                          const std::string &text) const
+  MeridionalTables::function(Formula formula) const
   {
-    std::vector<std::string>                  names{"alpha_1"};
-    std::vector<std::shared_ptr<const Table>> functions;
-    for (const auto &table : tables)
-      {
-        names.push_back(table.first);
-        functions.push_back(table.second);
-      }
-    const Formula formula(entry, text, names);
-    return [formula, functions](const double alpha_1) {
+    formula.bind(names);
+    return [formula, tables = tables](const double alpha_1) {
       std::vector<double> values{alpha_1};
-      for (const auto &function : functions)
-        values.push_back(function->value(Point<1>(alpha_1)));
+      for (const auto &table : tables)
+        values.push_back(table->value(Point<1>(alpha_1)));
       return formula(values);
     };
+  }
+
+
+  void
+  MeridionalTables::bind(Formula &formula, const std::vector<TableFile> &tables)
+  {
+    formula.bind(variables(tables));
   }
 } // namespace Biface

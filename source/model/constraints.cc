@@ -72,18 +72,17 @@ namespace Biface
 
     for (unsigned int edge = 0; edge < 4; ++edge)
       {
-        const auto conditions = supports.edge_conditions(edge);
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
           if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
                                 static_cast<Edge>(edge)))
-            add(n, conditions);
+            add(n, supports.edges[edge]);
       }
-    for (const auto &item : supports.point_conditions())
+    for (const auto &item : supports.points)
       {
         const unsigned int node =
-          node_of_point(mesh, "Supports/Point supports", item.first);
+          node_of_point(mesh, "Supports/Point supports", item.point);
         if (node != numbers::invalid_unsigned_int)
-          add(node, item.second);
+          add(node, item.conditions);
       }
     if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
                             mesh.communicator) > 0)

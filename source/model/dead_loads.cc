@@ -22,43 +22,55 @@ namespace Biface
       "which is the default, 'inner', 'outer') and 'local' for components in "
       "the frame e_1, e_2, e_3 instead of x, y, z. ";
 
-    prm.add_parameter("Point forces",
-                      point_forces,
-                      "Forces at named points: a list, separated by commas, of "
-                      "'name: ' and " +
-                        form + "Unit: force.",
-                      Patterns::Anything());
-    prm.add_parameter("Edge forces",
-                      edge_forces,
-                      "Forces along edges: a list, separated by commas, of "
-                      "'alpha_1 min: ' (or alpha_1 max, alpha_2 min, alpha_2 "
-                      "max) and " +
-                        form +
-                        "Unit: force per length of the edge on the reference "
-                        "surface.",
-                      Patterns::Anything());
-    prm.add_parameter("Edge moments",
-                      edge_moments,
-                      "Moments along edges: a list, separated by commas, of "
-                      "'alpha_1 min: M dead' or 'alpha_1 min: M follower' (and "
-                      "so on for the other edges). A positive moment pushes "
-                      "the outer face outward over the edge. 'dead' is a "
-                      "couple of forces on the faces that keep their "
-                      "direction, 'follower' does work on the angle through "
-                      "which the line between the faces turns about the edge. "
-                      "Unit: force (moment per length of the edge on the "
-                      "reference surface).",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Loads/",
+               "Point forces",
+               "",
+               point_forces,
+               parse_point_forces,
+               "Forces at named points: a list, separated by commas, of "
+               "'name: ' and " +
+                 form + "Unit: force.");
+    add_parsed(prm,
+               "Loads/",
+               "Edge forces",
+               "",
+               edge_forces,
+               parse_edge_forces,
+               "Forces along edges: a list, separated by commas, of "
+               "'alpha_1 min: ' (or alpha_1 max, alpha_2 min, alpha_2 "
+               "max) and " +
+                 form +
+                 "Unit: force per length of the edge on the reference "
+                 "surface.");
+    add_parsed(prm,
+               "Loads/",
+               "Edge moments",
+               "",
+               edge_moments,
+               parse_edge_moments,
+               "Moments along edges: a list, separated by commas, of "
+               "'alpha_1 min: M dead' or 'alpha_1 min: M follower' (and "
+               "so on for the other edges). A positive moment pushes "
+               "the outer face outward over the edge. 'dead' is a "
+               "couple of forces on the faces that keep their "
+               "direction, 'follower' does work on the angle through "
+               "which the line between the faces turns about the edge. "
+               "Unit: force (moment per length of the edge on the "
+               "reference surface).");
     for (const auto face : {Resultants::inner, Resultants::outer})
-      prm.add_parameter(
+      add_parsed(
+        prm,
+        "Loads/",
         face == Resultants::inner ? "Inner traction" : "Outer traction",
+        "",
         tractions[face],
+        parse_traction,
         "A force on the face that depends on the place: three formulas, "
         "separated by semicolons, for the components x, y, z, or with "
         "'; local' after them in the frame e_1, e_2, e_3. The formulas are "
         "those of 'Pressure distribution'; empty for none. Unit: force/area, "
-        "see 'Area of face loads'.",
-        Patterns::Anything());
+        "see 'Area of face loads'.");
     prm.add_parameter("Area force",
                       area_force,
                       "A force on the whole shell, such as its weight: "
@@ -69,45 +81,93 @@ namespace Biface
 
   namespace
   {
-    /** A force that does not depend on the place, but for its axes. */
-    struct Force
+    /** Read what stands after the name: three components, the face, 'local'.
+     * @param text of the whole item. */
+    DeadForce
+    parse_force(const std::string &entry,
+                const std::string &text,
+                const std::string &description)
     {
-      Tensor<1, 3>          components;
-      bool                  local = false;
-      std::array<double, 2> faces{{0.5, 0.5}};
-
-      Force() = default;
-
-      Force(const std::string &entry,
-            const std::string &text,
-            const std::string &description)
-      {
-        const std::string form =
-          "it must be written 'name: F_1 F_2 F_3', and may end with one of "
-          "'middle', 'inner', 'outer' and with 'local'";
-        std::vector<std::string> words = split_words(description);
-        if (words.size() < 3)
+      const std::string form =
+        "it must be written 'name: F_1 F_2 F_3', and may end with one of "
+        "'middle', 'inner', 'outer' and with 'local'";
+      const std::vector<std::string> words = split_words(description);
+      if (words.size() < 3)
+        throw InputError(entry, text, form);
+      DeadForce force;
+      for (unsigned int i = 0; i < 3; ++i)
+        force.components[i] = parse_number(entry, words[i], form);
+      for (unsigned int i = 3; i < words.size(); ++i)
+        if (words[i] == "inner")
+          force.faces = {{1, 0}};
+        else if (words[i] == "outer")
+          force.faces = {{0, 1}};
+        else if (words[i] == "local")
+          force.local = true;
+        else if (words[i] != "middle")
           throw InputError(entry, text, form);
-        for (unsigned int i = 0; i < 3; ++i)
-          components[i] = parse_number(entry, words[i], form);
-        for (unsigned int i = 3; i < words.size(); ++i)
-          if (words[i] == "inner")
-            faces = {{1, 0}};
-          else if (words[i] == "outer")
-            faces = {{0, 1}};
-          else if (words[i] == "local")
-            local = true;
-          else if (words[i] != "middle")
-            throw InputError(entry, text, form);
+      return force;
+    }
+  } // namespace
+
+
+  std::vector<PointForce>
+  parse_point_forces(const std::string &entry, const std::string &text)
+  {
+    std::vector<PointForce> forces;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto named =
+          split_named(entry, item, "it must be written 'name: F_1 F_2 F_3'");
+        forces.push_back({named.first, parse_force(entry, item, named.second)});
       }
-    };
+    return forces;
+  }
 
 
+  std::vector<EdgeForce>
+  parse_edge_forces(const std::string &entry, const std::string &text)
+  {
+    std::vector<EdgeForce> forces;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto named =
+          split_named(entry, item, "it must be written 'edge: F_1 F_2 F_3'");
+        const DeadForce force = parse_force(entry, item, named.second);
+        forces.push_back({item, parse_edge(entry, item, named.first), force});
+      }
+    return forces;
+  }
+
+
+  Traction
+  parse_traction(const std::string &entry, const std::string &text)
+  {
+    std::vector<std::string> formulas = split_list(entry, text, ';');
+    Traction                 traction;
+    if (formulas.empty())
+      return traction;
+    traction.local = (formulas.size() == 4 && formulas[3] == "local");
+    if (traction.local)
+      formulas.pop_back();
+    if (formulas.size() != 3)
+      throw InputError(entry,
+                       text,
+                       "it must be three formulas, separated by semicolons, "
+                       "and may end with '; local'");
+    for (const std::string &formula : formulas)
+      traction.components.push_back(parse_position_formula(entry, formula));
+    return traction;
+  }
+
+
+  namespace
+  {
     /** Add a share of a force to the nodal forces. */
     void
     add_nodal_force(const ShellMesh &mesh,
                     const Node      &node,
-                    const Force     &force,
+                    const DeadForce &force,
                     const double     share,
                     LA::Vector      &nodal_forces)
     {
@@ -126,7 +186,7 @@ namespace Biface
     /** Add a force per area of the surface midway between the faces. */
     void
     add_area_force(const ShellMesh &mesh,
-                   const Force     &force,
+                   const DeadForce &force,
                    LA::Vector      &nodal_forces)
     {
       for (const Cell &cell : mesh.cells)
@@ -140,34 +200,20 @@ namespace Biface
     void
     add_traction(const ShellMesh       &mesh,
                  const Resultants::Face face,
-                 const std::string     &text,
+                 const Traction        &traction,
                  const AreaMeasure      area,
                  LA::Vector            &nodal_forces)
     {
-      const std::string entry =
-        std::string("Loads/") +
-        (face == Resultants::inner ? "Inner" : "Outer") + " traction";
-      std::vector<std::string> formulas =
-        Utilities::split_string_list(text, ';');
-      const bool local = (formulas.size() == 4 && formulas[3] == "local");
-      if (local)
-        formulas.pop_back();
-      if (formulas.size() != 3)
-        throw InputError(entry,
-                         text,
-                         "it must be three formulas, separated by semicolons, "
-                         "and may end with '; local'");
-
-      const auto traction = evaluate_at_nodes(entry, formulas, mesh);
-      Force      force;
-      force.local       = local;
+      const auto values = evaluate_at_nodes(traction.components, mesh);
+      DeadForce  force;
+      force.local       = traction.local;
       force.faces       = {{0, 0}};
       force.faces[face] = 1;
       for (const Cell &cell : mesh.cells)
         for (unsigned int v = 0; v < 4; ++v)
           {
             for (unsigned int i = 0; i < 3; ++i)
-              force.components[i] = traction[cell.nodes[v]][i];
+              force.components[i] = values[cell.nodes[v]][i];
             add_nodal_force(mesh,
                             mesh.nodes[cell.nodes[v]],
                             force,
@@ -182,37 +228,26 @@ namespace Biface
   DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
   {
     LA::Vector nodal_forces = mesh.owned_vector();
-    check_list_length("Loads/Point forces", point_forces, 10000);
 
-    for (const std::string &text :
-         Utilities::split_string_list(point_forces, ','))
+    for (const PointForce &item : point_forces)
       {
-        const std::string entry = "Loads/Point forces";
-        const auto        item =
-          split_named(entry, text, "it must be written 'name: F_1 F_2 F_3'");
-        const Force        force(entry, text, item.second);
-        const unsigned int n = node_of_point(mesh, entry, item.first);
+        const unsigned int n =
+          node_of_point(mesh, "Loads/Point forces", item.point);
         if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
-          add_nodal_force(mesh, mesh.nodes[n], force, 1, nodal_forces);
+          add_nodal_force(mesh, mesh.nodes[n], item.force, 1, nodal_forces);
       }
 
-    for (const std::string &text :
-         Utilities::split_string_list(edge_forces, ','))
-      {
-        const std::string entry = "Loads/Edge forces";
-        const auto        item =
-          split_named(entry, text, "it must be written 'edge: F_1 F_2 F_3'");
-        const Force force(entry, text, item.second);
-        const Edge  edge = find_edge(entry, text, item.first, mesh);
-        for (const BoundarySegment &segment : mesh.boundary)
-          if (segment.edge == edge)
-            for (const unsigned int n : segment.nodes)
-              add_nodal_force(
-                mesh, mesh.nodes[n], force, segment.length / 2, nodal_forces);
-      }
+    for (const EdgeForce &item : edge_forces)
+      for (const BoundarySegment &segment : mesh.boundary)
+        if (segment.edge == item.edge)
+          for (const unsigned int n : segment.nodes)
+            add_nodal_force(mesh,
+                            mesh.nodes[n],
+                            item.force,
+                            segment.length / 2,
+                            nodal_forces);
 
-    for (const VertexMoment &moment :
-         parse_edge_moments(edge_moments, false, mesh))
+    for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
       {
         const Cell  &cell = mesh.cells[moment.cell];
         Tensor<1, 3> director;
@@ -230,12 +265,12 @@ namespace Biface
       }
 
     for (const auto face : {Resultants::inner, Resultants::outer})
-      if (!tractions[face].empty())
+      if (!tractions[face].components.empty())
         add_traction(mesh, face, tractions[face], area, nodal_forces);
 
     if (area_force.norm() > 0)
       {
-        Force weight;
+        DeadForce weight;
         weight.components = area_force;
         add_area_force(mesh, weight, nodal_forces);
       }

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
-
-#include <algorithm>
-
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/edge_moments.h>
@@ -13,53 +8,42 @@ namespace Biface
 {
   using namespace dealii;
 
-  Edge
-  find_edge(const std::string &entry,
-            const std::string &text,
-            const std::string &name,
-            const ShellMesh   &mesh)
+  std::vector<EdgeMoment>
+  parse_edge_moments(const std::string &entry, const std::string &text)
   {
-    const auto found = std::find(edge_names.begin(), edge_names.end(), name);
-    if (found == edge_names.end())
-      throw InputError(entry,
-                       text,
-                       "the edges are 'alpha_1 min', 'alpha_1 max', 'alpha_2 "
-                       "min', 'alpha_2 max'");
-    const Edge   edge       = static_cast<Edge>(found - edge_names.begin());
-    unsigned int n_segments = 0;
-    for (const BoundarySegment &segment : mesh.boundary)
-      n_segments += (segment.edge == edge);
-    if (Utilities::MPI::sum(n_segments, mesh.communicator) == 0)
-      throw InputError(
-        entry, text, "the coordinate is closed and has no such edge");
-    return edge;
-  }
+    const std::string form = "each is written 'edge: M dead' or 'edge: M "
+                             "follower'";
 
-
-  std::vector<VertexMoment>
-  parse_edge_moments(const std::string &text,
-                     const bool         follower,
-                     const ShellMesh   &mesh)
-  {
-    const std::string entry = "Loads/Edge moments";
-    const std::string form  = "each is written 'edge: M dead' or 'edge: M "
-                              "follower'";
-
-    std::vector<VertexMoment> result;
-    for (const std::string &item : Utilities::split_string_list(text, ','))
+    std::vector<EdgeMoment> moments;
+    for (const std::string &item : split_list(entry, text))
       {
         const auto named = split_named(entry, item, form);
         const auto words = split_words(named.second);
         if (words.size() != 2 || (words[1] != "dead" && words[1] != "follower"))
           throw InputError(entry, item, form);
-        const double moment = parse_number(entry, words[0], form);
-        const Edge   edge   = find_edge(entry, item, named.first, mesh);
-        if ((words[1] == "follower") != follower)
+        moments.push_back({item,
+                           parse_edge(entry, item, named.first),
+                           parse_number(entry, words[0], form),
+                           words[1] == "follower"});
+      }
+    return moments;
+  }
+
+
+  std::vector<VertexMoment>
+  vertex_moments(const std::vector<EdgeMoment> &moments,
+                 const bool                     follower,
+                 const ShellMesh               &mesh)
+  {
+    std::vector<VertexMoment> result;
+    for (const EdgeMoment &moment : moments)
+      {
+        if (moment.follower != follower)
           continue;
 
         // e_3 x (outward normal of the edge)
         Tensor<1, 3> axis;
-        switch (edge)
+        switch (moment.edge)
           {
             case Edge::alpha_1_min:
               axis[1] = -1;
@@ -75,10 +59,12 @@ namespace Biface
               break;
           }
         for (const BoundarySegment &segment : mesh.boundary)
-          if (segment.edge == edge)
+          if (segment.edge == moment.edge)
             for (const unsigned int vertex : segment.vertices)
-              result.push_back(
-                {segment.cell, vertex, moment * segment.length / 2, axis});
+              result.push_back({segment.cell,
+                                vertex,
+                                moment.moment * segment.length / 2,
+                                axis});
       }
     return result;
   }
@@ -104,10 +90,10 @@ namespace Biface
   }
 
 
-  FollowerMoments::FollowerMoments(const ShellMesh   &mesh,
-                                   const std::string &text)
+  FollowerMoments::FollowerMoments(const ShellMesh               &mesh,
+                                   const std::vector<EdgeMoment> &edge_moments)
   {
-    for (const VertexMoment &moment : parse_edge_moments(text, true, mesh))
+    for (const VertexMoment &moment : vertex_moments(edge_moments, true, mesh))
       moments[moment.cell].push_back(moment);
   }
 

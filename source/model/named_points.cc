@@ -19,40 +19,78 @@ namespace Biface
   void
   NamedPoints::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Named points",
-                      list,
-                      "Points of the surface that other entries refer to, and "
-                      "whose displacements are written to probes.csv: a list "
-                      "'name: alpha_1 alpha_2', separated by commas. Each must "
-                      "be a node of the mesh. Unit: degrees for an angle, "
-                      "length otherwise.",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "",
+               "Named points",
+               "",
+               list,
+               parse_points,
+               "Points of the surface that other entries refer to, and "
+               "whose displacements are written to probes.csv: a list "
+               "'name: alpha_1 alpha_2', separated by commas. Each must "
+               "be a node of the mesh. Unit: degrees for an angle, "
+               "length otherwise.");
   }
 
 
   std::vector<NamedPoint>
-  NamedPoints::parse(const ReferenceSurface &surface) const
+  parse_points(const std::string &entry, const std::string &text)
   {
-    const std::string entry = "Named points";
-    const std::string form  = "each point is written 'name: alpha_1 alpha_2'";
+    const std::string form = "each point is written 'name: alpha_1 alpha_2'";
 
-    check_list_length(entry, list, 10000);
     std::vector<NamedPoint> points;
     std::set<std::string>   names;
-    for (const std::string &text : Utilities::split_string_list(list, ','))
+    for (const std::string &item : split_list(entry, text))
       {
-        const auto name_and_place = split_named(entry, text, form);
-        if (name_and_place.second.empty())
-          throw InputError(entry, text, form);
-        const auto numbers =
-          parse_numbers(entry, name_and_place.second, 2, form);
-        if (!names.insert(name_and_place.first).second)
-          throw InputError(entry, text, "each point must have its own name");
-
-        points.push_back({name_and_place.first,
-                          Point<2>(numbers[0] * surface.coordinate_unit(0),
-                                   numbers[1] * surface.coordinate_unit(1))});
+        const auto named = split_named(entry, item, form);
+        if (named.second.empty())
+          throw InputError(entry, item, form);
+        const auto numbers = parse_numbers(entry, named.second, 2, form);
+        if (!names.insert(named.first).second)
+          throw InputError(entry, item, "each point must have its own name");
+        points.push_back({named.first, Point<2>(numbers[0], numbers[1])});
       }
+    return points;
+  }
+
+
+  namespace
+  {
+    [[noreturn]] void
+    throw_no_such_point(const std::string             &entry,
+                        const std::string             &name,
+                        const std::vector<NamedPoint> &points)
+    {
+      std::string names;
+      for (const NamedPoint &point : points)
+        names += (names.empty() ? "'" : ", '") + point.name + "'";
+      throw InputError(entry,
+                       name,
+                       points.empty()
+                         ? "there are no points; list them in 'Named points'"
+                         : "the points are " + names);
+    }
+  } // namespace
+
+
+  void
+  NamedPoints::check_name(const std::string &entry,
+                          const std::string &name) const
+  {
+    if (std::none_of(list.begin(), list.end(), [&](const NamedPoint &point) {
+          return point.name == name;
+        }))
+      throw_no_such_point(entry, name, list);
+  }
+
+
+  std::vector<NamedPoint>
+  NamedPoints::on(const ReferenceSurface &surface) const
+  {
+    std::vector<NamedPoint> points = list;
+    for (NamedPoint &point : points)
+      for (unsigned int a = 0; a < 2; ++a)
+        point.alpha[a] *= surface.coordinate_unit(a);
     return points;
   }
 
@@ -153,14 +191,7 @@ namespace Biface
       if (mesh.points[i].name == name)
         return mesh.nodes_of_points[i];
 
-    std::string names;
-    for (const NamedPoint &point : mesh.points)
-      names += (names.empty() ? "'" : ", '") + point.name + "'";
-    throw InputError(entry,
-                     name,
-                     names.empty()
-                       ? "there are no points; they are named in 'Named points'"
-                       : "the points are " + names);
+    throw_no_such_point(entry, name, mesh.points);
   }
 
 

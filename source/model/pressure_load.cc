@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/pressure_load.h>
 
@@ -25,13 +24,16 @@ namespace Biface
                {"inner", "outer"},
                "The face on which the pressure of the stages acts. A positive "
                "pressure pushes the face toward the shell.");
-    prm.add_parameter("Pressure distribution",
-                      distribution,
-                      "What the pressure of the stages is multiplied by: a "
-                      "formula of the position x, y, z on the undeformed "
-                      "reference surface, and of alpha_1, alpha_2 as in "
-                      "'Mesh'. No unit.",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Loads/",
+               "Pressure distribution",
+               "1",
+               distribution,
+               parse_position_formula,
+               "What the pressure of the stages is multiplied by: a "
+               "formula of the position x, y, z on the undeformed "
+               "reference surface, and of alpha_1, alpha_2 as in "
+               "'Mesh'. No unit.");
     add_choice(prm,
                "Area of face loads",
                area,
@@ -42,25 +44,24 @@ namespace Biface
   }
 
 
+  Formula
+  parse_position_formula(const std::string &entry, const std::string &text)
+  {
+    return Formula(entry, text, {"x", "y", "z", "alpha_1", "alpha_2"});
+  }
+
+
   std::vector<std::vector<double>>
-  evaluate_at_nodes(const std::string              &entry,
-                    const std::vector<std::string> &formulas,
-                    const ShellMesh                &mesh)
+  evaluate_at_nodes(const std::vector<Formula> &formulas, const ShellMesh &mesh)
   {
     const ReferenceSurface          &surface = mesh.get_surface();
     std::vector<std::vector<double>> values;
     agree_on_errors(mesh.communicator, [&]() {
-      std::vector<Formula> parsed;
-      for (const std::string &text : formulas)
-        parsed.emplace_back(
-          entry,
-          text,
-          std::vector<std::string>{"x", "y", "z", "alpha_1", "alpha_2"});
       for (const Node &node : mesh.nodes)
         {
           const Point<3> &p = node.surface.position;
           values.emplace_back();
-          for (const Formula &formula : parsed)
+          for (const Formula &formula : formulas)
             values.back().push_back(
               formula({p[0],
                        p[1],
@@ -77,8 +78,7 @@ namespace Biface
   PressureLoad::values(const ShellMesh &mesh) const
   {
     std::vector<double> result;
-    for (const auto &value :
-         evaluate_at_nodes("Loads/Pressure distribution", {distribution}, mesh))
+    for (const auto &value : evaluate_at_nodes({distribution}, mesh))
       result.push_back(value[0]);
     return result;
   }

@@ -220,12 +220,6 @@ namespace Biface
     for (const auto &heights : face_heights)
       max_thickness = std::max(max_thickness, heights[1] - heights[0]);
     check_geometry(*this->surface, grid, face_heights);
-    if (grid.closed)
-      for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
-        if (!supports.edge_conditions(static_cast<unsigned int>(edge)).empty())
-          throw InputError(
-            "the section 'Supports' holds an edge of alpha_2, but the "
-            "coordinate is closed ('Mesh/Closed in alpha_2') and has no edge.");
 
     triangulation = make_triangulation(communicator, *this->surface, grid);
     dof_handler.reinit(*triangulation);

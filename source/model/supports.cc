@@ -2,6 +2,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <map>
 
 #include <biface/base/errors.h>
@@ -26,9 +27,15 @@ namespace Biface
   Supports::add_parameters(ParameterHandler &prm)
   {
     for (unsigned int edge = 0; edge < 4; ++edge)
-      prm.add_parameter(
+      add_parsed(
+        prm,
+        "Supports/",
         edge_names[edge],
+        "free",
         edges[edge],
+        [edge](const std::string &entry, const std::string &text) {
+          return parse_support(entry, text, edge / 2);
+        },
         "What holds the edge " + edge_names[edge] +
           ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
           "'hinged outer', 'symmetry' (no displacement across the edge), or a "
@@ -36,13 +43,15 @@ namespace Biface
           "with i = 1, 2, 3 and FACE one of inner, outer, both, middle, "
           "difference (outer less inner). Values grow with the load factor. An "
           "edge of a closed coordinate does not exist and stays free. Unit: "
-          "length.",
-        Patterns::Anything());
-    prm.add_parameter("Point supports",
-                      points,
-                      "Supports of named points: 'name: support', separated by "
-                      "commas, each support as for an edge.",
-                      Patterns::Anything());
+          "length.");
+    add_parsed(prm,
+               "Supports/",
+               "Point supports",
+               "",
+               points,
+               parse_point_supports,
+               "Supports of named points: 'name: support', separated by "
+               "commas, each support as for an edge.");
   }
 
 
@@ -86,7 +95,7 @@ namespace Biface
       "both, middle, difference)";
 
     std::vector<SupportCondition> conditions;
-    for (const std::string &item : Utilities::split_string_list(text, ';'))
+    for (const std::string &item : split_list(entry, text, ';'))
       {
         const auto                     equals = item.find('=');
         const std::vector<std::string> words =
@@ -124,25 +133,33 @@ namespace Biface
   }
 
 
-  std::vector<SupportCondition>
-  Supports::edge_conditions(const unsigned int edge) const
+  std::vector<PointSupport>
+  parse_point_supports(const std::string &entry, const std::string &text)
   {
-    return parse_support("Supports/" + edge_names[edge], edges[edge], edge / 2);
+    std::vector<PointSupport> supports;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto named =
+          split_named(entry, item, "each item is written 'name: support'");
+        supports.push_back(
+          {named.first, parse_support(entry, named.second, 3)});
+      }
+    return supports;
   }
 
 
-  std::vector<std::pair<std::string, std::vector<SupportCondition>>>
-  Supports::point_conditions() const
+  bool
+  Supports::prescribe() const
   {
-    const std::string entry = "Supports/Point supports";
-    check_list_length(entry, points, 10000);
-    std::vector<std::pair<std::string, std::vector<SupportCondition>>> result;
-    for (const std::string &text : Utilities::split_string_list(points, ','))
-      {
-        const auto item =
-          split_named(entry, text, "each item is written 'name: support'");
-        result.emplace_back(item.first, parse_support(entry, item.second, 3));
-      }
-    return result;
+    const auto prescribes = [](const std::vector<SupportCondition> &support) {
+      return std::any_of(
+        support.begin(), support.end(), [](const SupportCondition &condition) {
+          return condition.value != 0;
+        });
+    };
+    return std::any_of(edges.begin(), edges.end(), prescribes) ||
+           std::any_of(points.begin(), points.end(), [&](const auto &point) {
+             return prescribes(point.conditions);
+           });
   }
 } // namespace Biface

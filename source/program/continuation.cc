@@ -12,31 +12,11 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/input/read_file.h>
 #include <biface/program/continuation.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  std::map<std::string, std::string>
-  read_named_files(const Parameters &parameters, const MPI_Comm communicator)
-  {
-    std::map<std::string, std::string> files;
-    const std::string                 &points = parameters.surface.points_file;
-    if (!points.empty())
-      files["Surface/Spline/File"] = read_file(points, communicator);
-    for (const std::string &text :
-         Utilities::split_string_list(parameters.laminate.tables, ','))
-      {
-        const auto colon = text.find(':');
-        if (colon != std::string::npos)
-          files["Laminate/Tables, " + Utilities::trim(text.substr(0, colon))] =
-            read_file(Utilities::trim(text.substr(colon + 1)), communicator);
-      }
-    return files;
-  }
-
 
   namespace
   {
@@ -142,11 +122,11 @@ namespace Biface
 
 
   void
-  check_continuation(const std::string                        &before,
-                     const std::string                        &now,
-                     const std::map<std::string, std::string> &files_before,
-                     const std::map<std::string, std::string> &files_now,
-                     const Progress                           &progress)
+  check_continuation(const std::string  &before,
+                     const std::string  &now,
+                     const PairsByEntry &files_before,
+                     const PairsByEntry &files_now,
+                     const Progress     &progress)
   {
     std::map<std::string, std::string> values;
     for (const auto &entry : entries_of(before))

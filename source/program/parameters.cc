@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/program/parameters.h>
 
@@ -94,10 +99,174 @@ namespace Biface
   void
   Parameters::check() const
   {
+    for (const PointSupport &support : supports.points)
+      points.check_name("Supports/Point supports", support.point);
+    for (const PointForce &force : loads.point_forces)
+      points.check_name("Loads/Point forces", force.point);
+    if (mesh.closed)
+      check_edges();
+
     contact.check();
     newton.check();
     checkpoint.check();
     for (unsigned int i = 0; i < stages.size(); ++i)
-      stages[i].check("Stage " + std::to_string(i + 1));
+      {
+        const std::string section = "Stage " + std::to_string(i + 1);
+        stages[i].check(section);
+        if (stages[i].control == Stage::ControlType::displacement)
+          points.check_name(section + "/Control point",
+                            stages[i].control_point);
+      }
+    check_stages(stages);
+    laminate.check(materials);
+  }
+
+
+  void
+  Parameters::check_edges() const
+  {
+    const auto is_closed = [](const Edge edge) {
+      return edge == Edge::alpha_2_min || edge == Edge::alpha_2_max;
+    };
+    for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
+      if (!supports.edges[static_cast<unsigned int>(edge)].empty())
+        throw InputError(
+          "the section 'Supports' holds an edge of alpha_2, but the coordinate "
+          "is closed ('Mesh/Closed in alpha_2') and has no edge.");
+    const std::string why = "the coordinate is closed and has no such edge";
+    for (const EdgeForce &force : loads.edge_forces)
+      if (is_closed(force.edge))
+        throw InputError("Loads/Edge forces", force.text, why);
+    for (const EdgeMoment &moment : loads.edge_moments)
+      if (is_closed(moment.edge))
+        throw InputError("Loads/Edge moments", moment.text, why);
+  }
+
+
+  namespace
+  {
+    /** Whether a support of an edge across alpha_2 is 'symmetry', however it is
+     * written. */
+    bool
+    is_symmetry(const std::vector<SupportCondition> &support)
+    {
+      if (support.size() != 2)
+        return false;
+      std::array<bool, 2> held{{false, false}};
+      for (const SupportCondition &condition : support)
+        for (unsigned int face = 0; face < 2; ++face)
+          if (condition.component == 1 && condition.value == 0 &&
+              condition.coefficients[face] == 1 &&
+              condition.coefficients[1 - face] == 0)
+            held[face] = true;
+      return held[0] && held[1];
+    }
+
+
+    /** Whether an angle, in radians, is one of 0 and 90 degrees. */
+    bool
+    is_along_a_line(const double angle)
+    {
+      return std::abs(std::sin(2 * angle)) < 1e-6;
+    }
+
+
+    std::string
+    in_quotes(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        text += (text.empty() ? "'" : ", '") + name + "'";
+      return text;
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  Parameters::warnings() const
+  {
+    std::vector<std::string> sentences;
+
+    std::vector<std::string> dead;
+    if (!loads.point_forces.empty())
+      dead.emplace_back("Loads/Point forces");
+    if (!loads.edge_forces.empty())
+      dead.emplace_back("Loads/Edge forces");
+    if (!loads.edge_moments.empty())
+      dead.emplace_back("Loads/Edge moments");
+    if (!loads.tractions[Resultants::inner].components.empty())
+      dead.emplace_back("Loads/Inner traction");
+    if (!loads.tractions[Resultants::outer].components.empty())
+      dead.emplace_back("Loads/Outer traction");
+    if (loads.area_force.norm() > 0)
+      dead.emplace_back("Loads/Area force");
+    if (supports.prescribe())
+      dead.emplace_back("Supports");
+    if (!dead.empty() &&
+        std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.factor != 0;
+        }))
+      sentences.push_back("No stage applies " + in_quotes(dead) +
+                          ": each has 'Load factor = 0'.");
+
+    std::vector<std::string> of_pressure;
+    const PressureLoad       defaults;
+    if (pressure.kind != defaults.kind)
+      of_pressure.emplace_back("Loads/Pressure type");
+    if (pressure.face != defaults.face)
+      of_pressure.emplace_back("Loads/Pressure face");
+    if (pressure.distribution.get_text() != defaults.distribution.get_text())
+      of_pressure.emplace_back("Loads/Pressure distribution");
+    if (!of_pressure.empty() &&
+        std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.pressure != 0;
+        }))
+      sentences.push_back("No stage has a 'Pressure', which " +
+                          in_quotes(of_pressure) + " would describe.");
+
+    if (!mesh.closed && is_symmetry(supports.edges[2]) &&
+        is_symmetry(supports.edges[3]))
+      {
+        const Layup               layup(laminate, materials);
+        const std::vector<double> lines = mesh.intervals[0].lines();
+        std::string               angled;
+        for (unsigned int p = 0; p < layup.get_plies().size(); ++p)
+          {
+            const PlyDescription &ply      = layup.get_plies()[p];
+            const auto            material = std::find_if(
+              materials.begin(), materials.end(), [&](const auto &m) {
+                return m.name == ply.material;
+              });
+            if (material->type == MaterialParameters::Type::isotropic)
+              continue;
+            for (unsigned int i = 0; i + 1 < lines.size() && angled.empty();
+                 ++i)
+              {
+                const double middle = (lines[i] + lines[i + 1]) / 2;
+                if (ply.begin <= middle && middle <= ply.end &&
+                    !is_along_a_line(ply.angle(middle)))
+                  angled = ply.text;
+              }
+          }
+        if (!angled.empty())
+          sentences.push_back(
+            "Both edges of alpha_2 have the support 'symmetry', but the ply '" +
+            angled +
+            "' is not symmetric about them: such plies also move along "
+            "alpha_2, and the shell becomes too stiff. Model the full turn.");
+      }
+    return sentences;
+  }
+
+
+  PairsByEntry
+  Parameters::named_pairs() const
+  {
+    PairsByEntry pairs;
+    if (!surface.points_file.name.empty())
+      pairs["Surface/Spline/File"] = surface.points_file.pairs;
+    for (const TableFile &table : laminate.tables)
+      pairs["Laminate/Tables, " + table.name] = table.file.pairs;
+    return pairs;
   }
 } // namespace Biface

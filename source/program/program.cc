@@ -48,22 +48,6 @@ namespace Biface
     }
 
 
-    /** Put a new simulation where the checkpoint is. */
-    void
-    restore(const Checkpoint  &checkpoint,
-            const std::string &directory,
-            Simulation        &simulation)
-    {
-      Parameters       before;
-      ParameterHandler prm;
-      parse_parameters(directory + "/checkpoint.bin",
-                       checkpoint.get_record().parameters,
-                       before,
-                       prm);
-      simulation.restore(checkpoint, before.stages);
-    }
-
-
     /** Print why a run ended early. */
     ExitCode
     explain_end(const LoadSteppingResult &result,
@@ -176,7 +160,8 @@ namespace Biface
       RunRecord record;
       record.version    = version();
       record.parameters = print_parameters(prm);
-      record.files      = read_named_files(parameters, communicator);
+      record.files      = parameters.named_pairs();
+      record.stages     = parameters.stages;
       const auto checkpoint =
         find_checkpoint(parameters, record, command_line.restart, communicator);
 
@@ -185,6 +170,8 @@ namespace Biface
       print_header(simulation, out);
       for (const std::string &note : notes)
         out << note << std::endl;
+      for (const std::string &warning : parameters.warnings())
+        out << warning << std::endl;
       if (command_line.action == CommandLine::Action::check)
         {
           out << "Parameters OK." << std::endl;
@@ -192,7 +179,7 @@ namespace Biface
         }
       if (checkpoint)
         {
-          restore(*checkpoint, parameters.output.directory, simulation);
+          simulation.restore(*checkpoint, checkpoint->get_record().stages);
           const Progress &progress = simulation.get_progress();
           if (progress.at_end_of(parameters.stages))
             {
@@ -236,15 +223,18 @@ namespace Biface
           out << "biface " << version() << std::endl;
         else
           {
-            Parameters                     parameters;
-            ParameterHandler               prm;
+            Parameters       parameters;
+            ParameterHandler prm;
+            const bool       print_only =
+              (command_line.action == Action::print_parameters);
             const std::vector<std::string> notes =
-              read_parameters(command_line.file_name,
-                              command_line.overrides,
-                              communicator,
-                              parameters,
-                              prm);
-            if (command_line.action == Action::print_parameters)
+              (print_only ? parse_parameters
+                          : read_parameters)(command_line.file_name,
+                                             command_line.overrides,
+                                             communicator,
+                                             parameters,
+                                             prm);
+            if (print_only)
               {
                 for (const std::string &note : notes)
                   err << "biface: " << note << std::endl;

@@ -126,6 +126,64 @@ namespace Biface
     }
 
 
+    /** Make names of files absolute, so that the parameters as written find
+     * the files, too.
+     * @param file_name whose folder they are relative to. */
+    void
+    make_names_absolute(const std::string &file_name,
+                        Parameters        &parameters,
+                        ParameterHandler  &prm)
+    {
+      const auto make_absolute = [&](std::string &name) {
+        std::error_code   error;
+        const std::string result =
+          std::filesystem::absolute(
+            std::filesystem::path(file_name).parent_path() / name, error)
+            .string();
+        // the reader of the file says what is wrong
+        if (!error)
+          name = result;
+      };
+      std::string points_file = parameters.surface.points_file.name;
+      if (!points_file.empty())
+        {
+          make_absolute(points_file);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Spline");
+          prm.set("File", print_file_name(points_file));
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
+      std::vector<TableFile> tables = parameters.laminate.tables;
+      if (!tables.empty())
+        {
+          for (TableFile &table : tables)
+            make_absolute(table.file.name);
+          prm.enter_subsection("Laminate");
+          prm.set("Tables", print_tables(tables));
+          prm.leave_subsection();
+        }
+    }
+
+
+    /** Names that were in use before, and still work. */
+    std::vector<OldName>
+    old_names()
+    {
+      return {
+        {"Points", "Named points"},
+        {"Surface/Meridian=points", "Surface/Meridian=spline"},
+        {"Surface/Points/", "Surface/Spline/"},
+        {"Supports/Points", "Supports/Point supports"},
+        {"Supports/*=mean", "Supports/*=middle"},
+        {"Loads/Pressure", "Loads/Pressure type"},
+        {"Loads/Area of face loads=midway", "Loads/Area of face loads=middle"},
+        {"Contact/Plane normal", "Contact/Direction"},
+        {"Stage N/Begin from prestress", "Stage N/Start from prestress"},
+        {"Step control/Greatest growth", "Step control/Maximum growth"}};
+    }
+
+
     /** Read settings, later ones in place of earlier ones.
      * @param file_name whose folder holds the files that the settings name.
      * @return old names that the settings use.
@@ -147,7 +205,7 @@ namespace Biface
         "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
       for (Source &source : sources)
         {
-          for (const OldName &old : replace_old_names(source.text, old_names))
+          for (const OldName &old : replace_old_names(source.text, old_names()))
             if (std::none_of(used_old_names.begin(),
                              used_old_names.end(),
                              [&](const OldName &other) {
@@ -180,77 +238,18 @@ namespace Biface
           parse(prm, source.name, source.text, false);
         }
 
-      // absolute, so that the parameters as written find the files, too
-      const auto absolute = [&](const std::string &name) {
-        std::error_code   error;
-        const std::string result =
-          std::filesystem::absolute(
-            std::filesystem::path(file_name).parent_path() / name, error)
-            .string();
-        // the reader of the file says what is wrong
-        return error ? name : result;
-      };
-      std::string &points_file = parameters.surface.points_file;
-      if (!points_file.empty())
-        {
-          points_file = absolute(points_file);
-          prm.enter_subsection("Surface");
-          prm.enter_subsection("Spline");
-          prm.set("File", points_file);
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
-      std::string &tables = parameters.laminate.tables;
-      if (!tables.empty())
-        {
-          // what is not 'name: file' is kept for Layup to refuse
-          std::string list;
-          for (std::string text : Utilities::split_string_list(tables, ','))
-            {
-              const auto colon = text.find(':');
-              if (colon != std::string::npos)
-                text = text.substr(0, colon) + ": " +
-                       absolute(Utilities::trim(text.substr(colon + 1)));
-              list += (list.empty() ? "" : ", ") + text;
-            }
-          tables = list;
-          prm.enter_subsection("Laminate");
-          prm.set("Tables", list);
-          prm.leave_subsection();
-        }
-
-      try
-        {
-          parameters.check();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(file_name + ": " + error.what());
-        }
+      make_names_absolute(file_name, parameters, prm);
       return used_old_names;
     }
   } // namespace
 
 
-  const std::vector<OldName> old_names{
-    {"Points", "Named points"},
-    {"Surface/Meridian=points", "Surface/Meridian=spline"},
-    {"Surface/Points/", "Surface/Spline/"},
-    {"Supports/Points", "Supports/Point supports"},
-    {"Supports/*=mean", "Supports/*=middle"},
-    {"Loads/Pressure", "Loads/Pressure type"},
-    {"Loads/Area of face loads=midway", "Loads/Area of face loads=middle"},
-    {"Contact/Plane normal", "Contact/Direction"},
-    {"Stage N/Begin from prestress", "Stage N/Start from prestress"},
-    {"Step control/Greatest growth", "Step control/Maximum growth"}};
-
-
   std::vector<std::string>
-  read_parameters(const std::string           &file_name,
-                  const std::vector<Override> &overrides,
-                  const MPI_Comm               communicator,
-                  Parameters                  &parameters,
-                  ParameterHandler            &prm)
+  parse_parameters(const std::string           &file_name,
+                   const std::vector<Override> &overrides,
+                   const MPI_Comm               communicator,
+                   Parameters                  &parameters,
+                   ParameterHandler            &prm)
   {
     std::vector<Source> sources;
     if (!file_name.empty())
@@ -267,13 +266,29 @@ namespace Biface
   }
 
 
-  void
-  parse_parameters(const std::string &source,
-                   const std::string &text,
-                   Parameters        &parameters,
-                   ParameterHandler  &prm)
+  std::vector<std::string>
+  read_parameters(const std::string           &file_name,
+                  const std::vector<Override> &overrides,
+                  const MPI_Comm               communicator,
+                  Parameters                  &parameters,
+                  ParameterHandler            &prm)
   {
-    parse_sources({{source, text}}, source, parameters, prm);
+    const std::vector<std::string> sentences =
+      parse_parameters(file_name, overrides, communicator, parameters, prm);
+    try
+      {
+        parameters.check();
+        if (!parameters.surface.points_file.name.empty())
+          parameters.surface.points_file.read("radius, axial coordinate",
+                                              communicator);
+        for (TableFile &table : parameters.laminate.tables)
+          table.file.read("alpha_1, value", communicator);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(file_name + ": " + error.what());
+      }
+    return sentences;
   }
 
 

@@ -65,13 +65,12 @@ namespace Biface
                     const ChartGrid  *grid = nullptr)
     {
       std::unique_ptr<const ReferenceSurface> surface =
-        make_surface(parameters.surface, communicator);
+        make_surface(parameters.surface);
       const ChartGrid given =
         (grid ? *grid : ChartGrid(parameters.mesh, *surface));
       check_memory(given, communicator);
-      const Layup layup(
-        parameters.laminate, parameters.materials, communicator);
-      const std::vector<NamedPoint> points = parameters.points.parse(*surface);
+      const Layup layup(parameters.laminate, parameters.materials);
+      const std::vector<NamedPoint> points = parameters.points.on(*surface);
       return std::make_unique<const ShellMesh>(communicator,
                                                std::move(surface),
                                                given,

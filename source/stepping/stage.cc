@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <cmath>
+#include <limits>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -136,5 +137,27 @@ namespace Biface
       throw InputError(section + "/Travel",
                        number_to_string(travel),
                        "without 'Contact = true' there is nothing to move");
+  }
+
+
+  void
+  check_stages(const std::vector<Stage> &stages)
+  {
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    LoadLevel    start;
+    for (const Stage &stage : stages)
+      {
+        if (stage.from_prestress)
+          start = LoadLevel();
+        if (stage.control == Stage::ControlType::displacement ||
+            stage.control == Stage::ControlType::arc_length)
+          check_loads_follow(stage, start);
+        start = stage.end();
+        // these follow a displacement and a force
+        if (stage.control == Stage::ControlType::displacement)
+          start.pressure = start.factor = unknown;
+        if (stage.control == Stage::ControlType::force)
+          start.travel = unknown;
+      }
   }
 } // namespace Biface

@@ -9,7 +9,6 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/chart_grid.h>
-#include <biface/surface/intervals.h>
 
 namespace Biface
 {
@@ -26,20 +25,25 @@ namespace Biface
   ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
   {
     const std::string form =
-      " A comma-separated list of adjoining intervals: 'begin:end:n' is n "
-      "equal cells, 'begin:end:n:q' is n cells each q times as long as the "
-      "previous one, 'begin:end:n:smooth' is n cells whose lengths continue "
+      " A comma-separated list of adjoining intervals: 'start:end:n' is n "
+      "equal cells, 'start:end:n:q' is n cells each q times as long as the "
+      "previous one, 'start:end:n:smooth' is n cells whose lengths continue "
       "those of the adjoining interval geometrically. Unit: degrees for an "
       "angle, length otherwise.";
-    prm.add_parameter("Intervals alpha_1",
-                      intervals[0],
-                      "Cells along the first coordinate (the meridian)." + form,
-                      Patterns::Anything());
-    prm.add_parameter("Intervals alpha_2",
-                      intervals[1],
-                      "Cells along the second coordinate (around the axis)." +
-                        form,
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Mesh/",
+               "Intervals alpha_1",
+               intervals[0].text,
+               intervals[0],
+               parse_intervals,
+               "Cells along the first coordinate (the meridian)." + form);
+    add_parsed(prm,
+               "Mesh/",
+               "Intervals alpha_2",
+               intervals[1].text,
+               intervals[1],
+               parse_intervals,
+               "Cells along the second coordinate (around the axis)." + form);
     prm.add_parameter("Closed in alpha_2",
                       closed,
                       "Whether the second coordinate is closed, that is, "
@@ -65,13 +69,27 @@ namespace Biface
   }
 
 
+  Edge
+  parse_edge(const std::string &entry,
+             const std::string &text,
+             const std::string &name)
+  {
+    const auto found = std::find(edge_names.begin(), edge_names.end(), name);
+    if (found == edge_names.end())
+      throw InputError(entry,
+                       text,
+                       "the edges are 'alpha_1 min', 'alpha_1 max', 'alpha_2 "
+                       "min', 'alpha_2 max'");
+    return static_cast<Edge>(found - edge_names.begin());
+  }
+
+
   ChartGrid::ChartGrid(const Parameters       &parameters,
                        const ReferenceSurface &surface)
     : closed(parameters.closed), distribution(parameters.distribution)
   {
     for (unsigned int a = 0; a < 2; ++a)
-      lines[a] = parse_intervals(
-        entry_names[a], parameters.intervals[a], surface.coordinate_unit(a));
+      lines[a] = parameters.intervals[a].lines(surface.coordinate_unit(a));
     // the line at 0 lies there exactly, for formulas and messages
     for (std::vector<double> &coordinates : lines)
       for (double &line : coordinates)
@@ -84,7 +102,7 @@ namespace Biface
         lines[0].back() > range.second + tolerance)
       throw InputError(
         entry_names[0],
-        parameters.intervals[0],
+        parameters.intervals[0].text,
         "alpha_1 of the surface runs from " +
           number_to_string(range.first / surface.coordinate_unit(0)) + " to " +
           number_to_string(range.second / surface.coordinate_unit(0)));
@@ -94,17 +112,17 @@ namespace Biface
       {
         if (lines[1].back() - lines[1].front() > period * (1 + 1e-12))
           throw InputError(entry_names[1],
-                           parameters.intervals[1],
+                           parameters.intervals[1].text,
                            "it must not span more than 360 degrees");
         for (unsigned int j = 1; j < lines[1].size(); ++j)
           if (!(lines[1][j] - lines[1][j - 1] < 0.49 * period))
             throw InputError(entry_names[1],
-                             parameters.intervals[1],
+                             parameters.intervals[1].text,
                              "each cell must span less than 176 degrees");
       }
     if (static_cast<double>(lines[0].size()) * lines[1].size() > 3e8)
       throw InputError(entry_names[0],
-                       parameters.intervals[0],
+                       parameters.intervals[0].text,
                        "the mesh must have fewer than 300 million nodes");
 
     if (closed)
@@ -113,11 +131,11 @@ namespace Biface
         const double span = lines[1].back() - lines[1].front();
         if (turn == 0 || std::abs(span - turn) > 1e-12 * turn)
           throw InputError(entry_names[1],
-                           parameters.intervals[1],
+                           parameters.intervals[1].text,
                            "a closed coordinate must span 360 degrees");
         if (lines[1].size() < 4)
           throw InputError(entry_names[1],
-                           parameters.intervals[1],
+                           parameters.intervals[1].text,
                            "a closed coordinate needs at least 3 cells");
       }
   }

@@ -22,42 +22,25 @@ namespace Biface
   {
     constexpr unsigned int max_cells = 1000000;
 
-    struct Interval
-    {
-      std::string  text;
-      double       begin;
-      double       end;
-      unsigned int n_cells;
-      double       ratio;
-      bool         smooth;
-
-      /** Length of the cell number @p i. */
-      double
-      cell_length(const unsigned int i) const
-      {
-        const double sum =
-          (ratio == 1 ? n_cells : (std::pow(ratio, n_cells) - 1) / (ratio - 1));
-        return (end - begin) / sum * std::pow(ratio, i);
-      }
-    };
-
-
     Interval
-    parse_interval(const std::string &entry, const std::string &text)
+    parse_interval(const std::string &entry,
+                   const std::string &text,
+                   bool              &smooth)
     {
       const std::string form = "each interval must have the form "
-                               "begin:end:cells, begin:end:cells:ratio or "
-                               "begin:end:cells:smooth";
+                               "start:end:cells, start:end:cells:ratio or "
+                               "start:end:cells:smooth";
 
       const std::vector<std::string> parts =
         Utilities::split_string_list(text, ':');
       if (parts.size() < 3 || parts.size() > 4)
         throw InputError(entry, text, form);
 
-      Interval interval{text, 0, 0, 0, 1, false};
-      interval.begin = parse_number(entry, parts[0], form);
+      Interval interval;
+      interval.text  = text;
+      interval.start = parse_number(entry, parts[0], form);
       interval.end   = parse_number(entry, parts[1], form);
-      if (!(interval.end > interval.begin))
+      if (!(interval.end > interval.start))
         throw InputError(
           entry, text, "the end of an interval must be greater than its start");
 
@@ -70,26 +53,21 @@ namespace Biface
                            std::to_string(max_cells));
       interval.n_cells = static_cast<unsigned int>(n);
 
-      if (parts.size() == 4)
+      smooth = (parts.size() == 4 && parts[3] == "smooth");
+      if (parts.size() == 4 && !smooth)
         {
-          if (parts[3] == "smooth")
-            interval.smooth = true;
-          else
-            {
-              interval.ratio = parse_number(entry, parts[3], form);
-              if (!(interval.ratio >= 0.01 && interval.ratio <= 100))
-                throw InputError(entry,
-                                 text,
-                                 "the ratio of neighboring cells must lie "
-                                 "between 0.01 and 100");
-              constexpr double longest = 1e10;
-              if (std::abs(std::log(interval.ratio)) * (n - 1) >
-                  std::log(longest))
-                throw InputError(entry,
-                                 text,
-                                 "the longest cell of an interval must not "
-                                 "exceed 1e10 times the shortest");
-            }
+          interval.ratio = parse_number(entry, parts[3], form);
+          if (!(interval.ratio >= 0.01 && interval.ratio <= 100))
+            throw InputError(entry,
+                             text,
+                             "the ratio of neighboring cells must lie "
+                             "between 0.01 and 100");
+          constexpr double longest = 1e10;
+          if (std::abs(std::log(interval.ratio)) * (n - 1) > std::log(longest))
+            throw InputError(entry,
+                             text,
+                             "the longest cell of an interval must not "
+                             "exceed 1e10 times the shortest");
         }
       return interval;
     }
@@ -126,19 +104,21 @@ namespace Biface
 
 
     void
-    resolve_smooth(const std::string &entry, std::vector<Interval> &intervals)
+    resolve_smooth(const std::string       &entry,
+                   const std::vector<bool> &smooth,
+                   std::vector<Interval>   &intervals)
     {
       for (unsigned int i = 0; i < intervals.size(); ++i)
-        if (intervals[i].smooth)
+        if (smooth[i])
           {
             Interval    &interval = intervals[i];
-            const double length   = interval.end - interval.begin;
-            if (i > 0 && !intervals[i - 1].smooth)
+            const double length   = interval.end - interval.start;
+            if (i > 0 && !smooth[i - 1])
               interval.ratio = smooth_ratio(
                 length,
                 interval.n_cells,
                 intervals[i - 1].cell_length(intervals[i - 1].n_cells - 1));
-            else if (i + 1 < intervals.size() && !intervals[i + 1].smooth)
+            else if (i + 1 < intervals.size() && !smooth[i + 1])
               interval.ratio =
                 1 / smooth_ratio(length,
                                  interval.n_cells,
@@ -153,47 +133,26 @@ namespace Biface
   } // namespace
 
 
-  std::vector<double>
-  parse_intervals(const std::string &entry,
-                  const std::string &list,
-                  const double       unit)
+  double
+  Interval::cell_length(const unsigned int i) const
   {
-    std::vector<Interval> intervals;
-    unsigned int          n_cells = 0;
-    for (const std::string &text : Utilities::split_string_list(list, ','))
-      {
-        intervals.push_back(parse_interval(entry, text));
-        n_cells += intervals.back().n_cells;
-        if (n_cells > max_cells)
-          throw InputError(entry,
-                           list,
-                           "it must have at most " + std::to_string(max_cells) +
-                             " cells in total");
-      }
-    if (intervals.empty())
-      throw InputError(entry, list, "it must contain at least one interval");
+    const double sum =
+      (ratio == 1 ? n_cells : (std::pow(ratio, n_cells) - 1) / (ratio - 1));
+    return (end - start) / sum * std::pow(ratio, i);
+  }
 
-    for (unsigned int i = 1; i < intervals.size(); ++i)
-      if (intervals[i].begin != intervals[i - 1].end)
-        throw InputError(entry,
-                         list,
-                         "each interval must start at the end of the previous "
-                         "one: '" +
-                           intervals[i].text +
-                           (intervals[i].begin < intervals[i - 1].end
-                              ? "' overlaps '"
-                              : "' leaves a gap after '") +
-                           intervals[i - 1].text + "'");
-    resolve_smooth(entry, intervals);
 
-    std::vector<double> lines(1, intervals.front().begin * unit);
+  std::vector<double>
+  IntervalList::lines(const double unit) const
+  {
+    std::vector<double> lines(1, intervals.front().start * unit);
     for (const Interval &interval : intervals)
       {
-        double line = interval.begin;
+        double line = interval.start;
         for (unsigned int i = 0; i + 1 < interval.n_cells; ++i)
           {
             if (interval.ratio == 1)
-              line = interval.begin + (interval.end - interval.begin) *
+              line = interval.start + (interval.end - interval.start) *
                                         (i + 1.) / interval.n_cells;
             else
               line += interval.cell_length(i);
@@ -201,13 +160,53 @@ namespace Biface
           }
         lines.push_back(interval.end * unit);
       }
+    return lines;
+  }
 
+
+  IntervalList
+  parse_intervals(const std::string &entry, const std::string &text)
+  {
+    IntervalList           list;
+    std::vector<Interval> &intervals = list.intervals;
+    list.text                        = text;
+    unsigned int      n_cells        = 0;
+    std::vector<bool> is_smooth;
+    for (const std::string &item : split_list(entry, text))
+      {
+        bool smooth = false;
+        intervals.push_back(parse_interval(entry, item, smooth));
+        is_smooth.push_back(smooth);
+        n_cells += intervals.back().n_cells;
+        if (n_cells > max_cells)
+          throw InputError(entry,
+                           text,
+                           "it must have at most " + std::to_string(max_cells) +
+                             " cells in total");
+      }
+    if (intervals.empty())
+      throw InputError(entry, text, "it must contain at least one interval");
+
+    for (unsigned int i = 1; i < intervals.size(); ++i)
+      if (intervals[i].start != intervals[i - 1].end)
+        throw InputError(entry,
+                         text,
+                         "each interval must start at the end of the previous "
+                         "one: '" +
+                           intervals[i].text +
+                           (intervals[i].start < intervals[i - 1].end
+                              ? "' overlaps '"
+                              : "' leaves a gap after '") +
+                           intervals[i - 1].text + "'");
+    resolve_smooth(entry, is_smooth, intervals);
+
+    const std::vector<double> lines = list.lines();
     for (unsigned int i = 1; i < lines.size(); ++i)
       if (!(lines[i] - lines[i - 1] > 1e-9 * (lines.back() - lines.front())))
         throw InputError(
           entry,
-          list,
+          text,
           "each cell must be longer than 1e-9 of the total length");
-    return lines;
+    return list;
   }
 } // namespace Biface

@@ -2,7 +2,6 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/input/read_file.h>
 #include <biface/surface/plane.h>
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>
@@ -38,12 +37,16 @@ namespace Biface
     straight_line.add_parameters(prm);
     prm.leave_subsection();
     prm.enter_subsection("Spline");
-    prm.add_parameter("File",
-                      points_file,
-                      "A CSV file with the points of the meridian in order: "
-                      "radius, axial coordinate. The path is relative to the "
-                      "parameter file. Unit: length.",
-                      Patterns::Anything());
+    add_parsed(prm,
+               "Surface/Spline/",
+               "File",
+               "",
+               points_file.name,
+               parse_file_name,
+               "A CSV file with the points of the meridian in order: "
+               "radius, axial coordinate. Relative to the parameter "
+               "file; see 'Tables' for names in double quotes. Unit: "
+               "length.");
     prm.leave_subsection();
   }
 
@@ -51,8 +54,7 @@ namespace Biface
   namespace
   {
     std::shared_ptr<const Meridian>
-    make_meridian(const SurfaceParameters &parameters,
-                  const MPI_Comm           communicator)
+    make_meridian(const SurfaceParameters &parameters)
     {
       using MeridianType = SurfaceParameters::MeridianType;
       switch (parameters.meridian)
@@ -62,15 +64,12 @@ namespace Biface
           case MeridianType::straight_line:
             return std::make_shared<StraightLine>(parameters.straight_line);
           case MeridianType::spline:
-            if (parameters.points_file.empty())
+            if (parameters.points_file.name.empty())
               throw InputError("Surface/Spline/File",
                                "",
                                "the meridian 'spline' needs a file");
-            return std::make_shared<SplineCurve>(
-              parse_pairs(read_file(parameters.points_file, communicator),
-                          parameters.points_file,
-                          "radius, axial coordinate"),
-              parameters.points_file);
+            return std::make_shared<SplineCurve>(parameters.points_file.pairs,
+                                                 parameters.points_file.name);
         }
       Assert(false, ExcInternalError());
       return {};
@@ -79,13 +78,13 @@ namespace Biface
 
 
   std::unique_ptr<ReferenceSurface>
-  make_surface(const SurfaceParameters &parameters, const MPI_Comm communicator)
+  make_surface(const SurfaceParameters &parameters)
   {
     switch (parameters.type)
       {
         case SurfaceParameters::Type::revolution:
           return std::make_unique<SurfaceOfRevolution>(
-            make_meridian(parameters, communicator));
+            make_meridian(parameters));
         case SurfaceParameters::Type::plane:
           return std::make_unique<Plane>();
       }

@@ -84,7 +84,6 @@ namespace
         "rubber",
         "rubber: 1",
         "rubber @ 1",
-        "rubber: 1 @ 0,",
         ", rubber: 1 @ 0",
         "rubber: 1 @ 0,, rubber: 1 @ 0",
         "wood: 1 @ 0",
@@ -248,7 +247,7 @@ namespace
     std::ofstream("names.prm") << "set Materials = rubber\n";
     Biface::Parameters parameters;
     ParameterHandler   prm;
-    Biface::read_parameters("names.prm", {}, MPI_COMM_SELF, parameters, prm);
+    Biface::parse_parameters("names.prm", {}, MPI_COMM_SELF, parameters, prm);
     std::stringstream text;
     prm.print_parameters(text, ParameterHandler::JSON);
     boost::property_tree::ptree tree;

@@ -50,8 +50,10 @@ make_cells(const Biface::ReferenceSurface   &surface,
   using namespace dealii;
 
   Biface::ChartGrid::Parameters parameters;
-  parameters.intervals = intervals;
-  parameters.closed    = false;
+  for (unsigned int a = 0; a < 2; ++a)
+    parameters.intervals[a] =
+      Biface::parse_intervals("intervals", intervals[a]);
+  parameters.closed = false;
   Triangulation<2, 3> triangulation;
   Biface::create_triangulation(
     surface, Biface::ChartGrid(parameters, surface), triangulation);

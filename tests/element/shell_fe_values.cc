@@ -23,7 +23,8 @@ main()
     return std::array<double, 2>{{-2 - s, 1 + 3 * s}};
   };
   ChartGrid::Parameters parameters;
-  parameters.intervals              = {{"40:45:1", "10:15:1"}};
+  parameters.intervals              = {{parse_intervals("intervals", "40:45:1"),
+                                        parse_intervals("intervals", "10:15:1")}};
   parameters.closed                 = false;
   const SurfaceOfRevolution surface = torus();
   const double              step    = 5 * degree;

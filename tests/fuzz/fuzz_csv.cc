@@ -49,9 +49,12 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
     curve.parameter_of(curve.evaluate(middle).position);
   });
   Fuzz::read(input, [&]() {
-    const MeridionalTables tables("t: " + file_name, MPI_COMM_SELF);
-    tables.parse("entry", "2*t")(1.);
+    std::vector<TableFile> files = parse_tables("entry", "t: " + file_name);
+    for (TableFile &table : files)
+      table.file.read("alpha_1, value", MPI_COMM_SELF);
+    const MeridionalTables tables(files);
+    tables.function(Formula("entry", "2*t"))(1.);
   });
-  Fuzz::read(input, [&]() { parse_intervals("entry", text, 1); });
+  Fuzz::read(input, [&]() { parse_intervals("entry", text).lines(); });
   return 0;
 }

@@ -64,17 +64,14 @@ namespace
   void
   set_up(Parameters &parameters)
   {
-    const auto      surface = make_surface(parameters.surface, MPI_COMM_SELF);
+    const auto      surface = make_surface(parameters.surface);
     const ChartGrid grid(parameters.mesh, *surface);
     const Layup     layup(parameters.laminate, parameters.materials);
-    parameters.points.parse(*surface);
-    for (unsigned int edge = 0; edge < 4; ++edge)
-      parameters.supports.edge_conditions(edge);
-    parameters.supports.point_conditions();
+    parameters.warnings();
     if (n_nodes(grid) > 40)
       for (unsigned int a = 0; a < 2; ++a)
-        parameters.mesh.intervals[a] =
-          coarse(grid.lines[a], surface->coordinate_unit(a), 4);
+        parameters.mesh.intervals[a] = parse_intervals(
+          "entry", coarse(grid.lines[a], surface->coordinate_unit(a), 4));
 
     std::ostringstream out;
     const Simulation   simulation(parameters, MPI_COMM_SELF, out);

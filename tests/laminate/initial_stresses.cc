@@ -20,8 +20,8 @@ namespace
        const std::vector<double> &tangential)
   {
     Layup::Parameters parameters;
-    parameters.plies            = plies;
-    parameters.initial_stresses = stresses;
+    parameters.plies            = parse_plies("plies", plies);
+    parameters.initial_stresses = parse_ply_stresses("stresses", stresses);
     Resultants::Vector expected;
     for (unsigned int i = 0; i < tangential.size(); ++i)
       expected[i] = tangential[i];

@@ -23,11 +23,15 @@ namespace
         const std::string &initial_stresses = "")
   {
     Layup::Parameters parameters;
-    parameters.plies            = plies;
-    parameters.reference        = reference;
-    parameters.initial_stresses = initial_stresses;
-    parameters.tables           = "t: " DATA_DIR "/ply_thickness.csv, "
-                                  "a: " DATA_DIR "/ply_angle.csv";
+    parameters.plies     = parse_plies("plies", plies);
+    parameters.reference = parse_thickness_position("reference", reference);
+    parameters.initial_stresses =
+      parse_ply_stresses("stresses", initial_stresses);
+    parameters.tables = parse_tables("tables",
+                                     "t: " DATA_DIR "/ply_thickness.csv, "
+                                     "a: " DATA_DIR "/ply_angle.csv");
+    for (TableFile &table : parameters.tables)
+      table.file.read("alpha_1, value", MPI_COMM_SELF);
     return Layup(parameters, cord_ply());
   }
 

@@ -22,9 +22,10 @@ coarse_torus(const Biface::Layup &layup)
   auto surface = std::make_unique<SurfaceOfRevolution>(
     std::make_shared<CircularArc>(CircularArc::Parameters()));
   Supports supports;
-  supports.edges[0] = supports.edges[1] = "fixed";
+  supports.edges[0] = supports.edges[1] = parse_support("support", "fixed", 0);
   ChartGrid::Parameters parameters;
-  parameters.intervals = {{"-60:50:5:1.1", "-30:30:6"}};
+  parameters.intervals = {{parse_intervals("intervals", "-60:50:5:1.1"),
+                           parse_intervals("intervals", "-30:30:6")}};
   parameters.closed    = false;
   const ChartGrid grid(parameters, *surface);
   return std::make_unique<ShellMesh>(

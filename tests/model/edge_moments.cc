@@ -23,7 +23,8 @@ namespace
     for (const std::string kind : {"dead", "follower"})
       {
         DeadLoads loads;
-        loads.edge_moments = edge + ": 3 " + kind;
+        loads.edge_moments =
+          parse_edge_moments("moments", edge + ": 3 " + kind);
         const ContactInteraction contact(mesh,
                                          ContactInteraction::Parameters());
         ShellEquations equations(mesh, make_force_terms(mesh, contact, loads));

@@ -28,12 +28,13 @@ free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
   using namespace Biface;
 
   ChartGrid::Parameters parameters;
-  parameters.intervals = intervals;
-  parameters.closed    = closed;
+  for (unsigned int a = 0; a < 2; ++a)
+    parameters.intervals[a] = parse_intervals("intervals", intervals[a]);
+  parameters.closed = closed;
   const ChartGrid   grid(parameters, *surface);
   Layup::Parameters layup;
-  layup.plies     = plies;
-  layup.reference = "0.5";
+  layup.plies     = parse_plies("plies", plies);
+  layup.reference = parse_thickness_position("reference", "0.5");
   return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
                                      std::move(surface),
                                      grid,

@@ -101,15 +101,19 @@ main(int argc, char *argv[])
       parameters.distribution = distribution;
 
       parameters.closed    = true;
-      parameters.intervals = {{"10:100:5:1.3", "-170:-100:4, -100:190:9"}};
+      parameters.intervals = {
+        {parse_intervals("intervals", "10:100:5:1.3"),
+         parse_intervals("intervals", "-170:-100:4, -100:190:9")}};
       check(name + ", closed", parameters);
 
       // a slit: two nodes at the same place
       parameters.closed    = false;
-      parameters.intervals = {{"10:100:3", "-180:180:8"}};
+      parameters.intervals = {{parse_intervals("intervals", "10:100:3"),
+                               parse_intervals("intervals", "-180:180:8")}};
       check(name + ", slit", parameters);
 
-      parameters.intervals = {{"0:80:1", "350:400:7"}};
+      parameters.intervals = {{parse_intervals("intervals", "0:80:1"),
+                               parse_intervals("intervals", "350:400:7")}};
       check(name + ", one cell wide, beyond a turn", parameters);
     }
 }

@@ -28,11 +28,13 @@ namespace
     const ContactInteraction contact(*mesh, parameters);
 
     PressureLoad pressure;
-    pressure.kind         = kind;
-    pressure.distribution = "1 + 0.3*sin(alpha_1/20)";
+    pressure.kind = kind;
+    pressure.distribution =
+      parse_position_formula("distribution", "1 + 0.3*sin(alpha_1/20)");
     DeadLoads dead_loads;
-    dead_loads.edge_moments = "alpha_2 max: 3 follower, alpha_2 min: -2 dead";
-    dead_loads.area_force   = Tensor<1, 3>({0.01, 0.02, -0.03});
+    dead_loads.edge_moments = parse_edge_moments(
+      "moments", "alpha_2 max: 3 follower, alpha_2 min: -2 dead");
+    dead_loads.area_force = Tensor<1, 3>({0.01, 0.02, -0.03});
     ShellEquations equations(
       *mesh, make_force_terms(*mesh, contact, dead_loads, pressure));
 

@@ -44,7 +44,7 @@ namespace
     PressureLoad load;
     load.face         = face;
     load.area         = area;
-    load.distribution = distribution;
+    load.distribution = parse_position_formula("distribution", distribution);
     return load;
   }
 
@@ -56,7 +56,8 @@ namespace
             const AreaMeasure  area)
   {
     DeadLoads loads;
-    loads.tractions = {{inner, outer}};
+    loads.tractions = {
+      {parse_traction("inner", inner), parse_traction("outer", outer)}};
     return loads.assemble(mesh, area);
   }
 

@@ -26,7 +26,8 @@ namespace
     auto surface = std::make_unique<SurfaceOfRevolution>(
       std::make_shared<CircularArc>(CircularArc::Parameters()));
     ChartGrid::Parameters parameters;
-    parameters.intervals = {{"-20:20:4", intervals}};
+    parameters.intervals = {{parse_intervals("intervals", "-20:20:4"),
+                             parse_intervals("intervals", intervals)}};
     parameters.closed    = closed;
     const ChartGrid         grid(parameters, *surface);
     const double            degree = surface->coordinate_unit(1);

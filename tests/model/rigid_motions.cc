@@ -28,19 +28,22 @@ namespace
         const std::string                &support = "")
   {
     ChartGrid::Parameters parameters;
-    parameters.intervals = intervals;
-    parameters.closed    = false;
+    for (unsigned int a = 0; a < 2; ++a)
+      parameters.intervals[a] = parse_intervals("intervals", intervals[a]);
+    parameters.closed = false;
     const ChartGrid grid(parameters, *surface);
     NamedPoints     named;
-    named.list        = points;
-    const auto parsed = named.parse(*surface);
+    named.list        = parse_points("points", points);
+    const auto parsed = named.on(*surface);
     Supports   supports;
-    supports.edges  = edges;
-    supports.points = support;
+    for (unsigned int e = 0; e < 4; ++e)
+      supports.edges[e] = parse_support("edge", edges[e], e / 2);
+    supports.points = parse_point_supports("points", support);
 
     Layup::Parameters layup_parameters;
-    layup_parameters.plies     = "cord: 0.2 @ 0";
-    layup_parameters.reference = "middle";
+    layup_parameters.plies = parse_plies("plies", "cord: 0.2 @ 0");
+    layup_parameters.reference =
+      parse_thickness_position("reference", "middle");
     const Layup     layup(layup_parameters, cord_ply());
     const ShellMesh mesh(
       MPI_COMM_WORLD, std::move(surface), grid, layup, supports, parsed);

@@ -19,8 +19,9 @@ namespace
        const StrainTheory theory)
   {
     Layup::Parameters parameters;
-    parameters.law              = law;
-    parameters.initial_stresses = "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1";
+    parameters.law = law;
+    parameters.initial_stresses =
+      parse_ply_stresses("stresses", "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1");
     const Layup layup(parameters, cord_ply());
     const auto  mesh = coarse_torus(layup);
 

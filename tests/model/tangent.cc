@@ -17,6 +17,10 @@ using namespace Biface;
 
 namespace
 {
+  const std::string bias_plies = "cord: 1.2 @ 52, cord: 1.2 @ -52, "
+                                 "cord: 1.2 @ 52, cord: 1.2 @ -52";
+
+
   using Shape = RigidFoundation::Parameters::Shape;
 
 
@@ -26,11 +30,11 @@ namespace
        const MultiplierMass mass,
        const StrainTheory   theory,
        const PressureKind   pressure_kind = PressureKind::dead,
-       const std::string   &plies         = Layup::Parameters().plies,
+       const std::string   &plies         = bias_plies,
        const Shape          foundation    = Shape::plane)
   {
     Layup::Parameters parameters;
-    parameters.plies = plies;
+    parameters.plies = parse_plies("plies", plies);
     parameters.law   = law;
     const Layup layup(parameters, cord_ply());
     const auto  mesh = coarse_torus(layup);
@@ -48,9 +52,11 @@ namespace
 
     PressureLoad pressure;
     pressure.kind         = pressure_kind;
-    pressure.distribution = "1 + 0.3*sin(alpha_1/20) + 0.1*x/250";
+    pressure.distribution = parse_position_formula(
+      "distribution", "1 + 0.3*sin(alpha_1/20) + 0.1*x/250");
     DeadLoads dead_loads;
-    dead_loads.edge_moments = "alpha_2 max: 3 follower, alpha_2 min: -2 dead";
+    dead_loads.edge_moments = parse_edge_moments(
+      "moments", "alpha_2 max: 3 follower, alpha_2 min: -2 dead");
     ShellEquations equations(
       *mesh, make_force_terms(*mesh, contact, dead_loads, pressure));
     InternalForces &internal = equations.internal_forces();
@@ -191,14 +197,14 @@ main(int argc, char *argv[])
            mass,
            StrainTheory::nonlinear,
            PressureKind::dead,
-           Layup::Parameters().plies,
+           bias_plies,
            Shape::drum);
       test("sphere, " + name,
            ThicknessLaw::symmetric,
            mass,
            StrainTheory::nonlinear,
            PressureKind::dead,
-           Layup::Parameters().plies,
+           bias_plies,
            Shape::sphere);
     }
 }

@@ -56,7 +56,7 @@ namespace
     std::ofstream("old_names.prm") << file(old);
     Parameters                     parameters;
     dealii::ParameterHandler       prm;
-    const std::vector<std::string> sentences = read_parameters(
+    const std::vector<std::string> sentences = parse_parameters(
       "old_names.prm", overrides, MPI_COMM_SELF, parameters, prm);
     printed = print_parameters(prm);
     return sentences;

@@ -23,7 +23,8 @@ namespace
     const Ended again = restart(words, "cut", MPI_COMM_WORLD);
     std::cout << name << ": " << again.code << '\n' << again.err;
     check_true("nothing left",
-               again.out.find("Run already complete after") != std::string::npos);
+               again.out.find("Run already complete after") !=
+                 std::string::npos);
     const Ended extended = restart(with(words, more), "cut", MPI_COMM_WORLD);
     std::cout << "extended: " << extended.code << '\n' << extended.err;
     // another way has no step to predict from: the iteration ends elsewhere

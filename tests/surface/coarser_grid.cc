@@ -15,7 +15,8 @@ main()
 {
   const Plane           plane;
   ChartGrid::Parameters parameters;
-  parameters.intervals = {{"0:8:8", "0:3:3"}};
+  parameters.intervals = {{parse_intervals("intervals", "0:8:8"),
+                           parse_intervals("intervals", "0:3:3")}};
   parameters.closed    = false;
   const ChartGrid grid(parameters, plane);
 

@@ -31,34 +31,36 @@ namespace
 int
 main()
 {
-  compare(
-    "equal", parse_intervals("entry", "-1:3:4", 0.5), {-0.5, 0, 0.5, 1, 1.5});
-  compare("graded", parse_intervals("entry", "0:7:3:2", 1), {0, 1, 3, 7});
+  compare("equal",
+          parse_intervals("entry", "-1:3:4").lines(0.5),
+          {-0.5, 0, 0.5, 1, 1.5});
+  compare("graded", parse_intervals("entry", "0:7:3:2").lines(1), {0, 1, 3, 7});
   compare("graded the other way",
-          parse_intervals("entry", "0:7:3:0.5", 1),
+          parse_intervals("entry", "0:7:3:0.5").lines(1),
           {0, 4, 6, 7});
   compare("adjoining",
-          parse_intervals("entry", "0:2:2, 2:9:3:2", 1),
+          parse_intervals("entry", "0:2:2, 2:9:3:2").lines(1),
           {0, 1, 2, 3, 5, 9});
   // 2 + 4 + 8 = 14: the ratio 2 continues cells of length 1
   compare("smooth on the right",
-          parse_intervals("entry", "0:1:1, 1:15:3:smooth", 1),
+          parse_intervals("entry", "0:1:1, 1:15:3:smooth").lines(1),
           {0, 1, 3, 7, 15});
   compare("smooth on the left",
-          parse_intervals("entry", "-14:0:3:smooth, 0:3:2:2", 1),
+          parse_intervals("entry", "-14:0:3:smooth, 0:3:2:2").lines(1),
           {-14, -6, -2, 0, 1, 3});
   compare("smooth and shrinking",
-          parse_intervals("entry", "0:8:1, 8:15:3:smooth", 1),
+          parse_intervals("entry", "0:8:1, 8:15:3:smooth").lines(1),
           {0, 8, 12, 14, 15});
   compare("smooth and equal",
-          parse_intervals("entry", "0:2:1, 2:6:2:smooth", 1),
+          parse_intervals("entry", "0:2:1, 2:6:2:smooth").lines(1),
           {0, 2, 4, 6});
 
   // the bias tire: 18 cells of 5/3 degrees, then (5/3) q^k, k = 1, ..., 11,
   // fill 165 degrees to each side
   const double degree = numbers::PI / 180;
-  const auto   tire   = parse_intervals(
-    "entry", "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth", degree);
+  const auto   tire =
+    parse_intervals("entry", "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth")
+      .lines(degree);
   check_true("the tire has 41 lines", tire.size() == 41);
   const double q = (tire[31] - tire[30]) / (tire[30] - tire[29]);
   check_small("ratio of the tire", q - 1.3471, 5e-5);

@@ -31,12 +31,14 @@ main(int argc, char *argv[])
     std::make_shared<CircularArc>(CircularArc::Parameters()));
   // half a circle of unequal cells, and a ring that does not begin at 0
   ChartGrid::Parameters parameters;
-  parameters.intervals = {{"-120:-15:5:0.8, -15:60:4", "-90:90:7, 90:270:5"}};
+  parameters.intervals = {
+    {parse_intervals("intervals", "-120:-15:5:0.8, -15:60:4"),
+     parse_intervals("intervals", "-90:90:7, 90:270:5")}};
   const ChartGrid             grid(parameters, surface);
   const std::array<double, 2> faces{{-1, 5}};
   Layup::Parameters           layup_parameters;
-  layup_parameters.plies     = "cord: 6 @ 0";
-  layup_parameters.reference = "1";
+  layup_parameters.plies     = parse_plies("plies", "cord: 6 @ 0");
+  layup_parameters.reference = parse_thickness_position("reference", "1");
   const Layup     layup(layup_parameters, cord_ply());
   const ShellMesh mesh(MPI_COMM_WORLD,
                        std::make_unique<SurfaceOfRevolution>(surface),

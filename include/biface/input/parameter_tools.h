@@ -92,12 +92,18 @@ namespace Biface
                 const unsigned int n,
                 const std::string &allowed);
 
-  /** Throw InputError where a list separated by commas has more than @p limit
-   * items, before any of them is read: each may cost far more than its text. */
-  void
-  check_list_length(const std::string &entry,
-                    const std::string &list,
-                    const unsigned int limit);
+  /**
+   * Split a list at a separator, but not within parentheses or double quotes.
+   * A separator may follow the last item, too; an empty text has no items.
+   *
+   * Throws InputError where another item is empty, or where there are more than
+   * @p limit, before any of them is read: each may cost far more than its text.
+   */
+  std::vector<std::string>
+  split_list(const std::string &entry,
+             const std::string &text,
+             const char         separator = ',',
+             const unsigned int limit     = 10000);
 
   /** Split "name: rest" at its colon. Throws InputError, as parse_number()
    * does, where there is none or the name is empty. */
@@ -111,6 +117,28 @@ namespace Biface
   void
   agree_on_errors(const MPI_Comm               communicator,
                   const std::function<void()> &function);
+
+  /** Declare the entry @p name of @p section ("Section/", empty for none),
+   * whose text is parsed into @p value when it is read, by `parse(entry, text)`
+   * with the full name of the entry. */
+  template <typename Value, typename Parse>
+  void
+  add_parsed(dealii::ParameterHandler &prm,
+             const std::string        &section,
+             const std::string        &name,
+             const std::string        &default_text,
+             Value                    &value,
+             const Parse              &parse,
+             const std::string        &documentation)
+  {
+    const std::string entry = section + name;
+    value                   = parse(entry, default_text);
+    prm.declare_entry(
+      name, default_text, dealii::Patterns::Anything(), documentation);
+    prm.add_action(name, [&value, parse, entry](const std::string &text) {
+      value = parse(entry, text);
+    });
+  }
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator whose place in @p names the text has. */

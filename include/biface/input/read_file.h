@@ -40,6 +40,34 @@ namespace Biface
   parse_pairs(const std::string &text,
               const std::string &name,
               const std::string &meaning);
+
+
+  /** A file of pairs of numbers that an entry names. */
+  struct PairsFile
+  {
+    /** Empty for none. */
+    std::string                   name;
+    std::vector<dealii::Point<2>> pairs;
+
+    /** Read the pairs, see read_file() and parse_pairs(). */
+    void
+    read(const std::string &meaning, const MPI_Comm communicator);
+  };
+
+
+  /**
+   * The name of a file as an entry has it: as it is, or in double quotes, where
+   * %XX is the byte with this hexadecimal number. With quotes, it may hold what
+   * a parameter file or a list could not: '#', braces, commas.
+   *
+   * Throws InputError where quotes or bytes are not complete.
+   */
+  std::string
+  parse_file_name(const std::string &entry, const std::string &text);
+
+  /** The text that parse_file_name() takes for a name. */
+  std::string
+  print_file_name(const std::string &name);
 } // namespace Biface
 
 #endif

@@ -5,8 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <mpi.h>
-
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material_parameters.h>
+#include <biface/laminate/meridional_tables.h>
 
 namespace Biface
 {
@@ -36,9 +36,63 @@ namespace Biface
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
-    /** Initial stress in the axes of the ply. Unit: force/area. */
-    dealii::SymmetricTensor<2, 3> initial_stress;
+    /** Initial stress in the ply's own axes, by @f$\alpha_1@f$; empty for none.
+     * Unit: force/area. */
+    std::function<dealii::SymmetricTensor<2, 3>(const double)> initial_stress;
   };
+
+
+  /** A ply as the user describes it; formulas are of alpha_1 and tables. */
+  struct PlyParameters
+  {
+    /** All of it, as written. */
+    std::string text;
+    std::string material;
+    /** Unit: length. */
+    Formula thickness;
+    /** Unit: degrees. */
+    Formula angle;
+    /** The part of the meridian it covers. */
+    double begin = -std::numeric_limits<double>::infinity();
+    double end   = std::numeric_limits<double>::infinity();
+  };
+
+  /** Read plies, 'material: thickness @@ angle from A to B' separated by
+   * commas. Throws InputError where they are malformed. */
+  std::vector<PlyParameters>
+  parse_plies(const std::string &entry, const std::string &text);
+
+
+  /** A position in the thickness. */
+  struct ThicknessPosition
+  {
+    enum class Kind
+    {
+      /** A fraction of the thickness, from the inner face. */
+      fraction,
+      /** The outer side of a ply, counted from 1 at the inner face. */
+      ply,
+      /** The distance from the inner face. */
+      distance
+    };
+    Kind   kind  = Kind::fraction;
+    double value = 0;
+  };
+
+  /** Read 'inner', 'middle', 'outer', 'ply N' or a distance. Throws InputError
+   * where it is none of these. */
+  ThicknessPosition
+  parse_thickness_position(const std::string &entry, const std::string &text);
+
+
+  /** Stresses of plies, inner ply first: sigma_L, sigma_T, tau_LT as formulas
+   * of alpha_1 and tables. */
+  using PlyStresses = std::vector<std::array<Formula, 3>>;
+
+  /** Read triples of formulas without blanks, separated by commas. Throws
+   * InputError where they are malformed. */
+  PlyStresses
+  parse_ply_stresses(const std::string &entry, const std::string &text);
 
 
   /**
@@ -51,22 +105,29 @@ namespace Biface
   public:
     struct Parameters
     {
-      std::string  plies = "cord: 1.2 @ 52, cord: 1.2 @ -52, "
-                           "cord: 1.2 @ 52, cord: 1.2 @ -52";
-      std::string  tables;
-      std::string  initial_stresses;
-      ThicknessLaw law       = ThicknessLaw::symmetric;
-      std::string  reference = "inner";
+      std::vector<PlyParameters> plies =
+        parse_plies("Laminate/Plies",
+                    "cord: 1.2 @ 52, cord: 1.2 @ -52, "
+                    "cord: 1.2 @ 52, cord: 1.2 @ -52");
+      std::vector<TableFile> tables;
+      /** Of all plies, or of none. */
+      PlyStresses       initial_stresses;
+      ThicknessLaw      law = ThicknessLaw::symmetric;
+      ThicknessPosition reference;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError where plies name a material that is not in
+       * @p materials, or a formula a variable that there is not. */
+      void
+      check(const std::vector<MaterialParameters> &materials) const;
     };
 
-    /** Throws InputError if the plies are invalid, a material is not in
-     * @p materials, or a table cannot be read. */
+    /** Throws InputError like Parameters::check(), and if a table cannot be
+     * interpolated. */
     Layup(const Parameters                      &parameters,
-          const std::vector<MaterialParameters> &materials,
-          const MPI_Comm                         communicator = MPI_COMM_SELF);
+          const std::vector<MaterialParameters> &materials);
 
     /**
      * The plies that cover @p within, with their thickness and angle at
@@ -86,13 +147,6 @@ namespace Biface
       return laminate(alpha_1, alpha_1);
     }
 
-    /** See Laminate::is_symmetric(). */
-    bool
-    is_symmetric() const
-    {
-      return law != ThicknessLaw::asymmetric;
-    }
-
     const std::vector<PlyDescription> &
     get_plies() const
     {
@@ -102,9 +156,7 @@ namespace Biface
   private:
     std::vector<PlyDescription> plies;
     ThicknessLaw                law;
-    /** The height of the reference surface above the inner face, for given
-     * plies. */
-    std::function<double(const std::vector<Ply> &)> reference_height;
+    ThicknessPosition           reference;
   };
 } // namespace Biface
 

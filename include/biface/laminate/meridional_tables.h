@@ -5,46 +5,60 @@
 
 #include <deal.II/base/function_lib.h>
 
-#include <mpi.h>
-
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include <biface/input/formula.h>
+#include <biface/input/read_file.h>
 
 namespace Biface
 {
+  /** A table of numbers by @f$\alpha_1@f$, which formulas know by its name. */
+  struct TableFile
+  {
+    std::string name;
+    PairsFile   file;
+  };
+
+  /** Read a list, 'name: file' separated by commas; files are not opened.
+   * Throws InputError where the list or a name cannot be used. */
+  std::vector<TableFile>
+  parse_tables(const std::string &entry, const std::string &text);
+
+  /** The list that parse_tables() takes for these tables. */
+  std::string
+  print_tables(const std::vector<TableFile> &tables);
+
+
   /**
-   * Tables of numbers as functions of @f$\alpha_1@f$, for the formulas of
-   * plies: linear between their rows, constant beyond their ends.
+   * The tables that formulas of plies know: linear between their rows, constant
+   * beyond their ends.
    */
   class MeridionalTables
   {
   public:
-    /**
-     * Read the tables of a list of 'name: file' separated by commas; for the
-     * files see parse_pairs(). Must be called on all ranks.
-     *
-     * Throws InputError if the list, a name or a file is invalid.
-     */
-    MeridionalTables(const std::string &list, const MPI_Comm communicator);
+    /** Throws InputError where a table cannot be interpolated. */
+    explicit MeridionalTables(const std::vector<TableFile> &tables);
 
     /**
-     * A formula of `alpha_1` and the names of the tables as a function of
-     * @f$\alpha_1@f$. It keeps its own copy of the tables.
-     *
-     * Throws InputError like Formula.
+     * A formula of `alpha_1` and of the tables, by their names, as a function
+     * of @f$\alpha_1@f$. It does not need the tables any longer.
      */
     std::function<double(const double)>
-    parse(const std::string &entry, const std::string &text) const;
+    function(Formula formula) const;
+
+    /** Let a formula know the variables. Throws InputError, see
+     * Formula::bind(). */
+    static void
+    bind(Formula &formula, const std::vector<TableFile> &tables);
 
   private:
     using Table = dealii::Functions::InterpolatedTensorProductGridData<1>;
 
-    void
-    check_name(const std::string &name) const;
-
-    std::map<std::string, std::shared_ptr<const Table>> tables;
+    std::vector<std::string>                  names;
+    std::vector<std::shared_ptr<const Table>> tables;
   };
 } // namespace Biface
 

@@ -5,15 +5,65 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/edge_moments.h>
 #include <biface/model/force_term.h>
 #include <biface/model/pressure_load.h>
 #include <biface/model/shell_mesh.h>
 
 namespace Biface
 {
+  /** A force that keeps its direction. */
+  struct DeadForce
+  {
+    dealii::Tensor<1, 3> components;
+    /** Whether they are those in the frame @f$\mathbf e_i@f$. */
+    bool local = false;
+    /** The shares of the faces. */
+    std::array<double, 2> faces{{0.5, 0.5}};
+  };
+
+  struct PointForce
+  {
+    std::string point;
+    DeadForce   force;
+  };
+
+  struct EdgeForce
+  {
+    /** As the user wrote it. */
+    std::string text;
+    Edge        edge;
+    /** Per length. */
+    DeadForce force;
+  };
+
+  /** A force on a face: formulas of the position for its components. */
+  struct Traction
+  {
+    /** Three, or none for no force. */
+    std::vector<Formula> components;
+    bool                 local = false;
+  };
+
+
+  /** Read forces, 'name: F_1 F_2 F_3' and so on, separated by commas. Throw
+   * InputError where they are malformed. */
+  std::vector<PointForce>
+  parse_point_forces(const std::string &entry, const std::string &text);
+  std::vector<EdgeForce>
+  parse_edge_forces(const std::string &entry, const std::string &text);
+
+  /** Read a force on a face, three formulas separated by semicolons, with
+   * 'local' after them or not. Throws InputError where it is malformed. */
+  Traction
+  parse_traction(const std::string &entry, const std::string &text);
+
+
   /**
    * Loads that grow with the load factor, as they are at the load factor 1:
    * forces at named points, on edges, on faces and on the whole shell, which
@@ -21,12 +71,12 @@ namespace Biface
    */
   struct DeadLoads
   {
-    std::string point_forces;
-    std::string edge_forces;
-    std::string edge_moments;
+    std::vector<PointForce> point_forces;
+    std::vector<EdgeForce>  edge_forces;
+    std::vector<EdgeMoment> edge_moments;
     /** By the face. */
-    std::array<std::string, 2> tractions;
-    dealii::Tensor<1, 3>       area_force;
+    std::array<Traction, 2> tractions;
+    dealii::Tensor<1, 3>    area_force;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -36,8 +86,8 @@ namespace Biface
      *
      * @param area what tractions are counted on.
      *
-     * Throws InputError where a text is malformed, or names a point or an edge
-     * that does not exist.
+     * Throws InputError where there is no point of a name, or a formula is not
+     * finite at a node.
      */
     LA::Vector
     assemble(const ShellMesh &mesh, const AreaMeasure area) const;

@@ -14,6 +14,26 @@
 
 namespace Biface
 {
+  /** A moment along an edge. */
+  struct EdgeMoment
+  {
+    /** As the user wrote it. */
+    std::string text;
+    Edge        edge;
+    /** Per length on the reference surface, at the load factor 1. Unit: force.
+     */
+    double moment;
+    /** Whether it does work on the angle through which the director turns, or
+     * is a couple of forces that keep their direction. */
+    bool follower;
+  };
+
+  /** Read moments along edges, 'edge: M dead' or 'edge: M follower' separated
+   * by commas. Throws InputError where they are malformed. */
+  std::vector<EdgeMoment>
+  parse_edge_moments(const std::string &entry, const std::string &text);
+
+
   /** A moment along an edge, as one on a vertex of a cell. */
   struct VertexMoment
   {
@@ -29,27 +49,12 @@ namespace Biface
   };
 
 
-  /**
-   * Read moments along edges: a list, separated by commas, of `edge: M dead` or
-   * `edge: M follower`.
-   *
-   * @param follower which of the two to return.
-   *
-   * Throws InputError where the text is malformed or there is no such edge.
-   */
+  /** The moments along edges on the cells of this rank.
+   * @param follower which of both kinds to return. */
   std::vector<VertexMoment>
-  parse_edge_moments(const std::string &text,
-                     const bool         follower,
-                     const ShellMesh   &mesh);
-
-
-  /** The edge of the given name. Throws InputError, naming @p entry and
-   * @p text, where there is none. */
-  Edge
-  find_edge(const std::string &entry,
-            const std::string &text,
-            const std::string &name,
-            const ShellMesh   &mesh);
+  vertex_moments(const std::vector<EdgeMoment> &moments,
+                 const bool                     follower,
+                 const ShellMesh               &mesh);
 
 
   /**
@@ -77,8 +82,8 @@ namespace Biface
   class FollowerMoments : public ForceTerm
   {
   public:
-    /** @param text see parse_edge_moments(), which throws. */
-    FollowerMoments(const ShellMesh &mesh, const std::string &text);
+    FollowerMoments(const ShellMesh               &mesh,
+                    const std::vector<EdgeMoment> &edge_moments);
 
     bool
     acts_on(const unsigned int cell,

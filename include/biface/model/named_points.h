@@ -20,23 +20,34 @@ namespace Biface
   struct NamedPoint
   {
     std::string name;
-    /** In the surface's internal unit. */
+    /** In the surface's internal unit, or in that of parameter files. */
     dealii::Point<2> alpha;
   };
+
+  /** Read points, 'name: alpha_1 alpha_2' separated by commas, in the unit of
+   * parameter files. Throws InputError where the list is malformed, or names a
+   * point twice. */
+  std::vector<NamedPoint>
+  parse_points(const std::string &entry, const std::string &text);
 
 
   /** The points of a shell. */
   struct NamedPoints
   {
-    std::string list;
+    /** In the unit of parameter files. */
+    std::vector<NamedPoint> list;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Read the list in the units of @p surface. Throws InputError where it is
-     * malformed, or names a point twice. */
+    /** Throw InputError, naming @p entry, where there is no point of this
+     * name. */
+    void
+    check_name(const std::string &entry, const std::string &name) const;
+
+    /** The points in the internal unit of a surface. */
     std::vector<NamedPoint>
-    parse(const ReferenceSurface &surface) const;
+    on(const ReferenceSurface &surface) const;
   };
 
 

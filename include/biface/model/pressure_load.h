@@ -11,6 +11,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/follower_pressure.h>
+#include <biface/input/formula.h>
 #include <biface/model/force_term.h>
 #include <biface/model/shell_mesh.h>
 
@@ -39,6 +40,12 @@ namespace Biface
   };
 
 
+  /** Read a formula of the position on the reference surface, of `x, y, z,
+   * alpha_1, alpha_2`. Throws InputError as Formula does. */
+  Formula
+  parse_position_formula(const std::string &entry, const std::string &text);
+
+
   /** Which face the pressure of the stages acts on, and how. A positive one
    * pushes the face toward the shell. */
   struct PressureLoad
@@ -47,13 +54,14 @@ namespace Biface
     Resultants::Face face = Resultants::inner;
     AreaMeasure      area = AreaMeasure::middle;
     /** Formula of the position, which multiplies the pressure. */
-    std::string distribution = "1";
+    Formula distribution =
+      parse_position_formula("Loads/Pressure distribution", "1");
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
     /** The distribution at all nodes of this rank. Throws InputError on all
-     * ranks where it is not a formula, or not finite at any node. */
+     * ranks where it is not finite at any node. */
     std::vector<double>
     values(const ShellMesh &mesh) const;
 
@@ -108,13 +116,12 @@ namespace Biface
   };
 
 
-  /** Formulas of the position on the reference surface, of `x, y, z, alpha_1,
-   * alpha_2`, at all nodes of this rank: `[node][i]` is the i-th formula's
-   * value. Throws InputError as PressureLoad::values() does. */
+  /** Formulas of the position, see parse_position_formula(), at all nodes of
+   * this rank: `[node][i]` is the i-th formula's value. Throws InputError on
+   * all ranks where one is not finite at any node. */
   std::vector<std::vector<double>>
-  evaluate_at_nodes(const std::string              &entry,
-                    const std::vector<std::string> &formulas,
-                    const ShellMesh                &mesh);
+  evaluate_at_nodes(const std::vector<Formula> &formulas,
+                    const ShellMesh            &mesh);
 
 
   /** The area around a vertex of a cell, of which there are four. */

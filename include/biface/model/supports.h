@@ -7,7 +7,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Biface
@@ -49,22 +48,32 @@ namespace Biface
                 const unsigned int across);
 
 
+  /** A support of a named point. */
+  struct PointSupport
+  {
+    std::string                   point;
+    std::vector<SupportCondition> conditions;
+  };
+
+  /** Read supports of points, 'name: support' separated by commas. Throws
+   * InputError where they are malformed. */
+  std::vector<PointSupport>
+  parse_point_supports(const std::string &entry, const std::string &text);
+
+
   /** What holds the shell: conditions on its edges, indexed by Edge, and on
    * named points. */
   struct Supports
   {
-    std::array<std::string, 4> edges{{"free", "free", "free", "free"}};
-    std::string                points;
+    std::array<std::vector<SupportCondition>, 4> edges;
+    std::vector<PointSupport>                    points;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    std::vector<SupportCondition>
-    edge_conditions(const unsigned int edge) const;
-
-    /** Names of points and their conditions. */
-    std::vector<std::pair<std::string, std::vector<SupportCondition>>>
-    point_conditions() const;
+    /** Whether a displacement other than 0 is prescribed. */
+    bool
+    prescribe() const;
   };
 } // namespace Biface
 

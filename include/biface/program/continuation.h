@@ -13,12 +13,6 @@
 
 namespace Biface
 {
-  /** The contents of the files that parameters name, by what they are for. Must
-   * be called on all ranks. Throws InputError where one cannot be read. */
-  std::map<std::string, std::string>
-  read_named_files(const Parameters &parameters, const MPI_Comm communicator);
-
-
   /**
    * Check that a run can go on with changed parameters: those that describe the
    * shell, its loads, and the stages that are done must be the same, see
@@ -27,16 +21,16 @@ namespace Biface
    * Throws InputError that names the entry and both values.
    *
    * @param before, now all entries as the text of a parameter file.
-   * @param files_before, files_now see read_named_files(); the names of files
-   * do not matter, their contents do.
+   * @param files_before, files_now see Parameters::named_pairs(); the names of
+   * files do not matter, their contents do.
    * @param progress of the run.
    */
   void
-  check_continuation(const std::string                        &before,
-                     const std::string                        &now,
-                     const std::map<std::string, std::string> &files_before,
-                     const std::map<std::string, std::string> &files_now,
-                     const Progress                           &progress);
+  check_continuation(const std::string  &before,
+                     const std::string  &now,
+                     const PairsByEntry &files_before,
+                     const PairsByEntry &files_now,
+                     const Progress     &progress);
 } // namespace Biface
 
 #endif

@@ -5,11 +5,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <biface/input/parameter_text.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/contact_interaction.h>
@@ -27,6 +27,10 @@
 
 namespace Biface
 {
+  /** The contents of files of pairs, by the entries that name them. */
+  using PairsByEntry = std::map<std::string, std::vector<dealii::Point<2>>>;
+
+
   /**
    * All parameters of a run. Each part is declared by the class that uses it;
    * here they are put together in reading order.
@@ -56,9 +60,26 @@ namespace Biface
                    const std::vector<std::string> &material_names,
                    const unsigned int              n_stages);
 
-    /** Check what can be checked of single values. Throws InputError. */
+    /** Check all that needs no mesh: values, and whether the names of points,
+     * edges, materials and tables that entries use are there. Throws
+     * InputError. */
     void
     check() const;
+
+    /** Sentences about what is allowed, but hardly meant: loads that no stage
+     * applies, and symmetry where angle plies have none. */
+    std::vector<std::string>
+    warnings() const;
+
+    /** The pairs of the files that entries name, by these entries. */
+    PairsByEntry
+    named_pairs() const;
+
+  private:
+    /** Throws InputError where the edges of a closed coordinate are held or
+     * loaded. */
+    void
+    check_edges() const;
   };
 
 
@@ -83,16 +104,12 @@ namespace Biface
   };
 
 
-  /** Names that were in use before, and still work. */
-  extern const std::vector<OldName> old_names;
-
-
   /**
-   * Read a parameter file.
+   * Parse a parameter file, which the first rank reads for all.
    *
-   * The file is read on the first rank only. Throws InputError, on all ranks,
-   * where it cannot be read, holds an unknown entry or a value that is not
-   * allowed; the sentence names file, line, entry, value, and what is allowed.
+   * Throws InputError, on all ranks, where it cannot be read, holds an unknown
+   * entry or a value that cannot be parsed; the sentence names file, line,
+   * entry, value, and what is allowed.
    *
    * @param file_name the file; empty for defaults only.
    * @param overrides settings that take precedence over the file.
@@ -103,20 +120,20 @@ namespace Biface
    * @return sentences about old names that are used.
    */
   std::vector<std::string>
+  parse_parameters(const std::string           &file_name,
+                   const std::vector<Override> &overrides,
+                   const MPI_Comm               communicator,
+                   Parameters                  &parameters,
+                   dealii::ParameterHandler    &prm);
+
+  /** The same, with Parameters::check(), and with the files that entries name,
+   * read by the first rank for all: what an analysis can start from. */
+  std::vector<std::string>
   read_parameters(const std::string           &file_name,
                   const std::vector<Override> &overrides,
                   const MPI_Comm               communicator,
                   Parameters                  &parameters,
                   dealii::ParameterHandler    &prm);
-
-  /** The same from the text of a parameter file, in which names of other files
-   * are absolute. Every rank parses its own copy.
-   * @param source what error messages call the text. */
-  void
-  parse_parameters(const std::string        &source,
-                   const std::string        &text,
-                   Parameters               &parameters,
-                   dealii::ParameterHandler &prm);
 
   /** All entries and their values as the text of a parameter file. */
   std::string

@@ -27,8 +27,11 @@ namespace Biface
     std::string version;
     /** All parameters of the run, as the text of a parameter file. */
     std::string parameters;
-    /** The contents of other files that were read, by what they are for. */
-    std::map<std::string, std::string> files;
+    /** Its stages. */
+    std::vector<Stage> stages;
+    /** The pairs in other files that were read, by the entries that name
+     * them. */
+    std::map<std::string, std::vector<dealii::Point<2>>> files;
 
     Progress               progress;
     double                 predictor_size = 0;
@@ -40,8 +43,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &files &progress &predictor_size &written
-        &summary;
+      archive &version &parameters &stages &files &progress &predictor_size
+        &written &summary;
     }
   };
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 #include <biface/model/state.h>
 
@@ -96,7 +97,23 @@ namespace Biface
     /** Throws InputError where a value is not usable. */
     void
     check(const std::string &section) const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &name &theory &pressure &contact &travel &factor &n_steps;
+      archive &control &control_point &control_component       &control_value;
+      archive &force &adaptive                                 &from_prestress;
+    }
   };
+
+
+  /** Check stages in their order: where a displacement or an arc length is
+   * given, the pressure or the load factor must change, and the travel must
+   * not. Throws InputError. */
+  void
+  check_stages(const std::vector<Stage> &stages);
 } // namespace Biface
 
 #endif

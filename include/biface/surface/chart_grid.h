@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/surface/intervals.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -53,9 +54,12 @@ namespace Biface
   {
     struct Parameters
     {
-      std::array<std::string, 2> intervals{
-        {"-120:-45:12, -45:45:18, 45:120:12",
-         "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth"}};
+      /** In the units of parameter files. */
+      std::array<IntervalList, 2> intervals{
+        {parse_intervals("Mesh/Intervals alpha_1",
+                         "-120:-45:12, -45:45:18, 45:120:12"),
+         parse_intervals("Mesh/Intervals alpha_2",
+                         "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth")}};
       bool             closed       = true;
       MeshDistribution distribution = MeshDistribution::shared;
       /** The number of coarser meshes to start with, see coarsened(). */
@@ -75,10 +79,10 @@ namespace Biface
     MeshDistribution distribution = MeshDistribution::shared;
 
     /**
-     * Read the interval lists in the units of @p surface.
+     * The lines of the intervals, in the units of @p surface.
      *
-     * Throws InputError like parse_intervals(), and if a closed coordinate does
-     * not span a full turn.
+     * Throws InputError if they leave the surface, or if a closed coordinate
+     * does not span a full turn.
      */
     ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
 
@@ -160,6 +164,13 @@ namespace Biface
   /** The names of the edges in parameter files, indexed by Edge. */
   const std::array<std::string, 4> edge_names{
     {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
+
+  /** The edge of the given name. Throws InputError, naming @p entry and
+   * @p text, where there is none. */
+  Edge
+  parse_edge(const std::string &entry,
+             const std::string &text,
+             const std::string &name);
 
 
   /**

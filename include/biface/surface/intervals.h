@@ -8,32 +8,52 @@
 
 namespace Biface
 {
+  /** Cells between two coordinates, each @p ratio times as long as the one
+   * before it. */
+  struct Interval
+  {
+    /** As the user wrote it. */
+    std::string  text;
+    double       start   = 0;
+    double       end     = 0;
+    unsigned int n_cells = 0;
+    double       ratio   = 1;
+
+    /** Length of the cell number @p i. */
+    double
+    cell_length(const unsigned int i) const;
+  };
+
+
+  /** Adjoining intervals in rising order. */
+  struct IntervalList
+  {
+    std::string           text;
+    std::vector<Interval> intervals;
+
+    /** Rising coordinates of all grid lines, times @p unit. Neighboring
+     * intervals share a line. */
+    std::vector<double>
+    lines(const double unit = 1) const;
+  };
+
+
   /**
-   * The grid lines given by an interval list.
-   *
-   * The list is a comma-separated sequence of adjoining intervals in ascending
-   * order, each in one of the forms
-   * - `begin:end:n`, n equal cells;
-   * - `begin:end:n:q`, n cells, each q times as long as the previous one;
-   * - `begin:end:n:smooth`, n cells whose lengths grow (or shrink)
-   *   geometrically away from an adjoining interval in one of the forms above.
-   *   The common ratio also holds between the two intervals, so that lengths do
-   *   not jump.
+   * Read a list of intervals, separated by commas, each of one of the forms
+   * - `start:end:n`, n equal cells;
+   * - `start:end:n:q`, n cells, each q times as long as the one before it;
+   * - `start:end:n:smooth`, n cells whose lengths grow (or shrink)
+   *   geometrically away from the adjoining interval of one of the forms
+   *   above, the first of them already by the common ratio: the lengths
+   *   continue those of the neighbor without a jump.
    *
    * @param entry the name of the parameter, for error messages.
-   * @param list the text.
-   * @param unit the factor from the numbers in the list to the result.
    *
-   * @return the coordinates of all grid lines in ascending order, times
-   * @p unit. Neighboring intervals share a line.
-   *
-   * Throws InputError if the list is malformed, an interval is empty, or
-   * intervals overlap or leave a gap.
+   * Throws InputError where the list is malformed, an interval is empty,
+   * or intervals overlap or leave a gap.
    */
-  std::vector<double>
-  parse_intervals(const std::string &entry,
-                  const std::string &list,
-                  const double       unit);
+  IntervalList
+  parse_intervals(const std::string &entry, const std::string &text);
 } // namespace Biface
 
 #endif

@@ -5,11 +5,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <mpi.h>
-
 #include <memory>
 #include <string>
 
+#include <biface/input/read_file.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/reference_surface.h>
 #include <biface/surface/straight_line.h>
@@ -36,22 +35,18 @@ namespace Biface
     MeridianType             meridian = MeridianType::circular_arc;
     CircularArc::Parameters  circular_arc;
     StraightLine::Parameters straight_line;
-    /** A CSV file, see parse_pairs(). */
-    std::string points_file;
+    /** Radius and axial coordinate. */
+    PairsFile points_file;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
   };
 
 
-  /**
-   * Create the surface. Throws InputError if the parameters are invalid.
-   *
-   * @param communicator the ranks; one of them reads files for all.
-   */
+  /** Make the surface. Throws InputError where the parameters do not describe
+   * one. */
   std::unique_ptr<ReferenceSurface>
-  make_surface(const SurfaceParameters &parameters,
-               const MPI_Comm           communicator);
+  make_surface(const SurfaceParameters &parameters);
 } // namespace Biface
 
 #endif
