@@ -72,6 +72,9 @@ def allowed(pattern):
     match = re.fullmatch(r"\[Selection (.*?) ?\]", pattern)
     if match:
         return ", ".join(f"`{word.strip()}`" for word in match[1].split("|"))
+    match = re.fullmatch(r"\[Number or (.*)\]", pattern)
+    if match:
+        return f"a number or `{match[1]}`"
     match = re.fullmatch(r"\[MultipleSelection (.*?) ?\]", pattern)
     if match:
         return "list of: " + ", ".join(

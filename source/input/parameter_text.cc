@@ -375,6 +375,8 @@ namespace Biface
         return "it must be a number, " + match[1].str() + " or above";
       if (std::regex_match(pattern, std::regex("\\[Double.*\\]")))
         return "it must be a number";
+      if (std::regex_match(pattern, match, std::regex("\\[Number or (.*)\\]")))
+        return "it must be a number or '" + match[1].str() + "'";
       if (std::regex_search(pattern, std::regex("^\\[List of <\\[Double")) &&
           std::regex_search(
             pattern, match, std::regex("of length ([0-9]+)\\.\\.\\.\\1 ")))

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <memory>
 #include <sstream>
 
 #include <biface/base/errors.h>
@@ -234,5 +235,58 @@ namespace Biface
     if (colon == std::string::npos || name.empty())
       throw InputError(entry, text, allowed);
     return {name, dealii::Utilities::trim(text.substr(colon + 1))};
+  }
+
+
+  namespace
+  {
+    /** A number, or a word. */
+    class NumberOrWord : public dealii::Patterns::PatternBase
+    {
+    public:
+      explicit NumberOrWord(const std::string &word) : word(word)
+      {}
+
+      bool
+      match(const std::string &text) const override
+      {
+        return text == word || dealii::Patterns::Double().match(text);
+      }
+
+      std::string
+      description(const OutputStyle = Machine) const override
+      {
+        return "[Number or " + word + "]";
+      }
+
+      std::unique_ptr<dealii::Patterns::PatternBase>
+      clone() const override
+      {
+        return std::make_unique<NumberOrWord>(word);
+      }
+
+    private:
+      const std::string word;
+    };
+  } // namespace
+
+
+  void
+  add_optional_number(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      std::optional<double>    &value,
+                      const std::string        &word,
+                      const std::string        &documentation)
+  {
+    prm.declare_entry(name,
+                      value ? number_to_string(*value) : word,
+                      NumberOrWord(word),
+                      documentation);
+    prm.add_action(name, [&value, word](const std::string &text) {
+      if (text == word)
+        value.reset();
+      else
+        value = dealii::Utilities::string_to_double(text);
+    });
   }
 } // namespace Biface

@@ -78,8 +78,6 @@ namespace Biface
     results.sync();
     record.progress = progress;
     record.written  = results.get_written();
-    if (const auto &step = progress.predictor.get_last())
-      record.predictor_size = step->size;
     write_checkpoint(
       directory, record, simulation.get_equations(), simulation.get_state());
     any_written = true;

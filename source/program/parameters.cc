@@ -109,15 +109,14 @@ namespace Biface
     contact.check();
     newton.check();
     checkpoint.check();
+    check_stages(stages);
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
-        const std::string section = "Stage " + std::to_string(i + 1);
-        stages[i].check(section);
-        if (stages[i].control == Stage::ControlType::displacement)
-          points.check_name(section + "/Control point",
-                            stages[i].control_point);
+        const std::string entry =
+          "Stage " + std::to_string(i + 1) + "/Control point";
+        if (!stages[i].control_point.empty())
+          points.check_name(entry, stages[i].control_point);
       }
-    check_stages(stages);
     laminate.check(materials);
   }
 
@@ -204,7 +203,7 @@ namespace Biface
       dead.emplace_back("Supports");
     if (!dead.empty() &&
         std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.factor != 0;
+          return stage.factor.value_or(0) != 0;
         }))
       sentences.push_back("No stage applies " + in_quotes(dead) +
                           ": each has 'Load factor = 0'.");
@@ -219,7 +218,7 @@ namespace Biface
       of_pressure.emplace_back("Loads/Pressure distribution");
     if (!of_pressure.empty() &&
         std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.pressure != 0;
+          return stage.pressure.value_or(0) != 0;
         }))
       sentences.push_back("No stage has a 'Pressure', which " +
                           in_quotes(of_pressure) + " would describe.");

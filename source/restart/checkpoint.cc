@@ -182,12 +182,11 @@ namespace Biface
     equations.internal_forces().restore(history);
 
     progress = record.progress;
-    if (reader->has("predictor displacement"))
+    if (progress.predictor.get_last())
       {
-        SecantPredictor::Step step;
-        step.displacement = vector("predictor displacement");
-        step.resultants   = modes("predictor resultants");
-        step.size         = record.predictor_size;
+        SecantPredictor::Step step = *progress.predictor.get_last();
+        step.displacement          = vector("predictor displacement");
+        step.resultants            = modes("predictor resultants");
         progress.predictor.restore(step);
       }
     for (auto &known : progress.control.vectors)

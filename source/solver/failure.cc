@@ -12,7 +12,7 @@ namespace Biface
       "smaller steps (more 'Steps' in the stage, or 'Step control/Maximum "
       "cuts')";
     const char turning_points[] =
-      "where the shell snaps through or buckles, 'Control = displacement' or "
+      "if the shell snaps through or buckles, 'Control = displacement' or "
       "'arc length', which pass turning points of the load";
     const char zone_edge[] =
       "shorter cells at the edge of the contact zone, 'Contact/Multiplier mass "
@@ -25,28 +25,28 @@ namespace Biface
       switch (cause)
         {
           case FailureCause::too_many_iterations:
-            return "The iteration neither settled nor diverged; the lines with "
-                   "'residual' in run.log show how far it came.";
+            return "The iteration neither converged nor diverged; the lines "
+                   "with 'residual' in run.log show how it went.";
           case FailureCause::divergence:
-            return "The iteration left the neighborhood of the last state: the "
-                   "step is too large, or there is no equilibrium near by.";
+            return "The iteration diverged or became NaN: the step is too "
+                   "large, or there is no equilibrium nearby.";
           case FailureCause::contact_cycle:
-            return "The same nodes touch and leave the foundation in turn, and "
-                   "no state was found in which they rest.";
+            return "The same nodes enter and leave contact in turn, and "
+                   "holding them in contact did not help.";
           case FailureCause::singular_tangent:
-            return "Some motion of the shell meets no resistance: it is not "
-                   "held, a material or a ply is nearly without stiffness, or "
-                   "the load has come to its greatest value.";
+            return "Some motion of the shell meets no resistance: supports are "
+                   "missing, a material or a ply has almost no stiffness, or "
+                   "the load has reached its maximum.";
           case FailureCause::out_of_memory:
-            return "The matrix did not fit into memory when it was factorized.";
+            return "The factorized matrix did not fit into memory.";
           case FailureCause::linear_iterations:
-            return "The linear system was set up, but Krylov's method did not "
-                   "solve it as exactly as the step needs.";
+            return "The Krylov method did not solve a linear system as "
+                   "accurately as the step needs.";
           case FailureCause::control:
-            return "The displacement or the force that the stage gives does "
-                   "not change with the loads.";
+            return "The prescribed displacement or force does not change with "
+                   "the loads.";
           case FailureCause::too_many_steps:
-            return "The path of equilibrium goes on, but away from the loads "
+            return "The equilibrium path continues, but away from the loads "
                    "of the stage, or slowly.";
         }
       Assert(false, dealii::ExcInternalError());
@@ -62,32 +62,31 @@ namespace Biface
       switch (cause)
         {
           case FailureCause::too_many_iterations:
-            return std::string("more 'Newton/Maximum iterations' where the "
-                               "residual still falls; ") +
+            return std::string("more 'Newton/Maximum iterations' if the "
+                               "residual still decreases; ") +
                    smaller_steps + "; " + turning_points + contact;
           case FailureCause::divergence:
             return std::string(smaller_steps) + "; " + turning_points + contact;
           case FailureCause::contact_cycle:
             return std::string(zone_edge) + "; " + smaller_steps;
           case FailureCause::singular_tangent:
-            return std::string(
-                     "more in the section 'Supports' (rigid motions "
-                     "left free are named at the begin of the run); ") +
-                   turning_points + "; a look at the plies and moduli";
+            return std::string("more entries in 'Supports' (the start of the "
+                               "run lists free rigid motions); ") +
+                   turning_points + "; other plies or moduli";
           case FailureCause::out_of_memory:
             return "fewer cells, 'Contact/Multiplier mass = lumped' (half of "
-                   "the matrix will do), 'Linear solver/Type = iterative', or "
+                   "the matrix suffices), 'Linear solver/Type = iterative', or "
                    "more machines";
           case FailureCause::linear_iterations:
             return "more 'Linear solver/Maximum iterations', or 'Linear "
                    "solver/Type = direct'";
           case FailureCause::control:
             return "another 'Control point' or 'Control component'; for a "
-                   "force, a stage of given travel before, in which the shell "
-                   "comes to rest on the foundation";
+                   "force, a stage of prescribed travel before, in which the "
+                   "shell comes to rest on the foundation";
           case FailureCause::too_many_steps:
             return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
-                   "the stage, or a greater 'Step control/Maximum growth'";
+                   "the stage, or a larger 'Step control/Maximum growth'";
         }
       Assert(false, dealii::ExcInternalError());
       return {};

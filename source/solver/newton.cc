@@ -128,6 +128,24 @@ namespace Biface
     double     last_update = std::numeric_limits<double>::infinity();
 
     NewtonResult result;
+
+    /** Whether the active set has settled. What a coarser mesh gave takes an
+     * iteration to be checked, and an equation one to be satisfied. */
+    bool
+    is_at_rest() const
+    {
+      return result.iterations == 0
+               ? parametrized.equation == nullptr && !zone_given
+               : n_changes == 0;
+    }
+
+    ControlEquation::Iteration
+    here(const ShellEquations     &equations,
+         const ContactInteraction &contact) const
+    {
+      return {
+        equations, contact, state, loads, total, result.iterations, n_changes};
+    }
   };
 
 
@@ -174,15 +192,28 @@ namespace Biface
             return result;
           }
         if (result.iterations == parameters.max_iterations)
-          return fail({FailureCause::too_many_iterations,
-                       "no convergence in " +
-                         std::to_string(result.iterations) + " iterations"});
+          return fail(too_many_iterations(iterate));
 
         if (const auto failure = compute_increment(iterate, increment))
           return fail(*failure);
         if (const auto failure = move(iterate, increment))
           return fail(*failure);
       }
+  }
+
+
+  Failure
+  Newton::too_many_iterations(const Iterate &iterate) const
+  {
+    const bool balanced =
+      iterate.result.residuals.back() <= parameters.residual_tolerance;
+    const std::string n = std::to_string(iterate.result.iterations);
+    return {FailureCause::too_many_iterations,
+            balanced && !is_satisfied(iterate)
+              ? "the forces are in balance, but the controlled value was not "
+                "attained in " +
+                  n + " iterations"
+              : "no convergence in " + n + " iterations"};
   }
 
 
@@ -214,22 +245,35 @@ namespace Biface
   bool
   Newton::is_converged(const Iterate &iterate) const
   {
-    const NewtonResult &result = iterate.result;
-    // an equation for the load parameter takes an iteration to be satisfied
-    const bool at_rest =
-      (result.iterations == 0
-         ? iterate.parametrized.equation == nullptr && !iterate.zone_given
-         : iterate.n_changes == 0);
-    const double small =
-      parameters.update_tolerance * equations.mesh.thickness();
-    const double residual = result.residuals.back();
-    return at_rest &&
+    // no larger residual is taken for round-off, or for a standstill
+    constexpr double maximum_residual = 1e-3;
+
+    const double thickness = equations.mesh.thickness();
+    const double residual  = iterate.result.residuals.back();
+    const bool   standstill =
+      iterate.last_update <= parameters.update_tolerance * thickness;
+    return iterate.is_at_rest() &&
            equations.support_violation() <=
-             std::max(small, 1e-12 * equations.mesh.size()) &&
+             std::max(parameters.update_tolerance * thickness,
+                      1e-12 * equations.mesh.size()) &&
            (residual <= parameters.residual_tolerance ||
-            // with forces far from balance, no update means no solution
-            (iterate.last_update <= small && residual <= 1e-3) ||
-            residual <= equations.relative_roundoff(iterate.state));
+            (residual <= maximum_residual &&
+             (standstill ||
+              residual <= equations.relative_roundoff(iterate.state)))) &&
+           is_satisfied(iterate);
+  }
+
+
+  bool
+  Newton::is_satisfied(const Iterate &iterate) const
+  {
+    // a contact force has fewer digits than the clearances it comes from
+    constexpr double minimum_tolerance = 1e-6;
+
+    const ControlEquation *equation = iterate.parametrized.equation;
+    return equation == nullptr ||
+           equation->violation(iterate.here(equations, contact)) <=
+             std::max(parameters.residual_tolerance, minimum_tolerance);
   }
 
 
@@ -255,11 +299,14 @@ namespace Biface
 
     if (const ControlEquation *equation = iterate.parametrized.equation)
       {
-        const ControlEquation::Iteration here{
-          equations, contact, iterate.state, iterate.loads, iterate.total};
+        const ControlEquation::Iteration here =
+          iterate.here(equations, contact);
         LA::Vector per_parameter = equations.mesh.owned_vector();
-        linear                   = linear_solver.solve(
-          per_parameter, equation->load_direction(here), exactness);
+        linear =
+          linear_solver.solve(per_parameter,
+                              equations.load_direction(
+                                iterate.state, iterate.loads, equation->rates),
+                              exactness);
         if (!linear.success)
           return Failure{linear.cause, linear.message};
         // supports hold still while the load grows

@@ -207,7 +207,7 @@ namespace Biface
       trial.size > 0 && nested != nullptr &&
       nested->predict(equations.mesh, from, to, attempt.state);
     if (trial.size > 0 && !zone_given && secant && parameters.predict)
-      progress.predictor.predict(attempt.state, trial.size);
+      progress.predictor.predict(attempt.state, attempt.mu, trial.size);
 
     const ParametrizedLoads loads{
       [&](const double mu) { return loads_at(trial.level(mu), run); },
@@ -228,7 +228,8 @@ namespace Biface
     run.control.accept(
       {trial, attempt.mu, result.iterations, run.state, attempt.state});
     if (trial.size > 0)
-      progress.predictor.learn(run.state, attempt.state, trial.size);
+      progress.predictor.learn(
+        run.state, attempt.state, attempt.mu - trial.mu, trial.size);
     run.state        = attempt.state;
     progress.reached = trial.level(attempt.mu);
     progress.control = run.control.get_memory();
@@ -242,6 +243,7 @@ namespace Biface
     report.loads      = loads_at(progress.reached, run);
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
     report.contact    = contact.summarize(run.state, report.loads);
+    report.controlled = run.control.controlled();
     report.iterations = result.iterations;
     report.residuals  = result.residuals;
     report.n_negative_pivots = result.n_negative_pivots;

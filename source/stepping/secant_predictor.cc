@@ -9,6 +9,7 @@ namespace Biface
   void
   SecantPredictor::learn(const State &before,
                          const State &after,
+                         const double mu_change,
                          const double size)
   {
     Step step;
@@ -16,23 +17,24 @@ namespace Biface
     step.displacement -= owned_part(before.displacement);
     for (unsigned int c = 0; c < after.resultants.size(); ++c)
       step.resultants.push_back(after.resultants[c] - before.resultants[c]);
+    step.mu   = mu_change;
     step.size = size;
     last      = step;
   }
 
 
-  bool
-  SecantPredictor::predict(State &state, const double size) const
+  void
+  SecantPredictor::predict(State &state, double &mu, const double size) const
   {
     if (!last)
-      return false;
+      return;
     const double ratio = size / last->size;
+    mu += ratio * last->mu;
 
     LA::Vector displacement = owned_part(state.displacement);
     displacement.add(ratio, last->displacement);
     state.displacement = displacement;
     for (unsigned int c = 0; c < state.resultants.size(); ++c)
       state.resultants[c] += ratio * last->resultants[c];
-    return true;
   }
 } // namespace Biface

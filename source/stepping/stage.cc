@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-#include <limits>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -15,17 +13,24 @@ namespace Biface
   void
   Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
   {
-    name = "stage " + std::to_string(number);
+    name                        = "stage " + std::to_string(number);
+    const std::string unchanged = "unchanged";
+    std::string       selection;
+    for (const std::string &control : control_names())
+      selection += (selection.empty() ? "" : "|") + control;
+
     prm.add_parameter("Name",
                       name,
                       "What the stage is called in results.",
                       Patterns::Anything());
-    prm.add_parameter(
+    add_optional_number(
+      prm,
       "Pressure",
       pressure,
+      unchanged,
       "Pressure at the end of the stage; on which face, and what it does as the "
-      "face moves, is said in the section 'Loads'. Unit: force/area.",
-      Patterns::Double());
+      "face moves, is said in the section 'Loads'. 'unchanged': as at the end of "
+      "the stage before. Unit: force/area.");
     prm.add_parameter("Contact",
                       contact,
                       "Whether the rigid foundation of the section 'Contact' "
@@ -33,30 +38,35 @@ namespace Biface
                       "begin of the first stage with contact (or the first "
                       "after 'Start from prestress').",
                       Patterns::Bool());
-    prm.add_parameter("Travel",
-                      travel,
-                      "How far the foundation has moved against 'Direction' "
-                      "at the end of the stage, counted from where it first "
-                      "touched. Unit: length.",
-                      Patterns::Double());
-    prm.add_parameter("Load factor",
-                      factor,
-                      "What the section 'Loads' and prescribed displacements "
-                      "of supports are multiplied by at the end of the stage. "
-                      "No unit.",
-                      Patterns::Double());
-    add_choice(prm,
-               "Control",
-               control,
-               {"load", "displacement", "arc length", "foundation force"},
-               "What is given in every step: 'load' (equal steps of all "
-               "loads), 'displacement' (equal steps of one displacement; the "
-               "loads follow on their way to those given, or beyond), 'arc "
-               "length' (steps of the displacements as a whole, which adapt "
-               "and pass turning points of the load, until the loads given are "
-               "reached; 'Steps' sets the first: 1/Steps of the loads), or "
-               "'foundation force' (equal steps of the force on the foundation "
-               "and of all loads; its travel follows).");
+    add_optional_number(
+      prm,
+      "Travel",
+      travel,
+      unchanged,
+      "How far the foundation has moved against 'Direction' "
+      "at the end of the stage, counted from where it first "
+      "touched. 'unchanged': as at the end of the stage before. Unit: "
+      "length.");
+    add_optional_number(
+      prm,
+      "Load factor",
+      factor,
+      unchanged,
+      "What the section 'Loads' and prescribed displacements "
+      "of supports are multiplied by at the end of the stage. "
+      "'unchanged': as at the end of the stage before. No unit.");
+    prm.add_parameter(
+      "Control",
+      control,
+      "What is given in every step: 'load' (equal steps of all "
+      "loads), 'displacement' (equal steps of one displacement; the "
+      "loads follow on their way to those given, or beyond), 'arc "
+      "length' (steps of the displacements as a whole, which adapt "
+      "and pass turning points of the load, until the loads given are "
+      "reached; 'Steps' sets the first: 1/Steps of the loads), or "
+      "'foundation force' (equal steps of the force on the foundation "
+      "and of all loads; its travel follows).",
+      Patterns::Selection(selection));
     prm.add_parameter("Control point",
                       control_point,
                       "Name of the point whose displacement (of the middle "
@@ -113,29 +123,25 @@ namespace Biface
                        name,
                        "it must not be empty nor hold a comma or a quotation "
                        "mark");
-    if (!std::isfinite(pressure))
-      throw InputError(section + "/Pressure",
-                       number_to_string(pressure),
-                       "it must be a number");
-    if (!std::isfinite(travel))
-      throw InputError(
-        section + "/Travel", number_to_string(travel), "it must be a number");
-    if (!std::isfinite(factor))
-      throw InputError(section + "/Load factor",
-                       number_to_string(factor),
-                       "it must be a number");
-    if (control != ControlType::load && theory == StrainTheory::linear)
+    const auto check_load = [&](const std::string           &entry,
+                                const std::optional<double> &load) {
+      if (load)
+        check_finite(section + "/" + entry, *load);
+    };
+    check_load("Pressure", pressure);
+    check_load("Travel", travel);
+    check_load("Load factor", factor);
+    if (control != "load" && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",
                        "a linear stage must have 'Control = load'");
-    if (control != ControlType::force && force != 0)
+    if (control != "foundation force" && force != 0)
       throw InputError(section + "/Force",
                        number_to_string(force),
                        "it needs 'Control = foundation force'");
-    make_control(*this)->check(section);
-    if (!contact && travel != 0)
+    if (!contact && travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
-                       number_to_string(travel),
+                       number_to_string(*travel),
                        "without 'Contact = true' there is nothing to move");
   }
 
@@ -143,21 +149,17 @@ namespace Biface
   void
   check_stages(const std::vector<Stage> &stages)
   {
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    LoadLevel    start;
-    for (const Stage &stage : stages)
+    Control::KnownStart start = Control::KnownStart::undeformed();
+    for (unsigned int i = 0; i < stages.size(); ++i)
       {
+        const Stage      &stage   = stages[i];
+        const std::string section = "Stage " + std::to_string(i + 1);
+        stage.check(section);
         if (stage.from_prestress)
-          start = LoadLevel();
-        if (stage.control == Stage::ControlType::displacement ||
-            stage.control == Stage::ControlType::arc_length)
-          check_loads_follow(stage, start);
-        start = stage.end();
-        // these follow a displacement and a force
-        if (stage.control == Stage::ControlType::displacement)
-          start.pressure = start.factor = unknown;
-        if (stage.control == Stage::ControlType::force)
-          start.travel = unknown;
+          start = Control::KnownStart::undeformed();
+        const auto control = make_control(stage);
+        control->check(section, start);
+        start = control->known_end(start);
       }
   }
 } // namespace Biface

@@ -193,7 +193,8 @@ namespace
         {"Stage 1/Control", "foundation force"}}}}},
     {"Stage 1/Control", {{{"foundation force"}}}},
     {"Stage 1/Control point",
-     {{{"", "Q"}, {{"Stage 1/Control", "displacement"}}}}},
+     {{{"", "Q"},
+       {{"Stage 1/Control", "displacement"}, {"Stage 1/Control value", "1"}}}}},
     {"Stage 1/Strain theory",
      {{{"linear"}, {{"Stage 1/Control", "arc length"}}}}},
     {"Material rubber/E", {{{"0", "-1"}}}},
@@ -262,7 +263,7 @@ namespace
   std::vector<std::string>
   wrong_values(const std::string &pattern)
   {
-    if (pattern.rfind("[Double", 0) == 0)
+    if (pattern.rfind("[Double", 0) == 0 || pattern.rfind("[Number", 0) == 0)
       {
         std::vector<std::string> values{"",
                                         "word",

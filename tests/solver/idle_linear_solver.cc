@@ -10,42 +10,12 @@
 #include <biface/solver/newton.h>
 
 #include "../model/coarse_torus.h"
+#include "idle_solver.h"
 #include <cord_ply.h>
 #include <tests.h>
 
 using namespace dealii;
 using namespace Biface;
-
-namespace
-{
-  /** Takes zero for the solution of any system. */
-  class IdleSolver : public LinearSolver
-  {
-  public:
-    LinearSolverResult
-    factorize(const LA::SparseMatrix &, const bool) override
-    {
-      return done();
-    }
-
-    LinearSolverResult
-    solve(LA::Vector &x, const LA::Vector &, const double) override
-    {
-      x = 0;
-      return done();
-    }
-
-  private:
-    static LinearSolverResult
-    done()
-    {
-      LinearSolverResult result;
-      result.success = true;
-      return result;
-    }
-  };
-} // namespace
-
 
 int
 main(int argc, char *argv[])

@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -139,6 +140,15 @@ namespace Biface
       value = parse(entry, text);
     });
   }
+
+  /** Declare the entry @p name, whose value is a number, or @p word for none.
+   */
+  void
+  add_optional_number(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      std::optional<double>    &value,
+                      const std::string        &word,
+                      const std::string        &documentation);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator whose place in @p names the text has. */

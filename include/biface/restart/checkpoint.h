@@ -34,7 +34,6 @@ namespace Biface
     std::map<std::string, std::vector<dealii::Point<2>>> files;
 
     Progress               progress;
-    double                 predictor_size = 0;
     ResultsWriter::Written written;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
@@ -43,8 +42,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &stages &files &progress &predictor_size
-        &written &summary;
+      archive &version &parameters &stages &files;
+      archive &progress &written           &summary;
     }
   };
 

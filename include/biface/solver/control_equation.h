@@ -21,6 +21,10 @@ namespace Biface
   class ControlEquation
   {
   public:
+    /** @param rates how the loads change with @f$\mu@f$. */
+    explicit ControlEquation(const LoadRates &rates) : rates(rates)
+    {}
+
     virtual ~ControlEquation() = default;
 
     /** Where Newton's method is. */
@@ -33,11 +37,11 @@ namespace Biface
       const Loads              &loads;
       /** Change of the displacements since the start of the step. */
       const LA::Vector &total;
+      /** How many iterations were done, and the changes of the active set in
+       * the last one. */
+      const unsigned int number;
+      const unsigned int n_changes;
     };
-
-    /** The derivative of the forces on the shell with respect to @f$\mu@f$. */
-    virtual LA::Vector
-    load_direction(const Iteration &iteration) const = 0;
 
     /** @f$d\mu@f$ of this iteration; not a finite number where the equation
      * does not depend on the loads. */
@@ -45,28 +49,15 @@ namespace Biface
     parameter_change(const Iteration  &iteration,
                      const LA::Vector &dV_R,
                      const LA::Vector &dV_q) const = 0;
+
+    /** How far the equation is from being satisfied, as a fraction of what it
+     * prescribes. */
+    virtual double
+    violation(const Iteration &iteration) const = 0;
+
+    const LoadRates rates;
   };
 
-
-  /** The load parameter is the part of their way that all loads but the
-   * foundation have gone. */
-  class LoadFractionEquation : public ControlEquation
-  {
-  public:
-    /** @param rate how the loads change with the load parameter. */
-    explicit LoadFractionEquation(const LoadRates &rate) : rate(rate)
-    {}
-
-    LA::Vector
-    load_direction(const Iteration &iteration) const override
-    {
-      return iteration.equations.load_direction(
-        iteration.state, iteration.loads, rate);
-    }
-
-  private:
-    const LoadRates rate;
-  };
 } // namespace Biface
 
 #endif

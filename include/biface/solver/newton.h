@@ -123,6 +123,14 @@ namespace Biface
     bool
     is_converged(const Iterate &iterate) const;
 
+    /** Whether the equation for the load parameter is satisfied, if there is
+     * one. */
+    bool
+    is_satisfied(const Iterate &iterate) const;
+
+    Failure
+    too_many_iterations(const Iterate &iterate) const;
+
     /** Solve the linear systems of an iteration.
      * @return why not, where that failed. */
     std::optional<Failure>

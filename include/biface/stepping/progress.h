@@ -54,7 +54,8 @@ namespace Biface
     {
       bool   touched = touching_travel.has_value();
       double travel  = touching_travel.value_or(0);
-      archive &n_steps &stage &stage_begun &reached &touched &travel &control;
+      archive &n_steps &stage &stage_begun &reached &touched &travel;
+      archive &control                                       &predictor;
       touching_travel =
         (touched ? std::optional<double>(travel) : std::nullopt);
     }

@@ -13,9 +13,10 @@
 namespace Biface
 {
   /**
-   * Where the next step probably ends: displacements and resultants go on as in
+   * Where the next step probably ends: displacements, resultants and a load
+   * parameter that follows, such as the travel of the foundation, go on as in
    * the step before, in proportion to the loads. Nodes in contact follow from
-   * the displacements.
+   * displacements and travel.
    */
   class SecantPredictor
   {
@@ -28,14 +29,18 @@ namespace Biface
     }
 
     /** Learn from a converged step.
+     * @param mu_change of the load parameter, where it follows; else 0.
      * @param size how far the loads went, in any measure. */
     void
-    learn(const State &before, const State &after, const double size);
+    learn(const State &before,
+          const State &after,
+          const double mu_change,
+          const double size);
 
-    /** Move a state by a step of the given size, where a step was learnt.
-     * @return whether it was moved. */
-    bool
-    predict(State &state, const double size) const;
+    /** Move a state and its load parameter by a step of the given size, where a
+     * step was learnt. */
+    void
+    predict(State &state, double &mu, const double size) const;
 
     /** What changed in a step. */
     struct Step
@@ -43,6 +48,7 @@ namespace Biface
       /** The locally owned entries. */
       LA::Vector                 displacement;
       std::vector<Modes::Vector> resultants;
+      double                     mu   = 0;
       double                     size = 0;
     };
 
@@ -57,6 +63,24 @@ namespace Biface
     restore(const std::optional<Step> &step)
     {
       last = step;
+    }
+
+    /** The numbers; vectors are distributed, and stored by themselves. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      bool                known = last.has_value();
+      double              mu    = (known ? last->mu : 0.);
+      double              size  = (known ? last->size : 0.);
+      archive &known &mu &size;
+      if (known && !last)
+        last.emplace();
+      if (known)
+        {
+          last->mu   = mu;
+          last->size = size;
+        }
     }
 
   private:

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,24 +52,17 @@ namespace Biface
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
-    /** At the end of the stage. */
-    double pressure = 0;
+    /** At the end of the stage; without a value, as at its start. */
+    std::optional<double> pressure;
     /** Whether there is a foundation, and how far it has come at the end. */
-    bool   contact = false;
-    double travel  = 0;
+    bool                  contact = false;
+    std::optional<double> travel;
     /** Of the dead loads and prescribed displacements, at the end. */
-    double       factor  = 0;
-    unsigned int n_steps = 1;
+    std::optional<double> factor;
+    unsigned int          n_steps = 1;
 
-    /** What is given in every step, see Control and the classes derived. */
-    enum class ControlType
-    {
-      load,
-      displacement,
-      arc_length,
-      force
-    };
-    ControlType control = ControlType::load;
+    /** What is given in every step: one of control_names(). */
+    std::string control = "load";
     /** The displacement that is given: a named point, its component (0 to 2 for
      * x to z), and its value at the end of the stage. */
     std::string  control_point;
@@ -83,11 +77,13 @@ namespace Biface
     /** Begin with the stresses reached so far, but undeformed and unloaded. */
     bool from_prestress = false;
 
-    /** The loads at the end of the stage. */
+    /** The loads at the end of the stage, by those at its start. */
     LoadLevel
-    end() const
+    end(const LoadLevel &start) const
     {
-      return {pressure, factor, travel};
+      return {pressure.value_or(start.pressure),
+              factor.value_or(start.factor),
+              travel.value_or(start.travel)};
     }
 
     /** @param number of the stage, for its default name. */
@@ -102,16 +98,24 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &name &theory &pressure &contact &travel &factor &n_steps;
-      archive &control &control_point &control_component       &control_value;
-      archive &force &adaptive                                 &from_prestress;
+      const auto add_optional = [&](std::optional<double> &value) {
+        bool            given  = value.has_value();
+        double          number = value.value_or(0);
+        archive &given &number;
+        value = (given ? std::optional<double>(number) : std::nullopt);
+      };
+      add_optional(pressure);
+      add_optional(travel);
+      add_optional(factor);
+      archive &name &theory &contact                     &n_steps;
+      archive &control &control_point &control_component &control_value;
+      archive &force &adaptive                           &from_prestress;
     }
   };
 
 
-  /** Check stages in their order: where a displacement or an arc length is
-   * given, the pressure or the load factor must change, and the travel must
-   * not. Throws InputError. */
+  /** Check stages one after the other, and what can be told of each before the
+   * run. Throws InputError. */
   void
   check_stages(const std::vector<Stage> &stages);
 } // namespace Biface

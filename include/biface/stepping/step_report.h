@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/model/state.h>
@@ -24,6 +25,8 @@ namespace Biface
     std::string stage;
     bool        in_contact = false;
     Loads       loads;
+    /** What is controlled beside the loads, in words, and its value. */
+    std::optional<std::pair<std::string, double>> controlled;
     /** Travel of the foundation since it touched the shell. */
     double         approach = 0;
     ContactSummary contact;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <cmath>
 
 #include <biface/stepping/controls/arc_length_control.h>
 
@@ -15,7 +16,7 @@ namespace Biface
      * before: turning points of the load are passed without being asked.
      * Later, the equation is linearized.
      */
-    class ArcLengthEquation : public LoadFractionEquation
+    class ArcLengthEquation : public ControlEquation
     {
     public:
       /**
@@ -25,7 +26,7 @@ namespace Biface
       ArcLengthEquation(const LoadRates  &rate,
                         const double      length,
                         const LA::Vector &previous)
-        : LoadFractionEquation(rate), length(length), previous(previous)
+        : ControlEquation(rate), length(length), previous(previous)
       {}
 
       double
@@ -40,11 +41,25 @@ namespace Biface
         return ((length * length - size) / 2 - total * dV_R) / (total * dV_q);
       }
 
+      double
+      violation(const Iteration &iteration) const override
+      {
+        return std::abs(iteration.total.l2_norm() / length - 1);
+      }
+
     private:
       const double     length;
       const LA::Vector previous;
     };
   } // namespace
+
+
+  void
+  ArcLengthControl::check(const std::string & /*section*/,
+                          const KnownStart &start) const
+  {
+    check_loads_follow(stage, start);
+  }
 
 
   void
@@ -58,7 +73,7 @@ namespace Biface
   void
   ArcLengthControl::begin(const Equilibrium &from)
   {
-    check_loads_follow(stage, from.level);
+    check_loads_follow(stage, KnownStart::at(from.level));
     Control::begin(from);
     load_fraction = 0;
     n_steps       = 0;
@@ -152,7 +167,7 @@ namespace Biface
   ArcLengthControl::change_way(const Stage &now, const LoadLevel &reached)
   {
     const std::optional<double> part =
-      common_part(ways_of_loads(reached, now.end()));
+      common_part(ways_of_loads(reached, now.end(start)));
     if (!part)
       start = reached;
     load_fraction = part.value_or(0);

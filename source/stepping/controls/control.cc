@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/stepping/controls/arc_length_control.h>
@@ -14,20 +15,41 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <class Kind>
+    std::unique_ptr<Control>
+    make(const Stage &stage, const Control::Parameters &parameters)
+    {
+      return std::make_unique<Kind>(stage, parameters);
+    }
+
+
+    /** All controls, by their names in parameter files. */
+    const std::vector<std::pair<std::string, decltype(&make<LoadControl>)>>
+      controls{{"load", &make<LoadControl>},
+               {"displacement", &make<DisplacementControl>},
+               {"arc length", &make<ArcLengthControl>},
+               {"foundation force", &make<ForceControl>}};
+  } // namespace
+
+
+  std::vector<std::string>
+  control_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &control : controls)
+      names.push_back(control.first);
+    return names;
+  }
+
+
   std::unique_ptr<Control>
   make_control(const Stage &stage, const Control::Parameters &parameters)
   {
-    switch (stage.control)
-      {
-        case Stage::ControlType::load:
-          return std::make_unique<LoadControl>(stage, parameters);
-        case Stage::ControlType::displacement:
-          return std::make_unique<DisplacementControl>(stage, parameters);
-        case Stage::ControlType::arc_length:
-          return std::make_unique<ArcLengthControl>(stage, parameters);
-        case Stage::ControlType::force:
-          return std::make_unique<ForceControl>(stage, parameters);
-      }
+    for (const auto &control : controls)
+      if (control.first == stage.control)
+        return control.second(stage, parameters);
     Assert(false, ExcInternalError());
     return {};
   }
@@ -77,6 +99,16 @@ namespace Biface
   Control::Control(const Stage &stage, const Parameters &parameters)
     : stage(stage), parameters(parameters)
   {}
+
+
+  Control::KnownStart
+  Control::known_end(const KnownStart &start) const
+  {
+    return {stage.pressure ? stage.pressure : start.pressure,
+            stage.factor ? stage.factor : start.factor,
+            stage.travel ? stage.travel : start.travel,
+            false};
+  }
 
 
   void
@@ -156,7 +188,7 @@ namespace Biface
   LoadLevel
   Control::level_at(const double fraction) const
   {
-    const LoadLevel end = stage.end();
+    const LoadLevel end = stage.end(start);
     if (fraction == 1)
       return end;
     return {start.pressure + fraction * (end.pressure - start.pressure),
@@ -168,9 +200,10 @@ namespace Biface
   LoadRates
   Control::load_rate() const
   {
-    LoadRates rate;
-    rate.pressure = stage.end().pressure - start.pressure;
-    rate.factor   = stage.end().factor - start.factor;
+    const LoadLevel end = stage.end(start);
+    LoadRates       rate;
+    rate.pressure = end.pressure - start.pressure;
+    rate.factor   = end.factor - start.factor;
     return rate;
   }
 
@@ -250,16 +283,20 @@ namespace Biface
 
 
   void
-  check_loads_follow(const Stage &stage, const LoadLevel &start)
+  check_loads_follow(const Stage &stage, const Control::KnownStart &start)
   {
+    const auto stays = [](const std::optional<double> &begin,
+                          const std::optional<double> &end) {
+      return !end || (begin && *begin == *end);
+    };
     const std::string what = "the stage '" + stage.name +
                              "' is controlled by a displacement or an arc "
                              "length, but ";
-    const LoadLevel end = stage.end();
-    if (end.pressure == start.pressure && end.factor == start.factor)
+    if (stays(start.pressure, stage.pressure) &&
+        stays(start.factor, stage.factor))
       throw InputError(what + "neither its pressure nor its load factor "
                               "differs from that of the stage before.");
-    if (stage.contact && end.travel != start.travel)
+    if (stage.contact && start.travel && !stays(start.travel, stage.travel))
       throw InputError(what + "its foundation moves, too.");
   }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/displacement_control.h>
 
 namespace Biface
@@ -9,13 +12,13 @@ namespace Biface
   {
     /** A displacement, @f$\mathbf l\cdot\mathbf V@f$, is to change by a given
      * amount in the step. */
-    class DisplacementEquation : public LoadFractionEquation
+    class DisplacementEquation : public ControlEquation
     {
     public:
       DisplacementEquation(const LoadRates  &rate,
                            const LA::Vector &functional,
                            const double      change)
-        : LoadFractionEquation(rate), functional(functional), change(change)
+        : ControlEquation(rate), functional(functional), change(change)
       {}
 
       double
@@ -27,6 +30,13 @@ namespace Biface
                (functional * dV_q);
       }
 
+      double
+      violation(const Iteration &iteration) const override
+      {
+        return std::abs(functional * iteration.total - change) /
+               std::abs(change);
+      }
+
     private:
       const LA::Vector functional;
       const double     change;
@@ -35,12 +45,38 @@ namespace Biface
 
 
   void
-  DisplacementControl::check(const std::string &section) const
+  DisplacementControl::check(const std::string &section,
+                             const KnownStart  &start) const
   {
     if (stage.control_point.empty())
       throw InputError(section + "/Control point",
                        stage.control_point,
                        "control by a displacement needs a point");
+    check_loads_follow(stage, start);
+    if (start.is_undeformed)
+      check_value(0);
+  }
+
+
+  Control::KnownStart
+  DisplacementControl::known_end(const KnownStart &start) const
+  {
+    KnownStart end = EqualSteps::known_end(start);
+    end.pressure.reset();
+    end.factor.reset();
+    return end;
+  }
+
+
+  void
+  DisplacementControl::check_value(const double start_value) const
+  {
+    if (stage.control_value == start_value)
+      throw InputError("the stage '" + stage.name +
+                       "' prescribes a displacement of " +
+                       number_to_string(start_value) +
+                       ", but this is what it starts with, so that nothing "
+                       "would change.");
   }
 
 
@@ -56,7 +92,7 @@ namespace Biface
   void
   DisplacementControl::begin(const Equilibrium &from)
   {
-    check_loads_follow(stage, from.level);
+    check_loads_follow(stage, KnownStart::at(from.level));
     EqualSteps::begin(from);
     load_fraction                 = 0;
     const ShellMesh &mesh         = from.equations.mesh;
@@ -65,6 +101,7 @@ namespace Biface
     start_value                   = displacement_functional(
                     mesh, stage.control_point, stage.control_component) *
                   displacement;
+    check_value(start_value);
   }
 
 
@@ -91,6 +128,23 @@ namespace Biface
   }
 
 
+  double
+  DisplacementControl::value_at(const double fraction) const
+  {
+    return start_value + fraction * (stage.control_value - start_value);
+  }
+
+
+  std::optional<std::pair<std::string, double>>
+  DisplacementControl::controlled() const
+  {
+    const char component = "xyz"[stage.control_component];
+    return std::make_pair(std::string("displacement ") + component + " of " +
+                            stage.control_point,
+                          value_at(fraction));
+  }
+
+
   Control::Memory
   DisplacementControl::get_memory() const
   {
@@ -113,10 +167,9 @@ namespace Biface
   void
   DisplacementControl::change_way(const Stage &now, const LoadLevel &reached)
   {
-    const double value =
-      start_value + fraction * (stage.control_value - start_value);
+    const double                value = value_at(fraction);
     const std::optional<double> load_part =
-      common_part(ways_of_loads(reached, now.end()));
+      common_part(ways_of_loads(reached, now.end(start)));
     std::optional<double> part;
     if (load_part)
       part = common_part({{start_value, value, now.control_value}});

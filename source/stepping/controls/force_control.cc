@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/force_control.h>
@@ -8,54 +10,90 @@ namespace Biface
 {
   namespace
   {
+    /** How far the foundation goes beyond touching, to find something to press
+     * on. */
+    double
+    beyond_touching(const ShellMesh &mesh)
+    {
+      return 0.01 * mesh.thickness();
+    }
+
+
     /** The force on the foundation is to have a given value; the load parameter
      * is how far the foundation has moved. */
     class ForceEquation : public ControlEquation
     {
     public:
       /** @param force compressive. */
-      explicit ForceEquation(const double force) : force(force)
+      explicit ForceEquation(const double force)
+        : ControlEquation(unit_travel()), force(force)
       {}
-
-      LA::Vector
-      load_direction(const Iteration &iteration) const override
-      {
-        LoadRates rates;
-        rates.travel = 1;
-        return iteration.equations.load_direction(
-          iteration.state, iteration.loads, rates);
-      }
 
       double
       parameter_change(const Iteration  &iteration,
                        const LA::Vector &dV_R,
                        const LA::Vector &dV_q) const override
       {
-        const auto F =
-          iteration.contact.force(iteration.state, iteration.loads);
+        // how many iterations may move the foundation and the zone at once
+        constexpr unsigned int n_together = 5;
+
+        const ContactInteraction &contact = iteration.contact;
+        if (contact.count_active(iteration.state) == 0)
+          return contact.travel_to_touch(iteration.state, iteration.loads) +
+                 beyond_touching(contact.mesh);
+        // a zone that does not settle is given time to
+        if (iteration.number >= n_together && iteration.n_changes > 0)
+          return 0;
+        const auto F = contact.force(iteration.state, iteration.loads);
         return (force - F.value - F.gradient * dV_R) /
                (F.gradient * dV_q + F.per_travel);
       }
 
+      double
+      violation(const Iteration &iteration) const override
+      {
+        const double now =
+          iteration.contact.force(iteration.state, iteration.loads).value;
+        return std::abs(now - force) / std::abs(force);
+      }
+
     private:
+      static LoadRates
+      unit_travel()
+      {
+        LoadRates rates;
+        rates.travel = 1;
+        return rates;
+      }
+
       const double force;
     };
   } // namespace
 
 
   void
-  ForceControl::check(const std::string &section) const
+  ForceControl::check(const std::string &section,
+                      const KnownStart & /*start*/) const
   {
     if (!stage.contact)
       throw InputError(section + "/Control",
                        "foundation force",
                        "without 'Contact = true' there is no foundation");
-    if (stage.travel != 0)
+    if (stage.travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
-                       number_to_string(stage.travel),
-                       "with 'Control = foundation force' it is found, and "
-                       "must not be given");
+                       number_to_string(*stage.travel),
+                       "with 'Control = foundation force' it must not be set: "
+                       "the travel is computed");
     check_positive(section + "/Force", stage.force);
+  }
+
+
+  Control::KnownStart
+  ForceControl::known_end(const KnownStart &start) const
+  {
+    KnownStart end = EqualSteps::known_end(start);
+    end.travel.reset();
+    return end;
   }
 
 
@@ -70,10 +108,6 @@ namespace Biface
   Control::Trial
   ForceControl::propose(const Equilibrium &from) const
   {
-    // how far the foundation goes beyond touching, to find something to press
-    // on
-    const double nudge = 0.01 * from.equations.mesh.thickness();
-
     const double part = next();
     Trial        trial;
     trial.level = [this, part](const double travel) {
@@ -85,7 +119,7 @@ namespace Biface
     if (from.contact.count_active(from.state) == 0)
       trial.mu +=
         from.contact.travel_to_touch(from.state, from.loads(from.level)) +
-        nudge;
+        beyond_touching(from.equations.mesh);
     trial.equation = std::make_shared<const ForceEquation>(force_at(part));
     trial.size     = part - fraction;
     return trial;
@@ -120,7 +154,7 @@ namespace Biface
   ForceControl::change_way(const Stage &now, const LoadLevel &reached)
   {
     const double     force = force_at(fraction);
-    std::vector<Way> ways  = ways_of_loads(reached, now.end());
+    std::vector<Way> ways  = ways_of_loads(reached, now.end(start));
     // the travel follows
     ways.back() = {start_force, force, now.force};
     if (!go_on_from(common_part(ways), reached))

@@ -18,6 +18,6 @@ namespace Biface
   void
   LoadControl::change_way(const Stage &now, const LoadLevel &reached)
   {
-    go_on_from(common_part(ways_of_loads(reached, now.end())), reached);
+    go_on_from(common_part(ways_of_loads(reached, now.end(start))), reached);
   }
 } // namespace Biface

@@ -16,8 +16,10 @@ namespace Biface
   class ArcLengthControl : public Control
   {
   public:
-    using Control::check;
     using Control::Control;
+
+    void
+    check(const std::string &section, const KnownStart &start) const override;
 
     void
     check(const std::string &section, const ShellMesh &mesh) const override;

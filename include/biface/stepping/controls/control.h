@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -80,11 +81,35 @@ namespace Biface
 
     virtual ~Control() = default;
 
+    /** What can be told before the run of the start of a stage. */
+    struct KnownStart
+    {
+      std::optional<double> pressure, factor, travel;
+      /** Whether there are no displacements. */
+      bool is_undeformed = false;
+
+      static KnownStart
+      undeformed()
+      {
+        return {0., 0., 0., true};
+      }
+
+      static KnownStart
+      at(const LoadLevel &level)
+      {
+        return {level.pressure, level.factor, level.travel, false};
+      }
+    };
+
     /** Check the entries of the stage. Throws InputError.
      * @param section of the stage, to be named. */
     virtual void
-    check(const std::string & /*section*/) const
+    check(const std::string & /*section*/, const KnownStart & /*start*/) const
     {}
+
+    /** What can be told before the run of the end of the stage. */
+    virtual KnownStart
+    known_end(const KnownStart &start) const;
 
     /** Check that the stage fits the mesh. Throws InputError. */
     virtual void
@@ -158,6 +183,14 @@ namespace Biface
     /** The part of the stage that is done: 1 at its end. */
     virtual double
     done() const = 0;
+
+    /** What is controlled beside the loads and contact, in words, and its value
+     * after the last step. */
+    virtual std::optional<std::pair<std::string, double>>
+    controlled() const
+    {
+      return {};
+    }
 
     /** Whether each step is a given part of the stage, unless it is cut. */
     virtual bool
@@ -264,6 +297,10 @@ namespace Biface
   };
 
 
+  /** What a stage can ask for. */
+  std::vector<std::string>
+  control_names();
+
   /** The control that a stage asks for. */
   std::unique_ptr<Control>
   make_control(const Stage               &stage,
@@ -327,7 +364,7 @@ namespace Biface
   /** Refuse to let the loads follow in a stage where none changes, or the
    * foundation moves, too. Throws InputError. */
   void
-  check_loads_follow(const Stage &stage, const LoadLevel &start);
+  check_loads_follow(const Stage &stage, const Control::KnownStart &start);
 
   /** Refuse to let the loads follow where supports prescribe displacements.
    * Throws InputError. */

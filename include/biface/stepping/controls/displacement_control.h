@@ -16,7 +16,10 @@ namespace Biface
     using EqualSteps::EqualSteps;
 
     void
-    check(const std::string &section) const override;
+    check(const std::string &section, const KnownStart &start) const override;
+
+    KnownStart
+    known_end(const KnownStart &start) const override;
 
     void
     check(const std::string &section, const ShellMesh &mesh) const override;
@@ -30,6 +33,9 @@ namespace Biface
     void
     accept(const Step &step) override;
 
+    std::optional<std::pair<std::string, double>>
+    controlled() const override;
+
     Memory
     get_memory() const override;
 
@@ -41,6 +47,14 @@ namespace Biface
     change_way(const Stage &now, const LoadLevel &reached) override;
 
   private:
+    /** The displacement at a part of the stage. */
+    double
+    value_at(const double fraction) const;
+
+    /** Refuse a stage that would change nothing. Throws InputError. */
+    void
+    check_value(const double start_value) const;
+
     double start_value   = 0;
     double load_fraction = 0;
   };

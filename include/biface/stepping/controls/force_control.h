@@ -16,7 +16,10 @@ namespace Biface
     using EqualSteps::EqualSteps;
 
     void
-    check(const std::string &section) const override;
+    check(const std::string &section, const KnownStart &start) const override;
+
+    KnownStart
+    known_end(const KnownStart &start) const override;
 
     void
     begin(const Equilibrium &from) override;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A load that nothing resists is not taken for round-off, however far the shell
+// has moved.
+
+#include <deal.II/base/timer.h>
+
+#include <iostream>
+
+#include <biface/solver/newton.h>
+
+#include "../model/free_shells.h"
+#include "idle_solver.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  ConditionalOStream               out(std::cout, false);
+  TimerOutput timer(out, TimerOutput::never, TimerOutput::wall_times);
+
+  // without supports, and moved as a whole
+  const auto               mesh = plate();
+  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+  State                    state(*mesh);
+  LA::Vector               distance = mesh->owned_vector();
+  distance                          = 1e8;
+  state.displacement                = distance;
+
+  ParametrizedLoads loads;
+  loads.at = [](const double) {
+    Loads loads;
+    loads.pressure = 1e-6;
+    return loads;
+  };
+  equations.assemble(state, loads.at(0));
+  check_true("round-off may be as large as the load",
+             equations.relative_roundoff(state) >
+               equations.relative_residual());
+
+  IdleSolver solver;
+  Newton newton(Newton::Parameters(), equations, contact, solver, out, timer);
+  double mu = 0;
+  const NewtonResult result =
+    newton.solve(state, loads, mu, NewtonIteration::mixed);
+  std::cout << (result.converged ? "converged" : result.failure.message)
+            << std::endl;
+}
