@@ -44,9 +44,10 @@ namespace Biface
 
     double travel = std::numeric_limits<double>::infinity();
     for (const Node &node : mesh.nodes)
-      travel = std::min(travel,
-                        at_rest.travel_to(mesh.deformed_position(
-                          state.displacement, node, Resultants::outer)));
+      if (node.outer_face_free)
+        travel = std::min(travel,
+                          at_rest.travel_to(mesh.deformed_position(
+                            state.displacement, node, Resultants::outer)));
     travel = Utilities::MPI::min(travel, mesh.communicator);
     if (travel == std::numeric_limits<double>::infinity())
       throw InputError("the foundation of the section 'Contact' passes by the "
@@ -56,14 +57,28 @@ namespace Biface
     const RigidFoundation touching = at_rest.moved(travel);
     bool                  fits     = std::isfinite(travel);
     for (const Node &node : mesh.nodes)
-      fits = fits && touching.clearance(mesh.deformed_position(
-                       state.displacement, node, Resultants::outer)) >
-                       -1e-9 * mesh.size();
+      if (node.outer_face_free)
+        fits = fits && touching.clearance(mesh.deformed_position(
+                         state.displacement, node, Resultants::outer)) >
+                         -1e-9 * mesh.size();
     if (Utilities::MPI::max(static_cast<unsigned int>(!fits),
                             mesh.communicator) > 0)
       throw InputError("the shell does not fit into the hollow foundation of "
                        "the section 'Contact', but it must.");
     return travel;
+  }
+
+
+  ActiveSet
+  ContactInteraction::pierced_nodes(const State &state,
+                                    const Loads &loads) const
+  {
+    const double small = 1e-3 * mesh.thickness();
+    ActiveSet    pierced(mesh.nodes.size(), 0);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      pierced[n] = (!mesh.nodes[n].outer_face_free &&
+                    clearance(state, loads, mesh.nodes[n]) < -small);
+    return pierced;
   }
 
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <memory>
 
+#include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/load_stepping.h>
 
 namespace Biface
@@ -244,10 +247,31 @@ namespace Biface
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
     report.contact    = contact.summarize(run.state, report.loads);
     report.controlled = run.control.controlled();
-    report.iterations = result.iterations;
-    report.residuals  = result.residuals;
+    if (run.stage.contact)
+      warn_of_pierced_nodes(run.state, report.loads);
+    report.iterations        = result.iterations;
+    report.residuals         = result.residuals;
     report.n_negative_pivots = result.n_negative_pivots;
     return report;
+  }
+
+
+  void
+  LoadStepping::warn_of_pierced_nodes(const State &state, const Loads &loads)
+  {
+    if (warned)
+      return;
+    const ActiveSet    pierced = contact.pierced_nodes(state, loads);
+    const unsigned int any     = std::count(pierced.begin(), pierced.end(), 0) <
+                                 static_cast<std::ptrdiff_t>(pierced.size())
+                                   ? 1
+                                   : 0;
+    if (Utilities::MPI::max(any, contact.mesh.communicator) == 0)
+      return;
+    out << "  Warning: the foundation passes through nodes that supports hold, "
+           "and that cannot come into contact: "
+        << name_nodes(contact.mesh, pierced) << std::endl;
+    warned = true;
   }
 
 

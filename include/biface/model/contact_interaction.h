@@ -60,11 +60,16 @@ namespace Biface
       return foundation_at_rest.moved(travel);
     }
 
-    /** The travel of the foundation that just touches the deformed outer face.
-     * Throws InputError where it passes by the shell, or the shell does not fit
-     * into it. */
+    /** The travel of the foundation that just touches a free node of the
+     * deformed outer face: one that can come into contact. Throws InputError
+     * where it passes by the shell, or the shell does not fit into it. */
     double
     touching_travel(const State &state) const;
+
+    /** The nodes of this rank that the foundation has passed through, since
+     * supports hold their outer face, and they cannot come into contact. */
+    ActiveSet
+    pierced_nodes(const State &state, const Loads &loads) const;
 
     /** How far the foundation travels until it touches a free node of the
      * outer face, see RigidFoundation::travel_to(). */

@@ -132,6 +132,10 @@ namespace Biface
            const Control::Trial &trial,
            const Attempt        &attempt);
 
+    /** Name the held nodes that the foundation has passed through, once. */
+    void
+    warn_of_pierced_nodes(const State &state, const Loads &loads);
+
     Control::Equilibrium
     last_converged(const StageRun &run) const;
 
@@ -144,6 +148,9 @@ namespace Biface
     Newton                     &newton;
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;
+
+    /** Whether pierced nodes were named. */
+    bool warned = false;
   };
 } // namespace Biface
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The travel counts from the first node that can come into contact; held nodes
+// that the foundation passes through are named once.
+
+#include <sstream>
+
+#include "../run_analysis.h"
+#include "../tests.h"
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Parameters       parameters;
+  ParameterHandler prm;
+  read_parameters(
+    DATA_DIR "/sagging_strip.prm", {}, MPI_COMM_WORLD, parameters, prm);
+  std::ostringstream screen;
+  Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
+  simulation.run([&](const StepReport &report, const State &) {
+    if (report.in_contact)
+      check_true("a force at the travel " + std::to_string(report.approach),
+                 report.contact.force > 0);
+  });
+
+  const std::string text = screen.str(), warning = "  Warning: ";
+  const auto        found = text.find(warning);
+  check_true("a warning", found != std::string::npos);
+  check_true("one only", found == text.rfind(warning));
+  std::cout << text.substr(found, text.find('\n', found) - found) << std::endl;
+}
