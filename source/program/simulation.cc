@@ -47,8 +47,8 @@ namespace Biface
         return;
       const double gigabyte = 1e9;
       throw InputError(
-        "the mesh has " + number_to_string(n_nodes) +
-        " nodes and needs more than " +
+        "the section 'Mesh' describes " + number_to_string(n_nodes) +
+        " nodes, which need more than " +
         number_to_string(
           std::ceil(Utilities::MPI::max(needed, communicator) / gigabyte)) +
         " GB, but a machine has " +
