@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A checkpoint gives back the whole state: displacements, resultants, the
+// active set and all components of the multipliers, at all nodes of each rank,
+// and what earlier stages have left in the internal forces.
+
+#include <filesystem>
+
+#include <biface/restart/checkpoint.h>
+
+#include "../model/coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const Layup     layup(Layup::Parameters(), cord_ply());
+  const auto      mesh = coarse_torus(layup);
+  ShellEquations  equations(*mesh);
+  InternalForces &internal = equations.internal_forces();
+
+  State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+  internal.take_as_prestress(state);
+  state = at(equations, state, some_displacement(*mesh, 0.2, 2));
+  internal.set_theory(StrainTheory::linear, state);
+  state = at(equations, state, some_displacement(*mesh, 0.3, 3));
+  for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
+    {
+      const Point<2> &alpha = mesh->nodes[n].alpha;
+      state.active[n]       = alpha[0] > 0.1;
+      for (unsigned int i = 0; i < 3; ++i)
+        state.multipliers[n][i] = std::sin(3 * alpha[0] + 7 * alpha[1] + i);
+    }
+
+  const std::string directory = "checkpoint";
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::create_directories(directory);
+  MPI_Barrier(MPI_COMM_WORLD);
+  write_checkpoint(directory, RunRecord(), equations, state);
+
+  ShellEquations other_equations(*mesh);
+  State          other(*mesh);
+  Progress       progress;
+  Checkpoint(directory, MPI_COMM_WORLD)
+    .restore(other_equations, other, progress);
+
+  bool same = true;
+  for (const auto dof : mesh->locally_relevant)
+    same = same && other.displacement(dof) == state.displacement(dof);
+  const auto all = [](const bool on_this_rank) {
+    return Utilities::MPI::min(static_cast<int>(on_this_rank),
+                               MPI_COMM_WORLD) == 1;
+  };
+  const InternalForces::History &before = internal.get_history();
+  const InternalForces::History &after =
+    other_equations.internal_forces().get_history();
+  const bool found[] = {
+    all(same),
+    all(other.resultants == state.resultants),
+    all(other.active == state.active),
+    all(other.multipliers == state.multipliers),
+    all(after.initial_resultants == before.initial_resultants &&
+        after.initial_strains == before.initial_strains),
+    all(after.linearization_point.has_value() &&
+        after.linearization_point->resultants ==
+          before.linearization_point->resultants)};
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return 0;
+  check_true("displacements", found[0]);
+  check_true("resultants", found[1]);
+  check_true("active set", found[2]);
+  check_true("multipliers", found[3]);
+  check_true("prestress", found[4]);
+  check_true("linearization point", found[5]);
+}
