@@ -189,10 +189,10 @@ namespace Biface
 
   void
   Layup::Parameters::check(
-    const std::vector<MaterialParameters> &materials) const
+    const std::vector<Material::Parameters> &materials) const
   {
     std::string names;
-    for (const MaterialParameters &material : materials)
+    for (const Material::Parameters &material : materials)
       names += (names.empty() ? "'" : ", '") + material.name + "'";
     for (const PlyParameters &ply : plies)
       {
@@ -235,8 +235,8 @@ namespace Biface
   }
 
 
-  Layup::Layup(const Parameters                      &parameters,
-               const std::vector<MaterialParameters> &materials)
+  Layup::Layup(const Parameters                        &parameters,
+               const std::vector<Material::Parameters> &materials)
     : law(parameters.law), reference(parameters.reference)
   {
     parameters.check(materials);

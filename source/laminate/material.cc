@@ -2,6 +2,8 @@
 
 #include <deal.II/physics/transformations.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -14,20 +16,20 @@ namespace Biface
 {
   using namespace dealii;
 
-  OrthotropicMaterial
-  OrthotropicMaterial::transversely_isotropic(const double E_L,
-                                              const double E_T,
-                                              const double G_LT,
-                                              const double G_TT,
-                                              const double nu_LT,
-                                              const double nu_TT)
+  Material
+  Material::transversely_isotropic(const double E_L,
+                                   const double E_T,
+                                   const double G_LT,
+                                   const double G_TT,
+                                   const double nu_LT,
+                                   const double nu_TT)
   {
     return {E_L, E_T, E_T, G_LT, G_LT, G_TT, nu_LT, nu_LT, nu_TT};
   }
 
 
-  OrthotropicMaterial
-  OrthotropicMaterial::isotropic(const double E, const double nu)
+  Material
+  Material::isotropic(const double E, const double nu)
   {
     const double G = E / (2 * (1 + nu));
     return {E, E, E, G, G, G, nu, nu, nu};
@@ -35,7 +37,7 @@ namespace Biface
 
 
   SymmetricTensor<4, 3>
-  OrthotropicMaterial::stiffness(const std::string &name) const
+  Material::stiffness(const std::string &name) const
   {
     const std::vector<std::pair<std::string, double>> moduli{{"E_1", E_1},
                                                              {"E_2", E_2},
@@ -105,5 +107,124 @@ namespace Biface
   {
     return Physics::Transformations::Contravariant::push_forward(
       stress, rotation(angle));
+  }
+
+
+  void
+  Material::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Type",
+               type,
+               {"isotropic", "transversely isotropic", "orthotropic"},
+               "Which of the constants below are used: 'isotropic' E, nu; "
+               "'transversely isotropic' about the cords or fibers E_L to "
+               "nu_TT; 'orthotropic' the nine constants E_1 to nu_23, axis 1 "
+               "along the fibers, 3 across the ply.");
+
+    const std::vector<std::pair<std::string, double *>> moduli{{"E", &E},
+                                                               {"E_L", &E_L},
+                                                               {"E_T", &E_T},
+                                                               {"G_LT", &G_LT},
+                                                               {"G_TT", &G_TT},
+                                                               {"E_1", &E_1},
+                                                               {"E_2", &E_2},
+                                                               {"E_3", &E_3},
+                                                               {"G_12", &G_12},
+                                                               {"G_13", &G_13},
+                                                               {"G_23", &G_23}};
+    for (const auto &modulus : moduli)
+      prm.add_parameter(modulus.first,
+                        *modulus.second,
+                        (modulus.first[0] == 'E'
+                           ? "Young's modulus. Unit: force/area."
+                           : "Shear modulus. Unit: force/area."),
+                        Patterns::Double());
+
+    const std::vector<std::pair<std::string, double *>> ratios{
+      {"nu", &nu},
+      {"nu_LT", &nu_LT},
+      {"nu_TT", &nu_TT},
+      {"nu_12", &nu_12},
+      {"nu_13", &nu_13},
+      {"nu_23", &nu_23}};
+    for (const auto &ratio : ratios)
+      prm.add_parameter(ratio.first,
+                        *ratio.second,
+                        "Poisson's ratio: the strain along the second axis "
+                        "under a stress along the first. No unit.",
+                        Patterns::Double());
+
+    const std::vector<std::pair<std::string, double *>> all_strengths{
+      {"X_t", &strengths.X_t},
+      {"X_c", &strengths.X_c},
+      {"Y_t", &strengths.Y_t},
+      {"Y_c", &strengths.Y_c},
+      {"S", &strengths.S}};
+    for (const auto &strength : all_strengths)
+      prm.add_parameter(strength.first,
+                        *strength.second,
+                        "Strength, a positive number, or 0 if not given: X_t, "
+                        "X_c along axis 1 in tension and compression, Y_t, "
+                        "Y_c along axis 2, S in shear between both. Give all "
+                        "five or none. Unit: force/area.",
+                        Patterns::Double(0));
+  }
+
+
+  SymmetricTensor<4, 3>
+  Material::Parameters::stiffness() const
+  {
+    const std::string section = "Material " + name;
+    switch (type)
+      {
+        case Type::isotropic:
+          check_positive(section + "/E", E);
+          if (!(nu > -1 && nu < 0.5))
+            throw InputError(section + "/nu",
+                             number_to_string(nu),
+                             "it must lie between -1 and 0.5");
+          return Material::isotropic(E, nu).stiffness(section);
+        case Type::transversely_isotropic:
+          check_positive(section + "/E_L", E_L);
+          check_positive(section + "/E_T", E_T);
+          check_positive(section + "/G_LT", G_LT);
+          check_positive(section + "/G_TT", G_TT);
+          return Material::transversely_isotropic(
+                   E_L, E_T, G_LT, G_TT, nu_LT, nu_TT)
+            .stiffness(section);
+        case Type::orthotropic:
+          return Material{E_1, E_2, E_3, G_12, G_13, G_23, nu_12, nu_13, nu_23}
+            .stiffness(section);
+      }
+    Assert(false, ExcInternalError());
+    return {};
+  }
+
+
+  std::optional<Strengths>
+  Material::Parameters::get_strengths() const
+  {
+    const std::array<std::pair<const char *, double>, 5> all{
+      {{"X_t", strengths.X_t},
+       {"X_c", strengths.X_c},
+       {"Y_t", strengths.Y_t},
+       {"Y_c", strengths.Y_c},
+       {"S", strengths.S}}};
+    if (std::all_of(all.begin(), all.end(), [](const auto &strength) {
+          return strength.second == 0;
+        }))
+      return {};
+    for (const auto &strength : all)
+      {
+        const std::string entry = "Material " + name + "/" + strength.first;
+        if (strength.second == 0)
+          throw InputError(entry,
+                           "0",
+                           "a material with strengths must have all five: X_t, "
+                           "X_c, Y_t, Y_c, S");
+        check_positive(entry, strength.second);
+      }
+    return strengths;
   }
 } // namespace Biface

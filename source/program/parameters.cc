@@ -236,7 +236,7 @@ namespace Biface
               materials.begin(), materials.end(), [&](const auto &m) {
                 return m.name == ply.material;
               });
-            if (material->type == MaterialParameters::Type::isotropic)
+            if (material->type == Material::Parameters::Type::isotropic)
               continue;
             for (unsigned int i = 0; i + 1 < lines.size() && angled.empty();
                  ++i)

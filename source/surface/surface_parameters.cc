@@ -12,7 +12,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  SurfaceParameters::add_parameters(ParameterHandler &prm)
+  ReferenceSurface::Parameters::add_parameters(ParameterHandler &prm)
   {
     add_choice(prm,
                "Type",
@@ -54,9 +54,9 @@ namespace Biface
   namespace
   {
     std::shared_ptr<const Meridian>
-    make_meridian(const SurfaceParameters &parameters)
+    make_meridian(const ReferenceSurface::Parameters &parameters)
     {
-      using MeridianType = SurfaceParameters::MeridianType;
+      using MeridianType = ReferenceSurface::Parameters::MeridianType;
       switch (parameters.meridian)
         {
           case MeridianType::circular_arc:
@@ -78,14 +78,14 @@ namespace Biface
 
 
   std::unique_ptr<ReferenceSurface>
-  make_surface(const SurfaceParameters &parameters)
+  make_surface(const ReferenceSurface::Parameters &parameters)
   {
     switch (parameters.type)
       {
-        case SurfaceParameters::Type::revolution:
+        case ReferenceSurface::Parameters::Type::revolution:
           return std::make_unique<SurfaceOfRevolution>(
             make_meridian(parameters));
-        case SurfaceParameters::Type::plane:
+        case ReferenceSurface::Parameters::Type::plane:
           return std::make_unique<Plane>();
       }
     Assert(false, ExcInternalError());

@@ -20,10 +20,10 @@ namespace
 {
   const double E = 1000, nu = 0.3, h = 2;
 
-  const Laminate laminate(
-    {{OrthotropicMaterial::isotropic(E, nu).stiffness("material"), h, 0, {}}},
-    ThicknessLaw::symmetric,
-    0);
+  const Laminate
+    laminate({{Material::isotropic(E, nu).stiffness("material"), h, 0, {}}},
+             ThicknessLaw::symmetric,
+             0);
 
   /** Displacement at the position (x, y) and the height z over the inner
    * face. */

@@ -20,10 +20,7 @@ main()
 {
   const double   h = 2;
   const Laminate laminate(
-    {{OrthotropicMaterial::isotropic(1000, 0.3).stiffness("material"),
-      h,
-      0,
-      {}}},
+    {{Material::isotropic(1000, 0.3).stiffness("material"), h, 0, {}}},
     ThicknessLaw::symmetric,
     0);
   const TestCell cell =

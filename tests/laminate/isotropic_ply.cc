@@ -60,11 +60,10 @@ namespace
     std::vector<Ply> plies;
     double           angle = 0;
     for (const double t : thicknesses)
-      plies.push_back(
-        {OrthotropicMaterial::isotropic(E, nu).stiffness("material"),
-         t,
-         angle += 0.3,
-         {}});
+      plies.push_back({Material::isotropic(E, nu).stiffness("material"),
+                       t,
+                       angle += 0.3,
+                       {}});
     return Stiffness(Laminate(plies, law, 0).stiffness());
   }
 } // namespace

@@ -23,8 +23,8 @@ namespace
   stack()
   {
     const auto stiff =
-      OrthotropicMaterial{500, 20, 7, 5, 4, 3, 0.4, 0.3, 0.2}.stiffness("ply");
-    const auto soft = OrthotropicMaterial::isotropic(9, 0.45).stiffness("soft");
+      Material{500, 20, 7, 5, 4, 3, 0.4, 0.3, 0.2}.stiffness("ply");
+    const auto soft = Material::isotropic(9, 0.45).stiffness("soft");
     return {{stiff, 1.2, 0.9, {}, 0},
             {soft, 0.4, 0, {}, 1},
             {stiff, 0.7, -0.3, {}, 2},

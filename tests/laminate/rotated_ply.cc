@@ -16,7 +16,7 @@ using namespace Biface;
 namespace
 {
   const SymmetricTensor<4, 3> ply_stiffness =
-    OrthotropicMaterial{500, 20, 7, 5, 4, 3, 0.4, 0.3, 0.2}.stiffness("ply");
+    Material{500, 20, 7, 5, 4, 3, 0.4, 0.3, 0.2}.stiffness("ply");
 
   Resultants::Matrix
   stiffness(const double degrees, const ThicknessLaw law)

@@ -16,8 +16,7 @@ main()
   const double E_L = 510.45, E_T = 6.91, G_LT = 2.33, G_TT = 1.77, nu_LT = 0.46,
                nu_TT = 0.95;
   const SymmetricTensor<4, 3> stiffness =
-    OrthotropicMaterial::transversely_isotropic(
-      E_L, E_T, G_LT, G_TT, nu_LT, nu_TT)
+    Material::transversely_isotropic(E_L, E_T, G_LT, G_TT, nu_LT, nu_TT)
       .stiffness("material");
 
   for (unsigned int i = 0; i < 3; ++i)

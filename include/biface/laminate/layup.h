@@ -14,7 +14,7 @@
 
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
-#include <biface/laminate/material_parameters.h>
+#include <biface/laminate/material.h>
 #include <biface/laminate/meridional_tables.h>
 
 namespace Biface
@@ -121,13 +121,13 @@ namespace Biface
       /** Throws InputError where plies name a material that is not in
        * @p materials, or a formula a variable that there is not. */
       void
-      check(const std::vector<MaterialParameters> &materials) const;
+      check(const std::vector<Material::Parameters> &materials) const;
     };
 
     /** Throws InputError like Parameters::check(), and if a table cannot be
      * interpolated. */
-    Layup(const Parameters                      &parameters,
-          const std::vector<MaterialParameters> &materials);
+    Layup(const Parameters                        &parameters,
+          const std::vector<Material::Parameters> &materials);
 
     /**
      * The plies that cover @p within, with their thickness and angle at

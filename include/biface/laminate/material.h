@@ -6,7 +6,10 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <optional>
 #include <string>
+
+#include <biface/laminate/failure_criteria.h>
 
 namespace Biface
 {
@@ -16,19 +19,55 @@ namespace Biface
    * force/area, Poisson's ratios as
    * @f$\nu_{ij} = -\varepsilon_j/\varepsilon_i@f$ under a stress along i.
    */
-  struct OrthotropicMaterial
+  struct Material
   {
+    /** The parameters of a named material. */
+    struct Parameters
+    {
+      enum class Type
+      {
+        isotropic,
+        transversely_isotropic,
+        orthotropic
+      };
+
+      std::string name;
+      Type        type = Type::isotropic;
+      double      E = 0, nu = 0;
+      double      E_L = 0, E_T = 0, G_LT = 0, G_TT = 0, nu_LT = 0, nu_TT = 0;
+      double      E_1 = 0, E_2 = 0, E_3 = 0;
+      double      G_12 = 0, G_13 = 0, G_23 = 0;
+      double      nu_12 = 0, nu_13 = 0, nu_23 = 0;
+      Strengths   strengths;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /**
+       * The stiffness in the axes of the material, see
+       * Material::stiffness(). Throws InputError if a constant is not
+       * admissible.
+       */
+      dealii::SymmetricTensor<4, 3>
+      stiffness() const;
+
+      /** The strengths, if given. Throws InputError if only some of them are
+       * given. */
+      std::optional<Strengths>
+      get_strengths() const;
+    };
+
     double E_1, E_2, E_3;
     double G_12, G_13, G_23;
     double nu_12, nu_13, nu_23;
 
     /**
-     * Transversely isotropic about axis 1, as @f$E_L, E_T, G_{LT}, G_{TT},
-     * \nu_{LT},
-     * \nu_{TT}@f$. @f$G_{TT}@f$ is independent, since measured constants rarely
-     * satisfy @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
+     * Transversely isotropic about axis 1, as
+     * @f$E_L, E_T, G_{LT}, G_{TT}, \nu_{LT}, \nu_{TT}@f$. @f$G_{TT}@f$ is
+     * independent, since measured constants rarely satisfy
+     * @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
      */
-    static OrthotropicMaterial
+    static Material
     transversely_isotropic(const double E_L,
                            const double E_T,
                            const double G_LT,
@@ -36,7 +75,7 @@ namespace Biface
                            const double nu_LT,
                            const double nu_TT);
 
-    static OrthotropicMaterial
+    static Material
     isotropic(const double E, const double nu);
 
     /**

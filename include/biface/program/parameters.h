@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <biface/laminate/layup.h>
-#include <biface/laminate/material_parameters.h>
+#include <biface/laminate/material.h>
 #include <biface/model/contact_interaction.h>
 #include <biface/model/dead_loads.h>
 #include <biface/model/named_points.h>
@@ -37,21 +37,21 @@ namespace Biface
    */
   struct Parameters
   {
-    SurfaceParameters               surface;
-    ChartGrid::Parameters           mesh;
-    Layup::Parameters               laminate;
-    NamedPoints                     points;
-    std::vector<MaterialParameters> materials;
-    Supports                        supports;
-    DeadLoads                       loads;
-    PressureLoad                    pressure;
-    ContactInteraction::Parameters  contact;
-    std::vector<Stage>              stages;
-    LinearSolver::Parameters        linear_solver;
-    Newton::Parameters              newton;
-    LoadStepping::Parameters        load_stepping;
-    ResultsWriter::Parameters       output;
-    CheckpointWriter::Parameters    checkpoint;
+    ReferenceSurface::Parameters      surface;
+    ChartGrid::Parameters             mesh;
+    Layup::Parameters                 laminate;
+    NamedPoints                       points;
+    std::vector<Material::Parameters> materials;
+    Supports                          supports;
+    DeadLoads                         loads;
+    PressureLoad                      pressure;
+    ContactInteraction::Parameters    contact;
+    std::vector<Stage>                stages;
+    LinearSolver::Parameters          linear_solver;
+    Newton::Parameters                newton;
+    LoadStepping::Parameters          load_stepping;
+    ResultsWriter::Parameters         output;
+    CheckpointWriter::Parameters      checkpoint;
 
     /** Declare all entries, with a section for each of the materials and each
      * of the stages. The object must outlive @p prm. */

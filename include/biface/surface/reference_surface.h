@@ -107,6 +107,9 @@ namespace Biface
   class ReferenceSurface : public dealii::ChartManifold<2, 3, 2>
   {
   public:
+    /** The choice of a surface, see surface_parameters.h. */
+    struct Parameters;
+
     /**
      * @param periodicity the period of each coordinate, 0 for none.
      */

@@ -16,7 +16,7 @@
 namespace Biface
 {
   /** The choice of the reference surface. */
-  struct SurfaceParameters
+  struct ReferenceSurface::Parameters
   {
     enum class Type
     {
@@ -46,7 +46,7 @@ namespace Biface
   /** Make the surface. Throws InputError where the parameters do not describe
    * one. */
   std::unique_ptr<ReferenceSurface>
-  make_surface(const SurfaceParameters &parameters);
+  make_surface(const ReferenceSurface::Parameters &parameters);
 } // namespace Biface
 
 #endif
