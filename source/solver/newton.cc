@@ -143,8 +143,7 @@ namespace Biface
     here(const ShellEquations     &equations,
          const ContactInteraction &contact) const
     {
-      return {
-        equations, contact, state, loads, total, result.iterations, n_changes};
+      return {equations, contact, state, loads, total};
     }
   };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/control.h>

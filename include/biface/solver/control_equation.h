@@ -37,10 +37,6 @@ namespace Biface
       const Loads              &loads;
       /** Change of the displacements since the start of the step. */
       const LA::Vector &total;
-      /** How many iterations were done, and the changes of the active set in
-       * the last one. */
-      const unsigned int number;
-      const unsigned int n_changes;
     };
 
     /** @f$d\mu@f$ of this iteration; not a finite number where the equation

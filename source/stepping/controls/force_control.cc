@@ -34,16 +34,11 @@ namespace Biface
                        const LA::Vector &dV_R,
                        const LA::Vector &dV_q) const override
       {
-        // how many iterations may move the foundation and the zone at once
-        constexpr unsigned int n_together = 5;
-
         const ContactInteraction &contact = iteration.contact;
+        // something must be pressed on
         if (contact.count_active(iteration.state) == 0)
           return contact.travel_to_touch(iteration.state, iteration.loads) +
                  beyond_touching(contact.mesh);
-        // a zone that does not settle is given time to
-        if (iteration.number >= n_together && iteration.n_changes > 0)
-          return 0;
         const auto F = contact.force(iteration.state, iteration.loads);
         return (force - F.value - F.gradient * dV_R) /
                (F.gradient * dV_q + F.per_travel);
