@@ -10,7 +10,7 @@ namespace Biface
   std::array<std::array<double, 4>, 4>
   multiplier_mass(const MultiplierMass kind, const double weight)
   {
-    // one-dimensional mean of N_r N_s over an edge
+    // mean of N_r N_s over an edge, in one dimension
     const double same  = (kind == MultiplierMass::consistent ? 1. / 3 : 1. / 2);
     const double other = (kind == MultiplierMass::consistent ? 1. / 6 : 0.);
 
@@ -30,14 +30,15 @@ namespace Biface
                "Multiplier mass",
                mass,
                {"consistent", "lumped"},
-               "How nodal contact pressures act on the nodes: 'consistent' "
-               "(the paper's; pressures oscillate at the edge of the contact "
-               "zone) or 'lumped' (smooth, symmetric tangent).");
+               "Matrix from nodal contact pressures to nodal forces: "
+               "'consistent' (as in the paper; pressures oscillate at the "
+               "edge of the contact zone) or 'lumped' (smooth pressures, "
+               "symmetric tangent).");
     prm.add_parameter("Regularization",
                       regularization,
                       "The parameter epsilon of the contact condition: a "
-                      "pressure p penetrates by p/epsilon. Positive. Unit: "
-                      "pressure/length.",
+                      "pressure p causes a penetration of p/epsilon. "
+                      "Positive. Unit: pressure/length.",
                       Patterns::Double());
   }
 

@@ -15,8 +15,8 @@ namespace Biface
   {
     prm.add_parameter("Radius",
                       radius,
-                      "Radius of the sphere; negative for a hollow one, which "
-                      "the shell presses on from within. Not 0. Unit: length.",
+                      "Radius of the sphere; negative for a hollow sphere "
+                      "with the shell inside. Not 0. Unit: length.",
                       Patterns::Double());
   }
 
@@ -32,8 +32,8 @@ namespace Biface
   RigidSphere::evaluate(const Point<3> &x) const
   {
     // rho, the distance from the center, has the sign of R. The clearance is
-    // rho - R, written as (rho^2 - R^2)/(rho + R): this keeps its digits where
-    // R is large
+    // rho - R, written as (rho^2 - R^2)/(rho + R) to avoid cancellation if R is
+    // large
     const Tensor<1, 3> y         = x - point;
     const Tensor<1, 3> to_center = radius * direction - y;
     const double       rho       = std::copysign(to_center.norm(), radius);
@@ -65,13 +65,13 @@ namespace Biface
   {
     prm.add_parameter("Radius",
                       radius,
-                      "Radius of the drum; negative for a hollow one, which "
-                      "the shell presses on from within. Not 0. Unit: length.",
+                      "Radius of the drum; negative for a hollow drum with "
+                      "the shell inside. Not 0. Unit: length.",
                       Patterns::Double());
     prm.add_parameter("Axis",
                       axis,
-                      "Direction of the drum's axis: three components x, y, z, "
-                      "of any length but zero, not along 'Direction'.");
+                      "Direction of the axis of the drum: components x, y, z "
+                      "of any nonzero vector, not parallel to 'Direction'.");
   }
 
 

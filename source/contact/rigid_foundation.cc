@@ -14,21 +14,21 @@ namespace Biface
                "Foundation",
                shape,
                {"plane", "drum", "sphere"},
-               "The shape of the rigid foundation: a plane, a drum (a circular "
-               "cylinder without end), or a sphere. Contact is that of nodes: "
-               "the radius must be several cells.");
+               "The shape of the rigid foundation: a plane, a drum (an "
+               "infinitely long circular cylinder), or a sphere. Only nodes "
+               "make contact, so the radius must be several times the cell "
+               "size.");
     prm.add_parameter("Direction",
                       line.direction,
-                      "Direction from the shell toward the foundation, of a "
-                      "plane its normal: three components x, y, z, of any "
-                      "length but zero. The foundation travels against it, "
-                      "and the force on it is counted along it.");
+                      "Direction from the shell toward the foundation, for a "
+                      "plane its normal: components x, y, z of any nonzero "
+                      "vector. The foundation travels against it, and the "
+                      "reported force is the component along it.");
     prm.add_parameter("Point on path",
                       line.point,
-                      "A point x, y, z of the line, along 'Direction', on "
-                      "which the center of a sphere, or a point of the axis of "
-                      "a drum, travels; any will do for a plane. Unit: "
-                      "length.");
+                      "A point x, y, z of the line along which the center of "
+                      "a sphere or the axis of a drum travels, parallel to "
+                      "'Direction'; without effect for a plane. Unit: length.");
     prm.enter_subsection("Drum");
     drum.add_parameters(prm);
     prm.leave_subsection();
@@ -41,7 +41,7 @@ namespace Biface
   void
   RigidFoundation::Parameters::check() const
   {
-    // made, it checks its parameters
+    // the constructor checks its parameters
     RigidFoundation foundation(*this);
   }
 

@@ -17,7 +17,7 @@ namespace Biface
   struct Formula::Parser
   {
     mu::Parser parser;
-    /** What the parser reads, by names. */
+    /** The values read by the parser, by name. */
     mutable std::map<std::string, double> values;
 
     static double *
@@ -30,8 +30,8 @@ namespace Biface
 
   namespace
   {
-    /** Whether the text holds an '=' alone, which would give a variable another
-     * value. */
+    /** Whether the text contains a single '=', which would assign to a
+     * variable. */
     bool
     assigns(const std::string &text)
     {
@@ -153,7 +153,7 @@ namespace Biface
     const double result = parser->parser.Eval();
     if (!(std::abs(result) <= greatest_number))
       {
-        // alpha_1 = 0 is not told apart from the sine of pi
+        // write round-off as 0
         double scale = 0;
         for (const double value : values)
           scale = std::max(scale, std::abs(value));
@@ -167,7 +167,7 @@ namespace Biface
           std::string(std::isfinite(result)
                         ? "its value must lie between -1e100 and 1e100"
                         : "it must be a finite number") +
-            ", also at " + where);
+            ", including at " + where);
       }
     return result;
   }

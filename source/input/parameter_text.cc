@@ -20,12 +20,12 @@ namespace Biface
 
   namespace
   {
-    /** More levels of sections than any entry has. */
+    /** A limit above the section depth of any entry. */
     constexpr unsigned int max_depth = 10;
 
 
-    /** Whether one of the numbers that a text begins with, separated by commas,
-     * is larger than any that makes sense. */
+    /** Whether one of the comma-separated numbers at the start of a text is
+     * beyond all reasonable values. */
     bool
     holds_too_large(const std::string &text)
     {
@@ -86,7 +86,7 @@ namespace Biface
         result.push_back(line);
         content.clear();
 
-        // what stands deeper is refused by check_parameter_text()
+        // deeper sections are refused by check_parameter_text()
         if (line.keyword == "subsection" && ++depth <= max_depth)
           section += line.name.substr(0, 200) + "/";
         else if (line.keyword == "end" && depth > 0 && --depth < max_depth)
@@ -100,7 +100,7 @@ namespace Biface
   std::string
   parameter_place(const std::string &source, const unsigned int line)
   {
-    // a setting of the command line is one line to its reader
+    // an option of the command line has no lines
     const bool is_option = (source.rfind("--", 0) == 0);
     return source + (is_option ? "" : ", line " + std::to_string(line)) + ": ";
   }
@@ -122,8 +122,8 @@ namespace Biface
 
   namespace
   {
-    /** Whether a name is meant by one of a table, in which "Stage N/" stands
-     * for all stages and '*' for any entry of a section. */
+    /** Whether a name matches one of a table, in which "Stage N/" stands for
+     * all stages and '*' for any entry of a section. */
     bool
     is_meant(const std::string &name, const std::string &in_table)
     {
@@ -139,8 +139,8 @@ namespace Biface
     }
 
 
-    /** Replace a word where it stands alone in a value, but not where it is a
-     * name with a colon after it. */
+    /** Replace a separate word in a value, unless it is a name followed by a
+     * colon. */
     bool
     replace_word(std::string       &value,
                  const std::string &word,
@@ -221,7 +221,7 @@ namespace Biface
           }
         if (!changed)
           continue;
-        // it may go over several lines, of which the last one counts
+        // the setting may span several lines; it has the number of the last one
         physical[number] = line.keyword + " " + line.name +
                            (set ? " = " + line.value : std::string());
         for (unsigned int i = number - 1;
@@ -255,23 +255,23 @@ namespace Biface
           throw InputError(where + "'include' is not supported.");
         if (line.depth > max_depth)
           throw InputError(where + "more than " + std::to_string(max_depth) +
-                           " nested sections; no entry lies so deep.");
+                           " nested sections are not allowed.");
         if (line.keyword != "set")
           continue;
         const auto entry = line_of_entry.emplace(name, number);
         if (!entry.second)
-          throw InputError(
-            where + "the entry " + quoted(name) + " is set twice; line " +
-            std::to_string(entry.first->second) + " has set it already.");
+          throw InputError(where + "the entry " + quoted(name) +
+                           " is set twice, first in line " +
+                           std::to_string(entry.first->second) + ".");
         if (line.value.find('{') != std::string::npos)
           throw InputError(where + "the entry " + quoted(name) + " is " +
                            quoted(line.value) +
-                           ", but a value must not hold a brace.");
-        // splitting a list takes time by the square of its length
+                           ", but a value must not contain a brace.");
+        // splitting a list takes quadratic time
         if (line.value.size() > 100000)
           throw InputError(where + "the entry " + quoted(name) + " has " +
                            std::to_string(line.value.size()) +
-                           " letters, but at most 100000 are allowed.");
+                           " characters, but at most 100000 are allowed.");
         if (holds_too_large(line.value))
           throw InputError(
             where + InputError(name, line.value, number_too_large).what());
@@ -344,7 +344,7 @@ namespace Biface
     }
 
 
-    /** What a pattern of deal.II allows, in words. */
+    /** The values allowed by a deal.II pattern, in words. */
     std::string
     allowed_by(const std::string &pattern)
     {
@@ -372,7 +372,7 @@ namespace Biface
             pattern,
             match,
             std::regex("\\[Double ([-+.0-9e]+)\\.\\.\\.MAX_DOUBLE.*\\]")))
-        return "it must be a number, " + match[1].str() + " or above";
+        return "it must be a number, " + match[1].str() + " or more";
       if (std::regex_match(pattern, std::regex("\\[Double.*\\]")))
         return "it must be a number";
       if (std::regex_match(pattern, match, std::regex("\\[Number or (.*)\\]")))
@@ -397,7 +397,7 @@ namespace Biface
   {
     std::ostringstream stream;
     exception.print_info(stream);
-    // regular expressions recurse: keep them from very long lines
+    // regular expressions are recursive: avoid very long lines
     std::string said = stream.str();
     if (said.size() > 2000)
       said = said.substr(0, 1000) + " ... " + said.substr(said.size() - 900);

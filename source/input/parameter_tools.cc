@@ -21,7 +21,7 @@ namespace Biface
   {
     if (!(std::isfinite(value) && value > 0))
       throw InputError(
-        entry, number_to_string(value), "it must be a number above 0");
+        entry, number_to_string(value), "it must be a positive number");
   }
 
 
@@ -30,7 +30,7 @@ namespace Biface
   {
     if (!(std::isfinite(value) && value >= 0))
       throw InputError(
-        entry, number_to_string(value), "it must be a number, 0 or above");
+        entry, number_to_string(value), "it must be a number not less than 0");
   }
 
 
@@ -191,7 +191,7 @@ namespace Biface
     std::vector<double> numbers;
     for (const std::string &word : words)
       {
-        // all of them are quoted, to be found again
+        // the message quotes the whole text
         try
           {
             numbers.push_back(parse_number(entry, word, allowed));

@@ -23,17 +23,16 @@ namespace Biface
 
   namespace
   {
-    /** Read a file, and return what is wrong with it. */
+    /** Read a file, and return the error, if any. */
     std::string
     read_bytes(const std::string &file_name, std::string &text)
     {
-      // devices have no end
+      // devices may have no end
       constexpr std::size_t limit = 64 * 1024 * 1024;
 
       std::error_code error;
       if (std::filesystem::is_directory(file_name, error))
-        return "cannot be read (it is a directory), but it must exist and be "
-               "readable";
+        return "cannot be read (it is a directory)";
       errno = 0;
       const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
         std::fopen(file_name.c_str(), "rb"), &std::fclose);
@@ -48,8 +47,7 @@ namespace Biface
         }
       if (!file || std::ferror(file.get()))
         return std::string("cannot be read (") +
-               (errno != 0 ? std::strerror(errno) : "unknown reason") +
-               "), but it must exist and be readable";
+               (errno != 0 ? std::strerror(errno) : "unknown reason") + ")";
       if (text.size() > limit)
         return "exceeds the limit of 64 MiB";
       const auto nul = text.find('\0');
@@ -57,13 +55,12 @@ namespace Biface
         return "has a zero byte in line " +
                std::to_string(
                  1 + std::count(text.begin(), text.begin() + nul, '\n')) +
-               ", but it must be a text, in ASCII or UTF-8";
+               ", but must be a text in ASCII or UTF-8";
       return {};
     }
 
 
-    /** Let lines end with '\n' alone, also where '\r' is before it or in its
-     * place. */
+    /** Convert the line ends '\r\n' and '\r' to '\n'. */
     void
     unify_line_ends(std::string &text)
     {
@@ -77,8 +74,8 @@ namespace Biface
     }
 
 
-    /** Whether a cell can be the name of a column; 'nan' and 'inf' are numbers
-     * gone wrong. */
+    /** Whether a cell can be the name of a column; 'nan' and 'inf' are faulty
+     * numbers. */
     bool
     is_name(const std::string &cell)
     {
@@ -116,7 +113,7 @@ namespace Biface
               const std::string &meaning)
   {
     const std::string form =
-      "each line must hold two numbers, '" + meaning + "'";
+      "each line must contain two numbers, '" + meaning + "'";
 
     std::vector<Point<2>> points;
     std::istringstream    lines(text);
@@ -128,7 +125,7 @@ namespace Biface
         if (line.empty() || line[0] == '#')
           continue;
         const std::string entry = name + ", line " + std::to_string(number);
-        // splitting takes time by the square of the length
+        // splitting takes quadratic time
         if (line.size() > 10000)
           throw InputError(entry, line, form);
         const std::vector<std::string> cells =
@@ -162,8 +159,8 @@ namespace Biface
     if (text.empty() || text[0] != '"')
       return text;
     const std::string form =
-      "a file name in double quotes must end with one, and %XX in it must have "
-      "two hexadecimal digits";
+      "a quoted file name must end with a quote, and each % in it must be "
+      "followed by two hexadecimal digits";
     if (text.size() < 2 || text.find('"', 1) != text.size() - 1)
       throw InputError(entry, text, form);
     std::string name;
@@ -188,7 +185,7 @@ namespace Biface
   std::string
   print_file_name(const std::string &name)
   {
-    // what ends a value or an item, and what a list of files is made of
+    // characters that end a value or an item, or structure a list of files
     const auto is_special = [](const char c) {
       return static_cast<unsigned char>(c) < 0x20 ||
              std::strchr("#{}(),;\"%\\", c) != nullptr;

@@ -26,8 +26,8 @@ namespace Biface
     {
       std::vector<std::array<double, 3>> rows;
 
-      /** Add an equation. @return whether it agrees with the others, but for
-       * the round-off of the values that it combines. */
+      /** Add an equation. @return whether it is consistent with the others up
+       * to round-off. */
       bool
       add(std::array<double, 3> row)
       {
@@ -57,7 +57,7 @@ namespace Biface
                    AffineConstraints<double>           &constraints,
                    std::vector<PrescribedDisplacement> &prescribed)
   {
-    // equations of the components of the nodes
+    // equations for the components of the nodes
     std::map<std::pair<unsigned int, unsigned int>, FaceEquations> equations;
     bool       contradiction = false;
     const auto add           = [&](const unsigned int                   node,
@@ -86,8 +86,8 @@ namespace Biface
       }
     if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
                             mesh.communicator) > 0)
-      throw InputError("the section 'Supports' prescribes different values of "
-                       "one displacement, but at most one value is possible.");
+      throw InputError("the section 'Supports' prescribes contradictory "
+                       "values of a displacement.");
 
     constraints.reinit(mesh.locally_relevant);
     prescribed.clear();

@@ -73,7 +73,8 @@ namespace Biface
         const unsigned int node = at.cell.nodes[s];
         if (!at.state.active[node])
           continue;
-        // the foundation's travel is as good as the node's the other way
+        // a travel of the foundation is equivalent to the opposite displacement
+        // of the node
         const Tensor<1, 3> change =
           -rates.travel *
           (contact.traction(at.state, at.loads, mesh.nodes[node]).stiffness *

@@ -50,10 +50,10 @@ namespace Biface
                             state.displacement, node, Resultants::outer)));
     travel = Utilities::MPI::min(travel, mesh.communicator);
     if (travel == std::numeric_limits<double>::infinity())
-      throw InputError("the foundation of the section 'Contact' passes by the "
-                       "shell, but on its path it must meet a node of it.");
+      throw InputError("the foundation of the section 'Contact' misses the "
+                       "shell; its path must meet a node.");
 
-    // the shell may be too large for a hollow foundation
+    // the shell may not fit into a hollow foundation
     const RigidFoundation touching = at_rest.moved(travel);
     bool                  fits     = std::isfinite(travel);
     for (const Node &node : mesh.nodes)
@@ -64,7 +64,7 @@ namespace Biface
     if (Utilities::MPI::max(static_cast<unsigned int>(!fits),
                             mesh.communicator) > 0)
       throw InputError("the shell does not fit into the hollow foundation of "
-                       "the section 'Contact', but it must.");
+                       "the section 'Contact'.");
     return travel;
   }
 
@@ -122,7 +122,7 @@ namespace Biface
         if (loads.foundation && node.outer_face_free)
           {
             clearance = this->clearance(state, loads, node);
-            // what was eliminated from the linear system that gave the state
+            // the multiplier that was eliminated from the last linear system
             const double multiplier =
               (state.active[n] ? condition.multiplier(clearance) : 0.);
             active = (!held.empty() && held[n]) ||
@@ -185,7 +185,7 @@ namespace Biface
             const Traction traction =
               this->traction(state, loads, mesh.nodes[node]);
             const Tensor<1, 3> per_motion = traction.stiffness * d;
-            // the columns of both masses add up to a quarter each
+            // each column of both masses adds up to a quarter
             const double area = cell.geometry.weight / 4;
             value -= area * (traction.value * d);
             per_travel += area * (per_motion * d);
@@ -221,7 +221,7 @@ namespace Biface
                     ->evaluate(mesh.deformed_position(
                       state.displacement, mesh.nodes[n], Resultants::outer))
                     .normal;
-                // the columns of both masses add up to a quarter each
+                // each column of both masses adds up to a quarter
                 area += cell.geometry.weight / 4;
                 force -= cell.geometry.weight / 4 *
                          ((state.multipliers[n][0] * normal) * d);

@@ -18,9 +18,9 @@ namespace Biface
   DeadLoads::add_parameters(ParameterHandler &prm)
   {
     const std::string form =
-      "three components, then, if need be, the face it acts on ('middle', "
-      "which is the default, 'inner', 'outer') and 'local' for components in "
-      "the frame e_1, e_2, e_3 instead of x, y, z. ";
+      "three components, optionally followed by the face ('inner', 'outer', "
+      "or by default 'middle') and by 'local' for components in the frame "
+      "e_1, e_2, e_3 instead of x, y, z. ";
 
     add_parsed(prm,
                "Loads/",
@@ -28,8 +28,8 @@ namespace Biface
                "",
                point_forces,
                parse_point_forces,
-               "Forces at named points: a list, separated by commas, of "
-               "'name: ' and " +
+               "Forces at named points: a comma-separated list of 'name: ' "
+               "and " +
                  form + "Unit: force.");
     add_parsed(prm,
                "Loads/",
@@ -37,9 +37,8 @@ namespace Biface
                "",
                edge_forces,
                parse_edge_forces,
-               "Forces along edges: a list, separated by commas, of "
-               "'alpha_1 min: ' (or alpha_1 max, alpha_2 min, alpha_2 "
-               "max) and " +
+               "Forces along edges: a comma-separated list of 'alpha_1 min: "
+               "' (or alpha_1 max, alpha_2 min, alpha_2 max) and " +
                  form +
                  "Unit: force per length of the edge on the reference "
                  "surface.");
@@ -49,15 +48,14 @@ namespace Biface
                "",
                edge_moments,
                parse_edge_moments,
-               "Moments along edges: a list, separated by commas, of "
-               "'alpha_1 min: M dead' or 'alpha_1 min: M follower' (and "
-               "so on for the other edges). A positive moment pushes "
-               "the outer face outward over the edge. 'dead' is a "
-               "couple of forces on the faces that keep their "
-               "direction, 'follower' does work on the angle through "
-               "which the line between the faces turns about the edge. "
-               "Unit: force (moment per length of the edge on the "
-               "reference surface).");
+               "Moments along edges: a comma-separated list of 'alpha_1 min: "
+               "M dead' or 'alpha_1 min: M follower' (likewise for the other "
+               "edges). A positive moment pushes the outer face outward "
+               "beyond the edge. 'dead' is a couple of forces on the faces "
+               "with constant directions; 'follower' does work on the angle "
+               "by which the line between the faces rotates about the edge. "
+               "Unit: force (moment per length of the edge on the reference "
+               "surface).");
     for (const auto face : {Resultants::inner, Resultants::outer})
       add_parsed(
         prm,
@@ -66,31 +64,30 @@ namespace Biface
         "",
         tractions[face],
         parse_traction,
-        "A force on the face that depends on the place: three formulas, "
-        "separated by semicolons, for the components x, y, z, or with "
-        "'; local' after them in the frame e_1, e_2, e_3. The formulas are "
-        "those of 'Pressure distribution'; empty for none. Unit: force/area, "
-        "see 'Area of face loads'.");
+        "A force on the face: three formulas, separated by semicolons, for "
+        "the components x, y, z, or, followed by '; local', in the frame "
+        "e_1, e_2, e_3. The variables are those of 'Pressure distribution'. "
+        "Empty for none. Unit: force/area, see 'Area of face loads'.");
     prm.add_parameter("Area force",
                       area_force,
                       "A force on the whole shell, such as its weight: "
-                      "components x, y, z. Unit: force per area of the surface "
-                      "midway between the faces.");
+                      "components x, y, z. Unit: force per area of the "
+                      "middle surface (halfway between the faces).");
   }
 
 
   namespace
   {
-    /** Read what stands after the name: three components, the face, 'local'.
-     * @param text of the whole item. */
+    /** Read the text after the name: three components, the face, 'local'.
+     * @param text the text of the whole item. */
     DeadForce
     parse_force(const std::string &entry,
                 const std::string &text,
                 const std::string &description)
     {
       const std::string form =
-        "it must be written 'name: F_1 F_2 F_3', and may end with one of "
-        "'middle', 'inner', 'outer' and with 'local'";
+        "each force must have the form 'name: F_1 F_2 F_3', optionally "
+        "followed by 'inner', 'outer' or 'middle' and by 'local'";
       const std::vector<std::string> words = split_words(description);
       if (words.size() < 3)
         throw InputError(entry, text, form);
@@ -118,7 +115,10 @@ namespace Biface
     for (const std::string &item : split_list(entry, text))
       {
         const auto named =
-          split_named(entry, item, "it must be written 'name: F_1 F_2 F_3'");
+          split_named(entry,
+                      item,
+                      "each force must have the form 'name: F_1 "
+                      "F_2 F_3'");
         forces.push_back({named.first, parse_force(entry, item, named.second)});
       }
     return forces;
@@ -132,7 +132,10 @@ namespace Biface
     for (const std::string &item : split_list(entry, text))
       {
         const auto named =
-          split_named(entry, item, "it must be written 'edge: F_1 F_2 F_3'");
+          split_named(entry,
+                      item,
+                      "each force must have the form 'edge: F_1 "
+                      "F_2 F_3'");
         const DeadForce force = parse_force(entry, item, named.second);
         forces.push_back({item, parse_edge(entry, item, named.first), force});
       }
@@ -153,8 +156,8 @@ namespace Biface
     if (formulas.size() != 3)
       throw InputError(entry,
                        text,
-                       "it must be three formulas, separated by semicolons, "
-                       "and may end with '; local'");
+                       "it must consist of three formulas, separated by "
+                       "semicolons, optionally followed by '; local'");
     for (const std::string &formula : formulas)
       traction.components.push_back(parse_position_formula(entry, formula));
     return traction;
@@ -163,7 +166,7 @@ namespace Biface
 
   namespace
   {
-    /** Add a share of a force to the nodal forces. */
+    /** Add a fraction of a force to the nodal forces. */
     void
     add_nodal_force(const ShellMesh &mesh,
                     const Node      &node,
@@ -183,7 +186,7 @@ namespace Biface
     }
 
 
-    /** Add a force per area of the surface midway between the faces. */
+    /** Add a force per area of the middle surface. */
     void
     add_area_force(const ShellMesh &mesh,
                    const DeadForce &force,
@@ -196,7 +199,7 @@ namespace Biface
     }
 
 
-    /** Add a force per area of a face that depends on the place. */
+    /** Add a force per area of a face that depends on the position. */
     void
     add_traction(const ShellMesh       &mesh,
                  const Resultants::Face face,

@@ -11,8 +11,8 @@ namespace Biface
   std::vector<EdgeMoment>
   parse_edge_moments(const std::string &entry, const std::string &text)
   {
-    const std::string form = "each is written 'edge: M dead' or 'edge: M "
-                             "follower'";
+    const std::string form = "each moment must have the form 'edge: M dead' "
+                             "or 'edge: M follower'";
 
     std::vector<EdgeMoment> moments;
     for (const std::string &item : split_list(entry, text))

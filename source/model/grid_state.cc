@@ -15,8 +15,8 @@ namespace Biface
 
   namespace
   {
-    /** Where a coordinate lies: the number of the interval, and the part of it,
-     * from 0 to 1. */
+    /** The position of a coordinate: the number of the interval, and the
+     * fraction of it, from 0 to 1. */
     std::pair<unsigned int, double>
     interval(const std::vector<double> &lines, const double alpha)
     {
@@ -27,7 +27,7 @@ namespace Biface
     }
 
 
-    /** Add up tensors of all ranks. */
+    /** Sum tensors over all ranks. */
     template <int n>
     void
     sum(std::vector<Tensor<1, n>> &values, const MPI_Comm communicator)

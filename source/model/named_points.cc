@@ -25,18 +25,18 @@ namespace Biface
                "",
                list,
                parse_points,
-               "Points of the surface that other entries refer to, and "
-               "whose displacements are written to probes.csv: a list "
-               "'name: alpha_1 alpha_2', separated by commas. Each must "
-               "be a node of the mesh. Unit: degrees for an angle, "
-               "length otherwise.");
+               "Points of the surface to which other entries refer and whose "
+               "displacements are written to probes.csv: a comma-separated "
+               "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
+               "mesh. Unit: degrees for an angle, length otherwise.");
   }
 
 
   std::vector<NamedPoint>
   parse_points(const std::string &entry, const std::string &text)
   {
-    const std::string form = "each point is written 'name: alpha_1 alpha_2'";
+    const std::string form = "each point must have the form 'name: alpha_1 "
+                             "alpha_2'";
 
     std::vector<NamedPoint> points;
     std::set<std::string>   names;
@@ -47,7 +47,7 @@ namespace Biface
           throw InputError(entry, item, form);
         const auto numbers = parse_numbers(entry, named.second, 2, form);
         if (!names.insert(named.first).second)
-          throw InputError(entry, item, "each point must have its own name");
+          throw InputError(entry, item, "the names of points must be unique");
         points.push_back({named.first, Point<2>(numbers[0], numbers[1])});
       }
     return points;
@@ -114,8 +114,7 @@ namespace Biface
       const ReferenceSurface &surface = mesh.get_surface();
       const auto             &lines   = mesh.grid.lines;
 
-      // where a coordinate is periodic, a point outside the grid may be written
-      // for one inside
+      // in a periodic coordinate, a point outside the grid may mean one inside
       Point<2>     alpha  = point.alpha;
       const double period = surface.get_periodicity()[1];
       const double start = lines[1].front(), end = lines[1].back();

@@ -14,15 +14,15 @@ namespace Biface
                "Pressure type",
                kind,
                {"dead", "follower"},
-               "What the pressure of the stages does as the face moves: "
-               "'dead' (it keeps its initial direction and counts the "
-               "undeformed area, see 'Area of face loads') or 'follower' (true "
-               "pressure on the deformed face; the tangent is not symmetric).");
+               "The type of the pressure of the stages: 'dead' (it keeps its "
+               "initial direction and acts on the undeformed area, see 'Area "
+               "of face loads') or 'follower' (true pressure on the deformed "
+               "face; the tangent is not symmetric).");
     add_choice(prm,
                "Pressure face",
                face,
                {"inner", "outer"},
-               "The face on which the pressure of the stages acts. A positive "
+               "The face on which the pressure of the stages acts. Positive "
                "pressure pushes the face toward the shell.");
     add_parsed(prm,
                "Loads/",
@@ -30,17 +30,17 @@ namespace Biface
                "1",
                distribution,
                parse_position_formula,
-               "What the pressure of the stages is multiplied by: a "
-               "formula of the position x, y, z on the undeformed "
-               "reference surface, and of alpha_1, alpha_2 as in "
-               "'Mesh'. No unit.");
+               "Factor of the pressure of the stages: a formula of the "
+               "position x, y, z on the undeformed reference surface, and of "
+               "alpha_1, alpha_2 as in 'Mesh'. No unit.");
     add_choice(prm,
                "Area of face loads",
                area,
                {"middle", "face"},
-               "The undeformed area that dead pressure and tractions are "
-               "counted on: 'middle' (the surface midway between the faces, "
-               "as in the paper) or 'face' (the true area of the face).");
+               "The undeformed area to which dead pressure and tractions "
+               "refer: 'middle' (the middle surface, halfway between the "
+               "faces, as in the paper) or 'face' (the true area of the "
+               "face).");
   }
 
 

@@ -27,7 +27,7 @@ namespace Biface
                                                     "rotation about z"}};
 
 
-    /** Displacement of a point by a motion, about the origin, of a body of unit
+    /** Displacement of a point by a motion about the origin, for a body of unit
      * size. */
     Tensor<1, 3>
     displacement(const unsigned int motion, const Tensor<1, 3> &x)
@@ -50,8 +50,8 @@ namespace Biface
     }
 
 
-    /** The displacement of a node by a motion, by the node's degree of freedom.
-     */
+    /** The displacement of a node by a motion, for each degree of freedom of
+     * the node. */
     double
     nodal_value(const ShellMesh   &mesh,
                 const Node        &node,
@@ -67,8 +67,8 @@ namespace Biface
     }
 
 
-    /** The matrix of the sum of squares by which a combination of motions
-     * violates the supports. */
+    /** The matrix of the sum of squares of the violations of the supports by a
+     * combination of motions. */
     LAPACKFullMatrix<double>
     violation_matrix(const ShellMesh &mesh)
     {
@@ -86,7 +86,7 @@ namespace Biface
                 return nodal_value(mesh, node, center, motion, dof);
               };
 
-              // supports couple the two faces of a node only
+              // supports couple only the two faces of a node
               Combination violation;
               for (unsigned int m = 0; m < n_motions; ++m)
                 {
@@ -111,13 +111,13 @@ namespace Biface
     }
 
 
-    /** Eliminate, so that single motions show where there are any. */
+    /** Eliminate, so that single motions appear if there are any. */
     void
     reduce(std::vector<Combination> &rows)
     {
       for (unsigned int row = 0; row < rows.size(); ++row)
         {
-          // the greatest entry left, among those not yet used as a pivot
+          // the largest remaining entry among those not yet used as pivots
           unsigned int pivot_row = row, pivot = 0;
           double       greatest = 0;
           for (unsigned int r = row; r < rows.size(); ++r)
@@ -147,7 +147,7 @@ namespace Biface
   std::vector<std::string>
   free_rigid_motions(const ShellMesh &mesh)
   {
-    // squares of violations, of the order of the number of nodes held
+    // squares of violations, of the order of the number of supported nodes
     const double tolerance = 1e-10;
 
     LAPACKFullMatrix<double> matrix = violation_matrix(mesh);

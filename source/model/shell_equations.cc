@@ -173,7 +173,7 @@ namespace Biface
     const double norm = rhs.l2_norm();
     if (norm == 0)
       return 0;
-    // without any force, what is left comes from prescribed displacements
+    // without any force, only prescribed displacements contribute
     return force_scale == 0 ? 1. : norm / force_scale;
   }
 

@@ -82,8 +82,8 @@ namespace Biface
             throw InputError(
               "Laminate/Plies",
               ply.text,
-              "a ply must begin and end at lines of the mesh, and "
-              "there is none at alpha_1 = " +
+              "a ply must start and end at mesh lines, and there is none at "
+              "alpha_1 = " +
                 number_to_string(end));
 
       std::vector<Strip> strips;
@@ -99,7 +99,7 @@ namespace Biface
 
 
     /** Laminate::face_heights() on each line of the first coordinate: the mean
-     * of both sides where a ply ends. */
+     * of both sides if a ply ends there. */
     std::vector<std::array<double, 2>>
     face_heights_on_lines(const std::vector<Strip> &strips)
     {
@@ -150,18 +150,17 @@ namespace Biface
                                where() +
                                ", where the radius of the surface is " +
                                number_to_string(point.lame[1]) +
-                               ", but the surface must keep clear of its axis "
-                               "(A_2 > 0).");
+                               ", but it must be positive everywhere.");
 
             const ThicknessMetric metric(point.curvature, heights);
             for (unsigned int face = 0; face < 2; ++face)
               for (unsigned int a = 0; a < 2; ++a)
                 if (!(metric.zeta[face][a] > 0))
                   throw InputError(
-                    "the entry 'Laminate/Plies' puts a face at " +
+                    "the entry 'Laminate/Plies' places a face at " +
                     number_to_string(heights[face]) +
                     " from the reference surface, but at " + where() +
-                    " it must stay nearer than the center of curvature, " +
+                    " the center of curvature is only " +
                     number_to_string(1 / std::abs(point.curvature[a])) +
                     " away.");
           }
@@ -183,8 +182,8 @@ namespace Biface
     }
 
 
-    /** Whether any displacement of the outer face is free. One that follows
-     * another displacement is free, too. */
+    /** Whether any displacement of the outer face is free. A displacement that
+     * is coupled to another one is free, too. */
     bool
     outer_face_is_free(const Node                      &node,
                        const AffineConstraints<double> &constraints)
@@ -249,7 +248,7 @@ namespace Biface
   {
     ShellFEValues fe_values(*surface);
 
-    // from the vertices of the triangulation to nodes of this rank
+    // map from the vertices of the triangulation to the nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),
                                              numbers::invalid_unsigned_int);
 

@@ -36,22 +36,22 @@ namespace Biface
         [edge](const std::string &entry, const std::string &text) {
           return parse_support(entry, text, edge / 2);
         },
-        "What holds the edge " + edge_names[edge] +
+        "Support of the edge " + edge_names[edge] +
           ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
-          "'hinged outer', 'symmetry' (no displacement across the edge), or a "
-          "list, separated by semicolons, of 'v_i FACE' or 'v_i FACE = value', "
-          "with i = 1, 2, 3 and FACE one of inner, outer, both, middle, "
-          "difference (outer less inner). Values grow with the load factor. An "
-          "edge of a closed coordinate does not exist and stays free. Unit: "
-          "length.");
+          "'hinged outer', 'symmetry' (no displacement normal to the edge), "
+          "or a list, separated by semicolons, of 'v_i FACE' or 'v_i FACE = "
+          "value', with i = 1, 2, 3 and FACE one of inner, outer, both, "
+          "middle, difference (outer minus inner). Values are multiplied by "
+          "the load factor. A closed coordinate has no edges; leave them "
+          "'free'. Unit: length.");
     add_parsed(prm,
                "Supports/",
                "Point supports",
                "",
                points,
                parse_point_supports,
-               "Supports of named points: 'name: support', separated by "
-               "commas, each support as for an edge.");
+               "Supports of named points: a comma-separated list of 'name: "
+               "support', with supports as for edges.");
   }
 
 
@@ -139,8 +139,10 @@ namespace Biface
     std::vector<PointSupport> supports;
     for (const std::string &item : split_list(entry, text))
       {
-        const auto named =
-          split_named(entry, item, "each item is written 'name: support'");
+        const auto named = split_named(entry,
+                                       item,
+                                       "each support must have the form 'name: "
+                                       "support'");
         supports.push_back(
           {named.first, parse_support(entry, named.second, 3)});
       }

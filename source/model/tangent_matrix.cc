@@ -40,7 +40,7 @@ namespace Biface
     int                    *row_starts;
     int                    *columns;
     if (epetra.ExtractCrsDataPointers(row_starts, columns, values) != 0)
-      return; // not stored in one piece: no fast path
+      return; // not stored contiguously: no fast path
 
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
@@ -58,7 +58,7 @@ namespace Biface
             int      *end   = columns + row_starts[row + 1];
             for (unsigned int v = 0; fast && v < 4; ++v)
               {
-                // the node's columns must stand in the order of its dofs
+                // the columns of the node must be in the order of its dofs
                 const int *place = std::find(
                   begin, end, epetra.LCID(static_cast<int>(cell.dofs[6 * v])));
                 for (unsigned int j = 0; fast && j < 6; ++j)

@@ -10,12 +10,13 @@
 
 namespace Biface
 {
-  /** Whether nodes are in contact, by their positions. One byte per node:
-   * vector<bool> cannot be written to by parts. */
+  /** Whether nodes are in contact, by their positions. One byte per node, since
+   * the elements of vector<bool> cannot be written independently. */
   using ActiveSet = std::vector<char>;
 
 
-  /** How the nodal multipliers of an element act on its nodes. */
+  /** The mass matrix by which the multipliers of an element act on its
+   * nodes. */
   enum class MultiplierMass
   {
     /** Bilinear times bilinear, @f$M_{rs}=\frac w4\int N_rN_s\,d\xi@f$, as in
@@ -27,9 +28,9 @@ namespace Biface
   };
 
 
-  /** The matrix @f$M_{rs}@f$ of a bilinear element of the given weight,
-   * vertices numbered lexicographically. It also is the matrix from nodal
-   * values of any distributed load to nodal forces. */
+  /** The matrix @f$M_{rs}@f$ of a bilinear element of the given weight, with
+   * lexicographic numbering of vertices. It maps nodal values of any
+   * distributed load to nodal forces. */
   std::array<std::array<double, 4>, 4>
   multiplier_mass(const MultiplierMass kind, const double weight);
 
@@ -41,12 +42,12 @@ namespace Biface
    * @f$\lambda@f$ (minus the pressure):
    * - in contact (active): @f$c - \lambda/\varepsilon = 0@f$,
    *   @f$\lambda\le 0@f$;
-   * - apart: @f$\lambda = 0@f$, @f$c\ge 0@f$.
+   * - not in contact (inactive): @f$\lambda = 0@f$, @f$c\ge 0@f$.
    *
    * For a given active set the multiplier is a function of the displacements,
-   * @f$\lambda=\varepsilon c@f$, so that it is no unknown of the linear
+   * @f$\lambda=\varepsilon c@f$, so that it is not an unknown of the linear
    * systems. The primal-dual active set method
-   * @cite HintermuellerItoKunisch2002 finds which nodes are active, see
+   * @cite HintermuellerItoKunisch2002 determines the active nodes, see
    * should_be_active().
    */
   class ContactCondition
@@ -60,7 +61,7 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where a value is not usable. */
+      /** Throws InputError if a value is invalid. */
       void
       check() const;
     };
@@ -76,8 +77,8 @@ namespace Biface
       return parameters.regularization * clearance;
     }
 
-    /** Minus the derivative of an active node's multiplier with respect to its
-     * motion along the foundation's normal. */
+    /** Minus the derivative of the multiplier of an active node by its
+     * displacement along the normal of the foundation. */
     double
     multiplier_stiffness() const
     {
@@ -85,20 +86,20 @@ namespace Biface
     }
 
     /**
-     * Whether a node should be active from now on: where
+     * Whether a node should be active in the next iteration: if
      * @f$\lambda + \kappa\,(c - \lambda/\varepsilon) < 0@f$, as in deal.II's
      * step-41 @cite dealIIStep41 with the clearance of the regularized
-     * condition. An active node leaves where it is pulled, a node apart enters
-     * where it has penetrated.
+     * condition. An active node becomes inactive if it is in tension, an
+     * inactive node becomes active if it has penetrated.
      *
-     * @param multiplier that of the last solution, 0 where the node was apart.
+     * @param multiplier that of the last solution, 0 if the node was inactive.
      * @param clearance that of the same solution.
      */
     bool
     should_be_active(const double multiplier, const double clearance) const
     {
-      // any kappa > 0 decides alike where the multiplier is that of the
-      // clearance; with this one both count the same
+      // any kappa > 0 gives the same result if the multiplier is that of the
+      // clearance; with this one both have the same weight
       const double kappa = parameters.regularization / 2;
       return multiplier +
                kappa * (clearance - multiplier / parameters.regularization) <

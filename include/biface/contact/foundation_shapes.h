@@ -10,27 +10,27 @@
 
 namespace Biface
 {
-  /** What a point near a foundation has to know of it. */
+  /** The geometry of a foundation at a point near it. */
   struct FoundationPoint
   {
-    /** The signed distance left to the surface of the foundation, negative
-     * inside it. Its gradient is a unit vector. Unit: length. */
+    /** The signed distance from the surface of the foundation, negative inside
+     * it. Its gradient is a unit vector. Unit: length. */
     double clearance;
 
-    /** The unit normal @f$\mathbf n@f$, into the foundation: minus the gradient
+    /** The unit normal @f$\mathbf n@f$ into the foundation: minus the gradient
      * of the clearance. */
     dealii::Tensor<1, 3> normal;
 
-    /** The derivative of the normal, minus the second one of the clearance: by
-     * it the foundation's curvature enters the tangent. Unit: 1/length. */
+    /** The derivative of the normal, minus the second derivative of the
+     * clearance, by which the curvature of the foundation enters the tangent.
+     * Unit: 1/length. */
     dealii::SymmetricTensor<2, 3> normal_gradient;
   };
 
 
   /**
-   * The shape of a rigid foundation, as it stands at the travel 0, where it
-   * touches the point of its line of travel with the normal that is the
-   * direction of that line.
+   * The shape of a rigid foundation at zero travel, where it touches the point
+   * of its line of travel with a normal along the direction of this line.
    */
   class FoundationShape
   {
@@ -38,8 +38,8 @@ namespace Biface
     /** The line along which a foundation travels. */
     struct TravelLine
     {
-      /** From the shell toward the foundation, which travels against it: any
-       * vector but zero; its length does not matter. */
+      /** From the shell toward the foundation, which travels against it; any
+       * nonzero vector. */
       dealii::Tensor<1, 3> direction{{1, 0, 0}};
       dealii::Point<3>     point;
     };
@@ -53,14 +53,14 @@ namespace Biface
     virtual FoundationPoint
     evaluate(const dealii::Point<3> &x) const = 0;
 
-    /** How far the foundation travels until its surface comes to a point that
-     * was apart from it; negative where it goes back. Plus infinity for a point
-     * that it passes by, minus infinity for one that is never apart from it.
-     * Unit: length. */
+    /** The travel until the surface of the foundation touches a point from
+     * outside, negative if it must move back. Plus infinity for a point that it
+     * misses, minus infinity for a point that is always inside. Unit:
+     * length. */
     virtual double
     travel_to(const dealii::Point<3> &x) const = 0;
 
-    /** Of the line of travel, of unit length. */
+    /** The unit vector and the point of the line of travel. */
     const dealii::Tensor<1, 3> direction;
     const dealii::Point<3>     point;
   };
@@ -86,7 +86,7 @@ namespace Biface
   };
 
 
-  /** A ball; where its radius is negative, what is around a hollow one. */
+  /** A ball; with a negative radius, the space around a hollow ball. */
   class RigidSphere : public FoundationShape
   {
   public:
@@ -98,10 +98,10 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the parameters are not those of a sphere. */
+    /** Throws InputError if the parameters are invalid. */
     RigidSphere(const TravelLine &line, const Parameters &parameters);
 
-    /** @param radius any number but 0. */
+    /** @param radius any nonzero number. */
     RigidSphere(const TravelLine &line, const double radius)
       : FoundationShape(line), radius(radius)
     {}
@@ -117,7 +117,8 @@ namespace Biface
   };
 
 
-  /** A cylinder without end: across its axis it is a RigidSphere. */
+  /** An infinitely long cylinder: in the section normal to its axis it is a
+   * RigidSphere. */
   class RigidDrum : public FoundationShape
   {
   public:
@@ -130,7 +131,7 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError where the parameters are not those of a drum. */
+    /** Throws InputError if the parameters are invalid. */
     RigidDrum(const TravelLine &line, const Parameters &parameters);
 
     FoundationPoint

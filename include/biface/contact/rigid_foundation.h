@@ -12,13 +12,13 @@
 namespace Biface
 {
   /**
-   * A rigid foundation somewhere on its line of travel: queries shift the point
-   * by the travel; the shape itself never moves. Copies share the shape.
+   * A rigid foundation at a given travel. Queries shift the point by the
+   * travel; the shape itself never moves. Copies share the shape.
    */
   class RigidFoundation
   {
   public:
-    /** Which foundation the shell is pressed on. */
+    /** The foundation on which the shell is pressed. */
     struct Parameters
     {
       enum class Shape
@@ -36,13 +36,13 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where a value is not usable. */
+      /** Throws InputError if a value is invalid. */
       void
       check() const;
     };
 
-    /** The foundation at the travel 0. Throws InputError where the parameters
-     * do not describe one. */
+    /** The foundation at zero travel. Throws InputError if the parameters are
+     * invalid. */
     explicit RigidFoundation(const Parameters &parameters);
 
     explicit RigidFoundation(std::shared_ptr<const FoundationShape> shape,
@@ -50,7 +50,7 @@ namespace Biface
       : shape(shape), travel(travel)
     {}
 
-    /** The same foundation, farther along its line. */
+    /** The same foundation after a further travel. */
     RigidFoundation
     moved(const double further) const
     {
@@ -69,14 +69,14 @@ namespace Biface
       return evaluate(x).clearance;
     }
 
-    /** How far it still has to travel, see FoundationShape. */
+    /** The remaining travel to a point, see FoundationShape. */
     double
     travel_to(const dealii::Point<3> &x) const
     {
       return shape->travel_to(x) - travel;
     }
 
-    /** The unit vector against which it travels. */
+    /** The unit vector opposite to the direction of travel. */
     const dealii::Tensor<1, 3> &
     direction() const
     {

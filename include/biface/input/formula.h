@@ -10,30 +10,30 @@
 namespace Biface
 {
   /**
-   * A formula of named variables, read by the muParser library: its operators
-   * and functions (`sin`, `sqrt`, `abs`, `min`, ... with angles in radians),
-   * and the constant `pi`.
+   * A formula of named variables, evaluated by the muParser library, with its
+   * operators and functions (`sin`, `sqrt`, `abs`, `min`, ... with angles in
+   * radians) and the constant `pi`.
    */
   class Formula
   {
   public:
     /**
-     * @param entry the entry that holds the formula, for error messages.
+     * @param entry the entry of the formula, for error messages.
      * @param text the formula.
      * @param variables names of the variables.
      *
-     * Throws InputError where the text is not one formula of these variables.
+     * Throws InputError if the text is not a single formula of these variables.
      */
     Formula(const std::string              &entry,
             const std::string              &text,
             const std::vector<std::string> &variables);
 
-    /** The same with names that are not known yet; see bind(). Throws
-     * InputError where the text is no formula whatever names there are. */
+    /** The same for variables that are not known yet, see bind(). Throws
+     * InputError if the text is not a formula for any variables. */
     Formula(const std::string &entry, const std::string &text);
 
-    /** Say which variables there are. Throws InputError where the formula needs
-     * another one. */
+    /** Set the variables. Throws InputError if the formula uses another
+     * name. */
     void
     bind(const std::vector<std::string> &variables);
 
@@ -48,10 +48,10 @@ namespace Biface
     }
 
     /**
-     * The value for values of the variables, in their order. Names must be
-     * known.
+     * The value of the formula for values of the variables, in their order. The
+     * variables must be known.
      *
-     * Throws InputError where it is not a finite number.
+     * Throws InputError if it is not a finite number.
      */
     double
     operator()(const std::vector<double> &values) const;
@@ -59,7 +59,7 @@ namespace Biface
   private:
     struct Parser;
 
-    /** @param allowed what the entry must be, for error messages. */
+    /** @param allowed the allowed values of the entry, for error messages. */
     void
     compile(const std::string &allowed);
 
@@ -67,8 +67,8 @@ namespace Biface
     std::string                   text;
     std::vector<std::string>      variables;
     std::shared_ptr<const Parser> parser;
-    /** Where the parser reads each of the variables; null for those that the
-     * formula does not use. */
+    /** The address from which the parser reads each variable; null for unused
+     * variables. */
     std::vector<double *> slots;
   };
 } // namespace Biface

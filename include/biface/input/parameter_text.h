@@ -13,43 +13,44 @@ namespace Biface
   /** A line of a parameter file. */
   struct ParameterLine
   {
-    /** The section it stands in, as "Section/Subsection/". */
+    /** Its section, as "Section/Subsection/". */
     std::string section;
     /** `set`, `subsection`, `end`, `include`, or anything else. */
     std::string keyword;
-    /** What stands before and after the first '='. */
+    /** The texts before and after the first '='. */
     std::string name;
     std::string value;
-    /** How many sections are open after it. */
+    /** The number of open sections after it. */
     unsigned int depth = 0;
   };
 
 
-  /** The lines of a parameter file, the first one with the number 1. */
+  /** The lines of a parameter file by their numbers, which start at 1. */
   std::vector<ParameterLine>
   scan_parameter_text(const std::string &text);
 
 
   /**
-   * Refuse what ParameterHandler would take without a word, and not as meant:
-   * two settings of one entry, of which it takes the last; braces, which it
-   * takes for a list of alternatives; other files, which every rank would
-   * read; numbers that would overflow; sections without end.
+   * Refuse what ParameterHandler would silently misinterpret: an entry that is
+   * set twice, of which it takes the last value; braces, which it takes for a
+   * list of alternatives; included files, which every rank would read; numbers
+   * that would overflow; unclosed sections.
    *
    * Throws InputError.
    *
-   * @param source what error messages call the text.
-   * @param text that of a whole parameter file.
+   * @param source the name of the text in error messages.
+   * @param text the text of a complete parameter file.
    */
   void
   check_parameter_text(const std::string &source, const std::string &text);
 
 
   /**
-   * A name that parameter files may still use, and the one it has now: an entry
+   * An old name that parameter files may still use, and the new one: an entry
    * "Section/Entry", a section "Section/Subsection/", or one of the words in
    * the value of an entry, "Section/Entry=word". "Stage N/" stands for all
-   * stages, an asterisk in the place of the entry for all of the section.
+   * stages, and an asterisk instead of the entry for all entries of the
+   * section.
    */
   struct OldName
   {
@@ -58,21 +59,21 @@ namespace Biface
   };
 
 
-  /** Put the new names in the place of the old ones in a parameter file; lines
-   * keep their numbers.
-   * @return the names that were replaced, each once. */
+  /** Replace old names by new ones in a parameter file; lines keep their
+   * numbers.
+   * @return the replaced names, each once. */
   std::vector<OldName>
   replace_old_names(std::string &text, const std::vector<OldName> &names);
 
 
-  /** Where a line stands, as the start of a sentence.
-   * @param source what error messages call the text.
+  /** The position of a line, as the start of a message.
+   * @param source the name of the text in error messages.
    * @param line its number. */
   std::string
   parameter_place(const std::string &source, const unsigned int line);
 
-  /** The same for the line that sets an entry; the source alone where none
-   * does. */
+  /** The same for the line that sets an entry; the source alone if there is
+   * none. */
   std::string
   parameter_place(const std::string &source,
                   const std::string &text,
@@ -80,14 +81,13 @@ namespace Biface
 
 
   /**
-   * What ParameterHandler has to say of a parameter file, as one sentence that
-   * names file, line, entry, value and what is allowed; of an unknown name, the
-   * nearest one that is known.
+   * An error of ParameterHandler as one sentence that names file, line, entry,
+   * value and what is allowed, or the known name nearest to an unknown one.
    *
-   * @param exception what was thrown.
-   * @param source what the sentence calls the text.
+   * @param exception the exception.
+   * @param source the name of the text in the sentence.
    * @param text the text of the parameter file.
-   * @param prm knows the entries.
+   * @param prm the declared entries.
    */
   std::string
   parameter_sentence(const dealii::ExceptionBase    &exception,

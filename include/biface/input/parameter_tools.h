@@ -22,7 +22,7 @@ namespace Biface
   check_positive(const std::string &entry, const double value);
 
   /** Throw an InputError that names @p entry unless @p value is a finite
-   * number, 0 or above. */
+   * number that is not negative. */
   void
   check_not_negative(const std::string &entry, const double value);
 
@@ -41,40 +41,39 @@ namespace Biface
   void
   check_finite(const std::string &entry, const dealii::Tensor<1, 3> &vector);
 
-  /** The unit vector along @p vector. Throws an InputError that names
-   * @p entry where there is none. */
+  /** The unit vector along @p vector. Throws an InputError that names @p entry
+   * if there is none. */
   dealii::Tensor<1, 3>
   unit_vector(const std::string &entry, const dealii::Tensor<1, 3> &vector);
 
-  /** Throw an InputError that names @p entry, which is the vector @p a, where
-   * it is parallel to the vector @p b of the entry @p other. */
+  /** Throw an InputError that names @p entry, the vector @p a, if it is
+   * parallel to the vector @p b of the entry @p other. */
   void
   check_not_parallel(const std::string          &entry,
                      const dealii::Tensor<1, 3> &a,
                      const std::string          &other,
                      const dealii::Tensor<1, 3> &b);
 
-  /** A number as a person would write it, with up to ten digits. */
+  /** A number with up to ten digits, without trailing zeros. */
   std::string
   number_to_string(const double value);
 
-  /** A coordinate for a sentence: the same, but 0 where it is only round-off
-   * of numbers of the size @p scale. */
+  /** The same for a coordinate in a message: 0 if it is only round-off of
+   * numbers of size @p scale. */
   std::string
   coordinate_to_string(const double value, const double scale);
 
-  /** Numbers beyond this size are refused, whatever their unit: products of a
-   * few of them would overflow. */
+  /** Larger numbers are refused, whatever their unit: products of a few of them
+   * would overflow. */
   constexpr double greatest_number = 1e100;
 
-  /** What is said where a number is beyond greatest_number. */
+  /** The message on numbers beyond greatest_number. */
   constexpr const char *number_too_large =
     "a number must lie between -1e100 and 1e100";
 
   /**
-   * Read a whole text as a number. Throws InputError that says "@p entry is
-   * @p text, but @p allowed" where it is anything else, or beyond
-   * greatest_number.
+   * Read a text as a number. Throws InputError "@p entry is @p text, but
+   * @p allowed" if it is anything else, or beyond greatest_number.
    */
   double
   parse_number(const std::string &entry,
@@ -94,11 +93,12 @@ namespace Biface
                 const std::string &allowed);
 
   /**
-   * Split a list at a separator, but not within parentheses or double quotes.
-   * A separator may follow the last item, too; an empty text has no items.
+   * Split a list at a separator, except within parentheses or double quotes.
+   * The last item may be followed by a separator; an empty text has no items.
    *
-   * Throws InputError where another item is empty, or where there are more than
-   * @p limit, before any of them is read: each may cost far more than its text.
+   * Throws InputError if another item is empty, or if there are more than
+   * @p limit items. This is checked before any of them is read, since reading
+   * may cost far more than the text.
    */
   std::vector<std::string>
   split_list(const std::string &entry,
@@ -106,15 +106,15 @@ namespace Biface
              const char         separator = ',',
              const unsigned int limit     = 10000);
 
-  /** Split "name: rest" at its colon. Throws InputError, as parse_number()
-   * does, where there is none or the name is empty. */
+  /** Split "name: rest" at its colon. Throws InputError, like parse_number(),
+   * if there is none or the name is empty. */
   std::pair<std::string, std::string>
   split_named(const std::string &entry,
               const std::string &text,
               const std::string &allowed);
 
   /** Call a function that may throw InputError on some ranks only, and throw
-   * the first of these errors on all ranks. Must be called on all of them. */
+   * the first of these errors on all ranks. Must be called on all ranks. */
   void
   agree_on_errors(const MPI_Comm               communicator,
                   const std::function<void()> &function);
@@ -151,7 +151,7 @@ namespace Biface
                       const std::string        &documentation);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
-   * @p value to the enumerator whose place in @p names the text has. */
+   * @p value to the enumerator at the position of the text in @p names. */
   template <typename Enum>
   void
   add_choice(dealii::ParameterHandler       &prm,

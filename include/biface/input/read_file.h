@@ -14,27 +14,27 @@ namespace Biface
 {
   /**
    * The text of a file. The first rank reads it for all; must be called on all
-   * ranks. Lines end with '\\n' alone, and the mark that some editors put in
-   * front of UTF-8 is left out.
+   * ranks. Line ends are converted to '\\n', and a UTF-8 byte order mark is
+   * removed.
    *
-   * Throws InputError on all ranks where the file cannot be read, is not a
-   * text, or has more than 64 MiB.
+   * Throws InputError on all ranks if the file cannot be read, is not a text,
+   * or exceeds 64 MiB.
    */
   std::string
   read_file(const std::string &file_name, const MPI_Comm communicator);
 
 
   /**
-   * Read pairs of numbers from the text of a CSV file, a pair a line; empty
-   * lines and lines that begin with '#' are skipped, and a first line of column
-   * names.
+   * Read pairs of numbers from the text of a CSV file, one pair per line. Empty
+   * lines, lines that start with '#' and a first line of column names are
+   * skipped.
    *
-   * Throws InputError, naming @p name and the line, where a line holds anything
+   * Throws InputError, naming @p name and the line, if a line contains anything
    * else.
    *
-   * @param text what the file holds.
-   * @param name of the file, for error messages.
-   * @param meaning names of the two columns, for error messages.
+   * @param text the contents of the file.
+   * @param name the name of the file, for error messages.
+   * @param meaning the names of the two columns, for error messages.
    */
   std::vector<dealii::Point<2>>
   parse_pairs(const std::string &text,
@@ -42,7 +42,7 @@ namespace Biface
               const std::string &meaning);
 
 
-  /** A file of pairs of numbers that an entry names. */
+  /** A file of pairs of numbers named by an entry. */
   struct PairsFile
   {
     /** Empty for none. */
@@ -56,16 +56,16 @@ namespace Biface
 
 
   /**
-   * The name of a file as an entry has it: as it is, or in double quotes, where
-   * %XX is the byte with this hexadecimal number. With quotes, it may hold what
-   * a parameter file or a list could not: '#', braces, commas.
+   * The name of a file in an entry: as it is, or in double quotes, where %XX is
+   * the byte with this hexadecimal code. In quotes it may contain what is not
+   * possible in a parameter file or a list: '#', braces, commas.
    *
-   * Throws InputError where quotes or bytes are not complete.
+   * Throws InputError if quotes or codes are incomplete.
    */
   std::string
   parse_file_name(const std::string &entry, const std::string &text);
 
-  /** The text that parse_file_name() takes for a name. */
+  /** The text that parse_file_name() converts to a name. */
   std::string
   print_file_name(const std::string &name);
 } // namespace Biface

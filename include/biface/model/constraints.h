@@ -15,12 +15,12 @@ namespace Biface
   class ShellMesh;
 
   /** A displacement prescribed by a support:
-   * @f$v = f\,v_{other} + \bar v@f$, where @f$\bar v@f$ grows with the load
-   * factor. */
+   * @f$v = f\,v_{other} + \bar v@f$, where @f$\bar v@f$ is multiplied by the
+   * load factor. */
   struct PrescribedDisplacement
   {
     dealii::types::global_dof_index dof;
-    /** Invalid where f is zero. */
+    /** Invalid if f is zero. */
     dealii::types::global_dof_index other;
     double                          factor;
     double                          value;
@@ -28,7 +28,7 @@ namespace Biface
 
 
   /**
-   * What the supports require of the displacements of a mesh.
+   * The constraints of the supports on the displacements of a mesh.
    *
    * Throws InputError if they contradict each other, or if a supported point
    * does not exist.

@@ -9,15 +9,14 @@
 namespace Biface
 {
   /**
-   * The forces of the foundation on active nodes.
+   * The forces of the foundation on the active nodes.
    *
-   * The force on the node r is @f$\sum_s M_{rs}\lambda_s\mathbf n_s@f$ with
-   * the normal at the node s, where the multiplier is: the traction
-   * @f$\lambda\mathbf n@f$ is what is interpolated. So the forces add up to
-   * those that ContactInteraction::force() reports, whichever the multiplier
-   * mass is. With the lumped mass they have the potential
-   * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and so a
-   * symmetric tangent; a normal at the node r would have neither.
+   * The force on node r is @f$\sum_s M_{rs}\lambda_s\mathbf n_s@f$ with the
+   * normal at node s, like the multiplier: the traction @f$\lambda\mathbf n@f$
+   * is interpolated. The forces therefore add up to ContactInteraction::force()
+   * for both multiplier masses. With the lumped mass they have the potential
+   * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
+   * symmetric tangent. Neither would be true with the normal at node r.
    */
   class ContactForces : public ForceTerm
   {
@@ -46,7 +45,7 @@ namespace Biface
              contact.condition.mass() == MultiplierMass::lumped;
     }
 
-    /** Contact stays one-sided. */
+    /** Contact remains unilateral. */
     bool
     is_linearized() const override
     {

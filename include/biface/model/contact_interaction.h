@@ -21,17 +21,16 @@ namespace Biface
     /** Compressive force on the foundation, along its direction. */
     double       force   = 0;
     unsigned int n_nodes = 0;
-    /** Sum of the areas that belong to the active nodes, on the surface midway
-     * between the faces. */
+    /** Sum of the areas of the active nodes on the middle surface. */
     double area         = 0;
     double max_pressure = 0;
   };
 
 
   /**
-   * The contact between the outer face of the shell and the foundation: which
-   * nodes are in contact, with which tractions, and what the zone adds up to.
-   * It keeps no state of its own. ContactForces makes forces of it.
+   * The contact between the outer face of the shell and the foundation: the
+   * active set, the tractions, and the figures of the contact zone. It has no
+   * state of its own. ContactForces computes the nodal forces.
    */
   class ContactInteraction
   {
@@ -44,61 +43,62 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where a value is not usable. */
+      /** Throws InputError if a value is invalid. */
       void
       check() const;
     };
 
-    /** The mesh is kept by reference. Throws InputError where the parameters do
-     * not describe a foundation. */
+    /** The mesh is kept by reference. Throws InputError if the parameters are
+     * invalid. */
     ContactInteraction(const ShellMesh &mesh, const Parameters &parameters);
 
-    /** The foundation that has moved by @p travel from where it is at rest. */
+    /** The foundation after the given travel from its initial position. */
     RigidFoundation
     foundation(const double travel) const
     {
       return foundation_at_rest.moved(travel);
     }
 
-    /** The travel of the foundation that just touches a free node of the
-     * deformed outer face: one that can come into contact. Throws InputError
-     * where it passes by the shell, or the shell does not fit into it. */
+    /** The travel at which the foundation just touches a free node of the
+     * deformed outer face, one that can come into contact. Throws InputError if
+     * it misses the shell, or if the shell does not fit into it. */
     double
     touching_travel(const State &state) const;
 
-    /** The nodes of this rank that the foundation has passed through, since
-     * supports hold their outer face, and they cannot come into contact. */
+    /** The nodes of this rank that the foundation has passed through: supports
+     * hold their outer face, so they cannot come into contact. */
     ActiveSet
     pierced_nodes(const State &state, const Loads &loads) const;
 
-    /** How far the foundation travels until it touches a free node of the
-     * outer face, see RigidFoundation::travel_to(). */
+    /** The travel until the foundation touches a free node of the outer face,
+     * see RigidFoundation::travel_to(). */
     double
     travel_to_touch(const State &state, const Loads &loads) const;
 
-    /** Distance between a node's deformed outer face and the foundation. */
+    /** Distance between the deformed outer face at a node and the
+     * foundation. */
     double
     clearance(const State &state, const Loads &loads, const Node &node) const;
 
-    /** Give active nodes the multipliers of the state's displacements, decide
-     * anew which nodes are in contact, and give them theirs: one iteration of
-     * the primal-dual active set method.
-     * @param held nodes that remain in contact, whatever the state; empty for
-     * none.
+    /** One iteration of the primal-dual active set method: compute the
+     * multipliers of the active nodes from the displacements of the state,
+     * update the active set, and compute the multipliers of the new set.
+     * @param held nodes that remain active in any case; empty for none.
      * @return the number of changes, on all ranks. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
 
-    /** Nodes in contact, on all ranks. */
+    /** Number of active nodes on all ranks. */
     unsigned int
     count_active(const State &state) const;
 
-    /** What an active node presses on the foundation with. */
+    /** The contact traction at an active node. */
     struct Traction
     {
-      /** That on the shell, @f$\lambda\mathbf n@f$. Unit: force/area. */
+      /** The traction on the shell, @f$\lambda\mathbf n@f$. Unit:
+       * force/area. */
       dealii::Tensor<1, 3> value;
       /** Minus its derivative with respect to the position of the node,
        * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
@@ -108,9 +108,9 @@ namespace Biface
     Traction
     traction(const State &state, const Loads &loads, const Node &node) const;
 
-    /** The compressive force on the foundation, see ContactSummary, with its
-     * derivatives while no node enters or leaves the contact: that of the
-     * multipliers which belong to the displacements. */
+    /** The compressive force on the foundation, see ContactSummary, from the
+     * multipliers of the displacements, with its derivatives for a fixed active
+     * set. */
     struct Force
     {
       double value;
@@ -123,7 +123,7 @@ namespace Biface
     Force
     force(const State &state, const Loads &loads) const;
 
-    /** By the multipliers of the state. */
+    /** The figures from the multipliers of the state. */
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 

@@ -21,9 +21,9 @@ namespace Biface
   struct DeadForce
   {
     dealii::Tensor<1, 3> components;
-    /** Whether they are those in the frame @f$\mathbf e_i@f$. */
+    /** Whether the components refer to the frame @f$\mathbf e_i@f$. */
     bool local = false;
-    /** The shares of the faces. */
+    /** The fractions on the two faces. */
     std::array<double, 2> faces{{0.5, 0.5}};
   };
 
@@ -35,7 +35,7 @@ namespace Biface
 
   struct EdgeForce
   {
-    /** As the user wrote it. */
+    /** The text of the user. */
     std::string text;
     Edge        edge;
     /** Per length. */
@@ -51,23 +51,23 @@ namespace Biface
   };
 
 
-  /** Read forces, 'name: F_1 F_2 F_3' and so on, separated by commas. Throw
-   * InputError where they are malformed. */
+  /** Read a comma-separated list of forces, 'name: F_1 F_2 F_3' and so on.
+   * Throw InputError if it is malformed. */
   std::vector<PointForce>
   parse_point_forces(const std::string &entry, const std::string &text);
   std::vector<EdgeForce>
   parse_edge_forces(const std::string &entry, const std::string &text);
 
-  /** Read a force on a face, three formulas separated by semicolons, with
-   * 'local' after them or not. Throws InputError where it is malformed. */
+  /** Read a force on a face: three formulas separated by semicolons, optionally
+   * followed by '; local'. Throws InputError if it is malformed. */
   Traction
   parse_traction(const std::string &entry, const std::string &text);
 
 
   /**
-   * Loads that grow with the load factor, as they are at the load factor 1:
-   * forces at named points, on edges, on faces and on the whole shell, which
-   * keep their direction, and moments along edges, which may follow.
+   * Loads proportional to the load factor, given for the load factor 1: dead
+   * forces at named points, on edges, on faces and on the whole shell, and dead
+   * or follower moments along edges.
    */
   struct DeadLoads
   {
@@ -82,11 +82,11 @@ namespace Biface
     add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * The nodal forces of all these loads, without moments that follow.
+     * The nodal forces of all these loads except follower moments.
      *
-     * @param area what tractions are counted on.
+     * @param area the area to which tractions refer.
      *
-     * Throws InputError where there is no point of a name, or a formula is not
+     * Throws InputError if a named point does not exist, or if a formula is not
      * finite at a node.
      */
     LA::Vector
@@ -94,7 +94,7 @@ namespace Biface
   };
 
 
-  /** The forces of dead loads: the same at all displacements. */
+  /** The forces of dead loads, independent of the displacements. */
   class DeadForces : public ForceTerm
   {
   public:

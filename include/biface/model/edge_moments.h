@@ -17,24 +17,24 @@ namespace Biface
   /** A moment along an edge. */
   struct EdgeMoment
   {
-    /** As the user wrote it. */
+    /** The text of the user. */
     std::string text;
     Edge        edge;
-    /** Per length on the reference surface, at the load factor 1. Unit: force.
-     */
+    /** Per length on the reference surface, for the load factor 1. Unit:
+     * force. */
     double moment;
-    /** Whether it does work on the angle through which the director turns, or
-     * is a couple of forces that keep their direction. */
+    /** Whether it does work on the rotation of the director, or is a couple of
+     * forces with constant directions. */
     bool follower;
   };
 
-  /** Read moments along edges, 'edge: M dead' or 'edge: M follower' separated
-   * by commas. Throws InputError where they are malformed. */
+  /** Read a comma-separated list of moments along edges, 'edge: M dead' or
+   * 'edge: M follower'. Throws InputError if it is malformed. */
   std::vector<EdgeMoment>
   parse_edge_moments(const std::string &entry, const std::string &text);
 
 
-  /** A moment along an edge, as one on a vertex of a cell. */
+  /** A moment along an edge, lumped at a vertex of a cell. */
   struct VertexMoment
   {
     unsigned int cell;
@@ -42,15 +42,15 @@ namespace Biface
     unsigned int vertex;
     /** The moment, per unit of the load factor. Unit: force times length. */
     double moment;
-    /** The axis of the moment, in the frame of the node: the moment turns the
-     * outer face outward over the edge, in the direction
+    /** The axis of the moment in the frame of the node: the moment pushes the
+     * outer face outward beyond the edge, in the direction
      * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
     dealii::Tensor<1, 3> axis;
   };
 
 
   /** The moments along edges on the cells of this rank.
-   * @param follower which of both kinds to return. */
+   * @param follower whether to return follower or dead moments. */
   std::vector<VertexMoment>
   vertex_moments(const std::vector<EdgeMoment> &moments,
                  const bool                     follower,
@@ -58,12 +58,12 @@ namespace Biface
 
 
   /**
-   * The couple of forces, on the outer face and its opposite on the inner one,
-   * of a moment about a fixed axis @f$\boldsymbol\omega@f$ that does work on
-   * the angle through which the director @f$\mathbf d@f$ (from the inner to the
-   * outer face) turns about it, whatever its length:
+   * The couple of opposite forces on the outer and the inner face of a moment
+   * about a fixed axis @f$\boldsymbol\omega@f$ that does work on the angle by
+   * which the director @f$\mathbf d@f$ (from the inner to the outer face)
+   * rotates about it, whatever its length:
    * @f$\mathbf F = M\,\boldsymbol\omega\times\mathbf d/|\mathbf d_\perp|^2@f$,
-   * where @f$\mathbf d_\perp@f$ is the part of the director across the axis.
+   * where @f$\mathbf d_\perp@f$ is the part of the director normal to the axis.
    * It has a potential, so that its derivative is symmetric.
    */
   struct FollowerCouple
@@ -78,7 +78,7 @@ namespace Biface
   };
 
 
-  /** The forces of moments along edges that follow. */
+  /** The forces of follower moments along edges. */
   class FollowerMoments : public ForceTerm
   {
   public:
@@ -102,11 +102,11 @@ namespace Biface
                         MixedElement::NodalVector &force) const override;
 
   private:
-    /** The couple of a moment at the load factor 1. */
+    /** The couple of a moment for the load factor 1. */
     static FollowerCouple
     couple(const CellState &at, const VertexMoment &moment);
 
-    /** By the cells they act on. */
+    /** By cell. */
     std::map<unsigned int, std::vector<VertexMoment>> moments;
   };
 } // namespace Biface

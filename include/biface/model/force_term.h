@@ -11,18 +11,18 @@
 namespace Biface
 {
   /**
-   * A kind of force on the shell: one term of the sum that ShellEquations
-   * brings into equilibrium. Cell by cell, a term adds its forces, their exact
-   * derivative with respect to the displacements and, where it depends on the
-   * loads, that with respect to them. Forces that do not depend on the
-   * displacements are added once for the whole shell.
+   * A kind of force on the shell: one term of the sum that vanishes in
+   * equilibrium, see ShellEquations. Cell by cell, a term adds its forces,
+   * their exact derivative by the displacements and, if it depends on the
+   * loads, that by the loads. Forces that do not depend on the displacements
+   * are added once for the whole shell.
    */
   class ForceTerm
   {
   public:
     virtual ~ForceTerm() = default;
 
-    /** A cell, and all that its forces may depend on. */
+    /** A cell with everything its forces may depend on. */
     struct CellState
     {
       /** Its position in ShellMesh::cells. */
@@ -37,17 +37,17 @@ namespace Biface
     /** The forces on the nodes of a cell. */
     struct CellForces
     {
-      /** Forces within the shell and those of a foundation. */
+      /** Internal forces and contact forces. */
       MixedElement::NodalVector force;
 
-      /** Loads: they do not cancel between the cells of a node. */
+      /** Loads, which do not cancel between the cells at a node. */
       MixedElement::NodalVector load;
 
       /** Minus the derivative of both with respect to the nodal displacements.
        */
       MixedElement::NodalMatrix tangent;
 
-      /** Sum of the squares of all that is added to @p force: the forces that
+      /** Sum of the squares of everything added to @p force: the forces that
        * cancel in equilibrium. */
       double square;
 
@@ -55,40 +55,40 @@ namespace Biface
       clear();
     };
 
-    /** Whether the term adds anything to a cell. A term that acts on few cells
-     * says so, and costs nothing on the others. */
+    /** Whether the term contributes to a cell. A term that acts on few cells
+     * costs nothing on the others. */
     virtual bool
     acts_on(const unsigned int cell,
             const State       &state,
             const Loads       &loads) const = 0;
 
-    /** Add what the term gives to a cell that it acts on. */
+    /** Add the contribution of the term to a cell on which it acts. */
     virtual void
     add(const CellState &at, CellForces &forces) const = 0;
 
-    /** Add the derivative of the forces on a cell when the loads change at the
-     * given rates. */
+    /** Add the derivative of the forces on a cell for the given rates of the
+     * loads. */
     virtual void
     add_load_derivative(const CellState & /*at*/,
                         const LoadRates & /*rates*/,
                         MixedElement::NodalVector & /*force*/) const
     {}
 
-    /** Add the forces that do not depend on the displacements, at loads of the
-     * given values; they are proportional to them. */
+    /** Add the forces that do not depend on the displacements; they are
+     * proportional to the given loads. */
     virtual void
     add_dead_forces(const LoadRates & /*loads*/,
                     LA::Vector & /*nodal_forces*/) const
     {}
 
-    /** Whether the tangent of the term is symmetric at such loads. */
+    /** Whether the tangent of the term is symmetric for these loads. */
     virtual bool
     is_symmetric(const Loads & /*loads*/) const
     {
       return true;
     }
 
-    /** Whether a linear strain theory linearizes these forces, too. */
+    /** Whether linear strain theory also linearizes these forces. */
     virtual bool
     is_linearized() const
     {

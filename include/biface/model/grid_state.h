@@ -17,10 +17,10 @@
 namespace Biface
 {
   /**
-   * A state by the lines of its grid, to be read at any place of the surface
-   * and on any rank, whatever its mesh was distributed like. Displacements are
-   * bilinear between the nodes, in the frames of the surface; resultants are
-   * the functions of each cell.
+   * A state stored by grid lines, which can be evaluated at any position of the
+   * surface and on any rank, independently of the distribution of its mesh.
+   * Displacements are interpolated bilinearly, with components in the frame of
+   * the surface; resultants are those of each cell.
    */
   class GridState
   {
@@ -28,27 +28,26 @@ namespace Biface
     /** The undeformed state of a grid. */
     explicit GridState(const ChartGrid &grid);
 
-    /** To be called on all ranks alike. */
+    /** Must be called on all ranks. */
     GridState(const ShellMesh &mesh, const State &state);
 
-    /** The displacements @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$ at a place
-     * within the grid. Unit: length. */
+    /** The displacements @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$ at a
+     * position within the grid. Unit: length. */
     dealii::Tensor<1, 6>
     displacement(const dealii::Point<2> &alpha) const;
 
-    /** How much of a place is in contact: 1 at active nodes, 0 at the others,
-     * bilinear between them. */
+    /** The indicator of contact: 1 at active nodes, 0 at the others, bilinear
+     * in between. */
     double
     contact(const dealii::Point<2> &alpha) const;
 
-    /** Resultants at the vertices of a cell that lies within one of this
-     * grid's, as its modes. */
+    /** The modes of the resultants in a cell with the given vertices that lies
+     * within a cell of this grid. */
     Modes::Vector
     resultants(const std::array<dealii::Point<2>, 4> &vertices) const;
 
   private:
-    /** A cell of the grid, and where in it: reference coordinates from 0 to 1.
-     */
+    /** A cell of the grid, and reference coordinates from 0 to 1 in it. */
     struct Place
     {
       GridIndex        cell;
@@ -63,10 +62,10 @@ namespace Biface
     interpolate(const std::vector<T> &values, const Place &place) const;
 
     ChartGrid grid;
-    /** By the numbers of nodes. */
+    /** By node numbers. */
     std::vector<dealii::Tensor<1, 6>> displacements;
     std::vector<double>               contacts;
-    /** By the numbers of cells. */
+    /** By cell numbers. */
     std::vector<Modes::Vector> cell_resultants;
   };
 } // namespace Biface

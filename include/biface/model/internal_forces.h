@@ -12,12 +12,11 @@
 namespace Biface
 {
   /**
-   * The forces with which the cells resist their strains, those of initial
-   * resultants included, and what belongs to them: strains, resultants and
-   * their energy.
+   * The internal forces of the cells, including those of initial resultants,
+   * with the corresponding strains, resultants and energy.
    *
-   * The forces are those of the displacements, the tangent that of the
-   * resultants of the state: see NewtonIteration::mixed.
+   * The forces follow from the displacements of the state, the tangent also
+   * from its resultants: see NewtonIteration::mixed.
    */
   class InternalForces : public ForceTerm
   {
@@ -40,16 +39,16 @@ namespace Biface
       return symmetric_stiffness;
     }
 
-    /** What earlier stages have left: with a State and its Loads, a complete
+    /** The results of earlier stages: with a State and its Loads, a complete
      * restore point. */
     struct History
     {
-      /** Of each locally owned cell. */
+      /** One per locally owned cell. */
       std::vector<Modes::Vector> initial_resultants;
-      /** What the strains were that gave initial resultants, see
+      /** The strains that caused the initial resultants, see
        * take_as_prestress(). */
       std::vector<Modes::Vector> initial_strains;
-      /** The state about which the strains are linearized, if they are. */
+      /** The state about which the strains are linearized, if any. */
       std::optional<State> linearization_point;
     };
 
@@ -65,21 +64,20 @@ namespace Biface
       this->history = history;
     }
 
-    /** From now on, use the given theory; a linear one linearizes about
-     * @p state. */
+    /** Set the strain theory; linear theory linearizes about @p state. */
     void
     set_theory(const StrainTheory theory, const State &state);
 
-    /** The state about which the strains are linearized, if they are. */
+    /** The state about which the strains are linearized, if any. */
     const std::optional<State> &
     linearization_point() const
     {
       return history.linearization_point;
     }
 
-    /** Make the state's resultants initial ones and its displacements zero:
-     * the stressed shell becomes the new start, in the undeformed shape, in
-     * equilibrium with what stressed it. */
+    /** Turn the resultants of the state into initial resultants and set its
+     * displacements to zero: the new start is the undeformed shape with these
+     * stresses, in equilibrium with the loads that caused them. */
     void
     take_as_prestress(State &state);
 
@@ -93,33 +91,33 @@ namespace Biface
     void
     predict_resultants(State &state, const LA::Vector &increment) const;
 
-    /** Strains of a cell, those that gave the prestress included. */
+    /** Strains of a cell, including those that caused the prestress. */
     Modes::Vector
     total_strains(const State &state, const unsigned int cell) const;
 
-    /** Resultants of a cell, initial ones included. */
+    /** Resultants of a cell, including initial ones. */
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
     {
       return state.resultants[cell] + history.initial_resultants[cell];
     }
 
-    /** Strain energy of the state on all ranks, whose derivative the forces
-     * are: @f$\frac12\mathbf H\cdot\mathbf E@f$, and the work of initial
-     * resultants on the nonlinear part of the strains; with strains that are
-     * linearized, to the second order in the displacements since. Where the law
-     * is not symmetric, it is a work and has no such derivative. Unit: force
-     * times length. */
+    /** Strain energy of the state on all ranks, whose derivative is the
+     * internal force: @f$\frac12\mathbf H\cdot\mathbf E@f$ plus the work of
+     * initial resultants on the nonlinear part of the strains. In linear strain
+     * theory it is of second order in the displacements since the
+     * linearization. With an unsymmetric law it is a work without such a
+     * derivative. Unit: force times length. */
     double
     strain_energy(const State &state) const;
 
   private:
-    /** By the nonlinear theory. */
+    /** In nonlinear theory. */
     double
     strain_energy(const unsigned int               cell,
                   const MixedElement::NodalVector &V) const;
 
-    /** The strains of the displacements, by the theory in use. */
+    /** The strains of the displacements in the current theory. */
     Modes::Vector
     strains(const State &state, const Cell &cell) const;
 

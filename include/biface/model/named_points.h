@@ -15,18 +15,18 @@ namespace Biface
 {
   class ShellMesh;
 
-  /** A point of the surface that has a name: nodes can be supported, loaded,
-   * watched and steered by it. */
+  /** A named point of the surface, used to support, load, monitor or control a
+   * node. */
   struct NamedPoint
   {
     std::string name;
-    /** In the surface's internal unit, or in that of parameter files. */
+    /** In the internal unit of the surface or in that of parameter files. */
     dealii::Point<2> alpha;
   };
 
-  /** Read points, 'name: alpha_1 alpha_2' separated by commas, in the unit of
-   * parameter files. Throws InputError where the list is malformed, or names a
-   * point twice. */
+  /** Read a comma-separated list of points, 'name: alpha_1 alpha_2', in the
+   * unit of parameter files. Throws InputError if it is malformed or contains a
+   * name twice. */
   std::vector<NamedPoint>
   parse_points(const std::string &entry, const std::string &text);
 
@@ -40,8 +40,7 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Throw InputError, naming @p entry, where there is no point of this
-     * name. */
+    /** Throw InputError, naming @p entry, if there is no point of this name. */
     void
     check_name(const std::string &entry, const std::string &name) const;
 
@@ -53,8 +52,9 @@ namespace Biface
 
   /**
    * The nodes of the mesh at points: positions in ShellMesh::nodes, or invalid
-   * numbers where a node is on other ranks only. The points get the coordinates
-   * of their nodes, which differ by a period or by round-off.
+   * numbers for nodes that exist only on other ranks. The coordinates of the
+   * points are replaced by those of their nodes, which differ by a period or by
+   * round-off.
    *
    * Throws InputError, naming the nearest node, if a point is not a node.
    */

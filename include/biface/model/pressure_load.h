@@ -17,43 +17,43 @@
 
 namespace Biface
 {
-  /** What a pressure does as the face moves. */
+  /** How a pressure depends on the motion of the face. */
   enum class PressureKind
   {
-    /** It keeps its initial direction, and counts an undeformed area, see
+    /** It keeps its initial direction and acts on an undeformed area, see
      * AreaMeasure. */
     dead,
-    /** True pressure: on the area and along the normal of the deformed face.
-     * The tangent is not symmetric. */
+    /** True pressure on the deformed face, along its normal. The tangent is not
+     * symmetric. */
     follower
   };
 
 
-  /** The undeformed area that a dead load on a face is counted on. */
+  /** The undeformed area to which a dead load on a face refers. */
   enum class AreaMeasure
   {
-    /** That of the surface midway between the faces, as in
+    /** The area of the middle surface, as in
      * @cite GrigolyukKulikovPlotnikova2004. */
     middle,
-    /** That of the face itself. */
+    /** The area of the face itself. */
     face
   };
 
 
   /** Read a formula of the position on the reference surface, of `x, y, z,
-   * alpha_1, alpha_2`. Throws InputError as Formula does. */
+   * alpha_1, alpha_2`. Throws InputError like Formula. */
   Formula
   parse_position_formula(const std::string &entry, const std::string &text);
 
 
-  /** Which face the pressure of the stages acts on, and how. A positive one
-   * pushes the face toward the shell. */
+  /** The face on which the pressure of the stages acts, and how. Positive
+   * pressure pushes the face toward the shell. */
   struct PressureLoad
   {
     PressureKind     kind = PressureKind::dead;
     Resultants::Face face = Resultants::inner;
     AreaMeasure      area = AreaMeasure::middle;
-    /** Formula of the position, which multiplies the pressure. */
+    /** Formula of the position that multiplies the pressure. */
     Formula distribution =
       parse_position_formula("Loads/Pressure distribution", "1");
 
@@ -61,21 +61,21 @@ namespace Biface
     add_parameters(dealii::ParameterHandler &prm);
 
     /** The distribution at all nodes of this rank. Throws InputError on all
-     * ranks where it is not finite at any node. */
+     * ranks if it is not finite at some node. */
     std::vector<double>
     values(const ShellMesh &mesh) const;
 
-    /** The nodal forces of a unit of dead pressure. */
+    /** The nodal forces of a dead unit pressure. */
     LA::Vector
     assemble_dead(const ShellMesh &mesh) const;
   };
 
 
-  /** The forces of the pressure, of either kind. */
+  /** The forces of dead or follower pressure. */
   class PressureForces : public ForceTerm
   {
   public:
-    /** Throws InputError as PressureLoad::values() does. */
+    /** Throws InputError like PressureLoad::values(). */
     PressureForces(const ShellMesh &mesh, const PressureLoad &pressure);
 
     bool
@@ -103,7 +103,7 @@ namespace Biface
     }
 
   private:
-    /** Of a unit of the pressure on the deformed face. */
+    /** The unit pressure on the deformed face. */
     FollowerPressure
     unit_pressure(const CellState &at) const;
 
@@ -111,20 +111,20 @@ namespace Biface
     const Resultants::Face face;
     /** At the nodes of this rank, see PressureLoad::values(). */
     const std::vector<double> distribution;
-    /** Of a unit of dead pressure. */
+    /** Nodal forces of a dead unit pressure. */
     LA::Vector at_unit_pressure;
   };
 
 
   /** Formulas of the position, see parse_position_formula(), at all nodes of
-   * this rank: `[node][i]` is the i-th formula's value. Throws InputError on
-   * all ranks where one is not finite at any node. */
+   * this rank: `[node][i]` is the value of the i-th formula. Throws InputError
+   * on all ranks if a value is not finite. */
   std::vector<std::vector<double>>
   evaluate_at_nodes(const std::vector<Formula> &formulas,
                     const ShellMesh            &mesh);
 
 
-  /** The area around a vertex of a cell, of which there are four. */
+  /** The quarter of the area of a cell at one of its vertices. */
   double
   vertex_area(const Cell        &cell,
               const unsigned int vertex,

@@ -13,10 +13,10 @@ namespace Biface
   /**
    * The infinitesimal rigid motions that the supports leave free, in words:
    * "translation along y", "rotation about x", or "translation along x with
-   * rotation about z" for one that combines several. Rotations are about axes
-   * through the mean of all nodes.
+   * rotation about z" for a combination. Rotations are about axes through the
+   * mean of all nodes.
    *
-   * Such a shell is held by its loads or by contact alone, if at all. Must be
+   * Such a shell is held only by its loads or by contact, if at all. Must be
    * called on all ranks.
    */
   std::vector<std::string>
@@ -24,8 +24,8 @@ namespace Biface
 
   /**
    * The six rigid motions of the shell, three translations and three rotations,
-   * as nodal displacements: of each, the entries of the locally owned degrees
-   * of freedom, in their order. Supports are not respected.
+   * as nodal displacements: the entries of each for the locally owned degrees
+   * of freedom, in their order. Supports are ignored.
    */
   std::vector<std::vector<double>>
   rigid_motions(const ShellMesh &mesh);

@@ -23,9 +23,9 @@ namespace Biface
   using ForceTerms = std::vector<std::unique_ptr<const ForceTerm>>;
 
 
-  /** The forces on the shell beside its internal ones; a new kind of force is
+  /** The forces on the shell except its internal forces; a new kind of force is
    * one more line here. The mesh and the contact are kept by reference. Throws
-   * InputError where the loads are not usable. */
+   * InputError if the loads are invalid. */
   ForceTerms
   make_force_terms(const ShellMesh          &mesh,
                    const ContactInteraction &contact,
@@ -34,15 +34,15 @@ namespace Biface
 
 
   /**
-   * The discrete equations of equilibrium of the shell: the sum of its forces,
-   * each kind of them a ForceTerm, with its tangent, and what an iteration does
-   * with an increment.
+   * The discrete equilibrium equations of the shell: the sum of its forces,
+   * each kind a ForceTerm, the tangent, and the update of the state by an
+   * increment.
    */
   class ShellEquations
   {
   public:
     /** The mesh is kept by reference.
-     * @param terms forces beside the internal ones. */
+     * @param terms the forces except the internal forces. */
     explicit ShellEquations(const ShellMesh &mesh, ForceTerms terms = {});
 
     InternalForces &
@@ -57,56 +57,56 @@ namespace Biface
       return internal;
     }
 
-    /** Compute residual() and tangent() at a state. */
+    /** Compute residual() and tangent() for a state. */
     void
     assemble(const State &state, const Loads &loads);
 
-    /** The sum of all forces on the nodes, by the displacements alone (the
-     * resultants of the state do not enter). */
+    /** The sum of all forces on the nodes, which depends only on the
+     * displacements, not on the resultants of the state. */
     const LA::Vector &
     residual() const
     {
       return rhs;
     }
 
-    /** Minus the derivative of residual(), with the active set kept. */
+    /** Minus the derivative of residual() for a fixed active set. */
     const LA::SparseMatrix &
     tangent() const
     {
       return matrix.get();
     }
 
-    /** Whether the tangent is symmetric at such loads. */
+    /** Whether the tangent is symmetric for these loads. */
     bool
     is_symmetric(const Loads &loads) const;
 
-    /** The derivative of residual() when the loads change at the given rates,
-     * with the active set kept; not for a linear strain theory. */
+    /** The derivative of residual() for the given rates of the loads and a
+     * fixed active set; not for linear strain theory. */
     LA::Vector
     load_direction(const State     &state,
                    const Loads     &loads,
                    const LoadRates &rates) const;
 
-    /** The norm of residual(), as a fraction of the forces that cancel in it:
+    /** The norm of residual() relative to that of the forces that cancel in it:
      * a pure number. */
     double
     relative_residual() const;
 
-    /** What round-off alone may leave of relative_residual(): the tangent's
-     * stiff entries, such as those across a thin shell, times the
-     * displacements cancel in the forces to the last digit only. */
+    /** The level of round-off in relative_residual(): products of the
+     * displacements with stiff entries of the tangent, such as those across a
+     * thin shell, cancel only up to round-off. */
     double
     relative_roundoff(const State &state) const;
 
-    /** How far the prescribed displacements, at the last assembly, were from
-     * what the loads ask for. Unit: length. */
+    /** The maximum deviation from the prescribed displacements at the last
+     * assembly. Unit: length. */
     double
     support_violation() const
     {
       return largest_violation;
     }
 
-    /** Give the increment its values at the supports. */
+    /** Set the entries of the increment at the supports. */
     void
     distribute(LA::Vector &increment) const
     {
@@ -114,10 +114,11 @@ namespace Biface
     }
 
     /**
-     * Add an increment to the displacements of a state, and move the
-     * resultants: to @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf
-     * V)@f$ in the mixed iteration, to @f$\mathbf D\mathbf E(\mathbf
-     * V+d\mathbf V)@f$ in the substituted one.
+     * Add an increment to the displacements of a state, and update the
+     * resultants: to
+     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$ in the mixed
+     * iteration, to @f$\mathbf D\mathbf E(\mathbf V+d\mathbf V)@f$ in the
+     * substituted one.
      */
     void
     update(State                &state,
@@ -134,14 +135,14 @@ namespace Biface
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
 
-    /** Set the inhomogeneities of the constraints to what the prescribed
-     * displacements lack. */
+    /** Set the inhomogeneities of the constraints to the missing part of the
+     * prescribed displacements. */
     void
     update_constraints(const State &state, const Loads &loads);
 
     InternalForces   internal;
     const ForceTerms other_terms;
-    /** All of them, those that a linear theory linearizes first. */
+    /** All terms, starting with those that linear theory linearizes. */
     std::vector<const ForceTerm *> terms;
     unsigned int                   n_linearized = 0;
 

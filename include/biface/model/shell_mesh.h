@@ -72,7 +72,7 @@ namespace Biface
   /** The plies between two lines of the first coordinate. */
   struct Strip
   {
-    /** In the middle: those that give the cells their stiffness. */
+    /** At the middle of the strip, which gives the stiffness of the cells. */
     Laminate laminate;
     /** The same plies at both lines. */
     std::array<Laminate, 2> at_lines;
@@ -95,20 +95,20 @@ namespace Biface
 
 
   /**
-   * The mesh with its degrees of freedom: everything that is fixed once the
-   * surface, the grid, the plies and the supports are known.
+   * The mesh with its degrees of freedom: everything that follows from the
+   * surface, the grid, the plies and the supports.
    *
-   * The data of cells and nodes are plain arrays, filled once, so that each
-   * iteration walks through memory in order. Each rank has the cells it owns
-   * and the nodes of these cells and of their neighbors.
+   * The data of cells and nodes are plain arrays, filled once, so that
+   * iterations access memory in order. Each rank has the cells it owns and the
+   * nodes of these cells and of their neighbors.
    */
   class ShellMesh
   {
   public:
     /**
-     * Throws InputError if @f$A_2@f$ vanishes within the grid, if plies have no
-     * positive thickness or a face lies beyond a center of curvature, if an
-     * edge that does not exist is supported, or if a point is not a node.
+     * Throws InputError if @f$A_2@f$ vanishes within the grid, if the thickness
+     * of a ply is not positive, if a face lies beyond a center of curvature, if
+     * an edge that does not exist is supported, or if a point is not a node.
      */
     ShellMesh(const MPI_Comm                          communicator,
               std::unique_ptr<const ReferenceSurface> surface,
@@ -173,28 +173,28 @@ namespace Biface
       return diameter;
     }
 
-    /** Displacements that are not determined by supports. */
+    /** The number of displacements not determined by supports. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
       return n_free;
     }
 
-    /** Nodes on all ranks. */
+    /** The number of nodes on all ranks. */
     dealii::types::global_dof_index
     n_nodes() const
     {
       return dof_handler.n_dofs() / 6;
     }
 
-    /** Cells on all ranks. */
+    /** The number of cells on all ranks. */
     dealii::types::global_dof_index
     n_cells() const
     {
       return triangulation->n_global_active_cells();
     }
 
-    /** A vector whose entries can be read at all nodes of this rank. */
+    /** A vector with entries for all nodes of this rank, including ghosts. */
     LA::Vector
     ghosted_vector() const;
 
@@ -202,7 +202,7 @@ namespace Biface
     LA::Vector
     owned_vector() const;
 
-    /** Displacement of a face at a node, in the node's frame. */
+    /** Displacement of a face at a node, in the frame of the node. */
     dealii::Tensor<1, 3>
     displacement(const LA::Vector  &V,
                  const Node        &node,

@@ -22,7 +22,7 @@ namespace Biface
    */
   struct State
   {
-    /** To be assigned. */
+    /** An empty state, to be assigned to. */
     State() = default;
 
     /** The unloaded shell. */
@@ -35,16 +35,15 @@ namespace Biface
      * of the mixed iteration. Initial resultants are not included. */
     std::vector<Modes::Vector> resultants;
 
-    /** Which nodes of this rank are in contact. */
+    /** The active set: the nodes of this rank in contact. */
     ActiveSet active;
 
     /**
-     * The multipliers of the contact at the nodes of this rank, bilinear on the
-     * outer face in between, @cite GrigolyukKulikovPlotnikova2004, eq. (10):
-     * the traction on the shell, counted on the surface midway between the
-     * faces. The first component is that along the foundation's normal, minus
-     * the pressure; the other two, tangential, are zero without friction. Unit:
-     * force/area.
+     * The contact multipliers at the nodes of this rank, bilinear on the outer
+     * face, @cite GrigolyukKulikovPlotnikova2004, eq. (10): the traction on the
+     * shell per area of the middle surface. The first component, along the
+     * normal of the foundation, is minus the pressure; the two tangential
+     * components are zero without friction. Unit: force/area.
      */
     std::vector<dealii::Tensor<1, 3>> multipliers;
 
@@ -57,26 +56,25 @@ namespace Biface
   };
 
 
-  /** What acts on the shell. */
+  /** The loads on the shell. */
   struct Loads
   {
     /** See PressureLoad. Unit: force/area. */
     double pressure = 0;
 
-    /** What the dead loads and the prescribed displacements are multiplied by.
-     */
+    /** Factor of the dead loads and prescribed displacements. */
     double factor = 0;
 
     std::optional<RigidFoundation> foundation;
   };
 
 
-  /** How fast the loads change with a parameter. */
+  /** Derivatives of the loads by a parameter. */
   struct LoadRates
   {
     double pressure = 0;
     double factor   = 0;
-    /** Of the foundation. */
+    /** Travel of the foundation. */
     double travel = 0;
   };
 
@@ -85,17 +83,17 @@ namespace Biface
   enum class StrainTheory
   {
     nonlinear,
-    /** Linearized about the state in which the stage begins. */
+    /** Linearized about the state at the start of the stage. */
     linear
   };
 
 
-  /** What becomes of the resultants after an iteration, see
+  /** The update of the resultants in an iteration, see
    * ShellEquations::update(). */
   enum class NewtonIteration
   {
-    /** The resultants are unknowns of the Hu-Washizu functional and take their
-     * linearized prediction. */
+    /** The resultants are unknowns of the Hu-Washizu functional and are set to
+     * their linearized prediction. */
     mixed,
     /** The resultants follow from the displacements. */
     substituted

@@ -13,8 +13,8 @@ namespace Biface
 {
   /**
    * A prescribed displacement of a node, in one component of its frame:
-   * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ grows with the
-   * load factor.
+   * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ is multiplied by
+   * the load factor.
    */
   struct SupportCondition
   {
@@ -22,7 +22,7 @@ namespace Biface
     unsigned int component;
     /** @f$(c^-, c^+)@f$ */
     std::array<double, 2> coefficients;
-    /** @f$\bar v@f$ at the load factor 1. Unit: length. */
+    /** @f$\bar v@f$ for the load factor 1. Unit: length. */
     double value;
   };
 
@@ -31,16 +31,16 @@ namespace Biface
    * Read the conditions of a support.
    *
    * The text is one of the words `free`, `fixed`, `hinged` (on the middle
-   * surface), `hinged inner`, `hinged outer`, `symmetry` (only where
-   * @p across says which component is across the edge); or a list, separated by
-   * semicolons, of `v_i FACE` or `v_i FACE = value` with i = 1, 2, 3 and FACE
-   * one of `inner`, `outer`, `both`, `middle`, `difference` (outer less inner).
+   * surface), `hinged inner`, `hinged outer`, `symmetry` (only for edges, see
+   * @p across); or a list, separated by semicolons, of `v_i FACE` or `v_i FACE
+   * = value` with i = 1, 2, 3 and FACE one of `inner`, `outer`, `both`,
+   * `middle`, `difference` (outer minus inner).
    *
    * @param entry its name, for error messages.
-   * @param across the component across an edge, or a number above 2 for a
+   * @param across the component normal to an edge, or a number above 2 for a
    * point.
    *
-   * Throws InputError where it is none of these.
+   * Throws InputError if the text is anything else.
    */
   std::vector<SupportCondition>
   parse_support(const std::string &entry,
@@ -55,14 +55,14 @@ namespace Biface
     std::vector<SupportCondition> conditions;
   };
 
-  /** Read supports of points, 'name: support' separated by commas. Throws
-   * InputError where they are malformed. */
+  /** Read a comma-separated list of supports of points, 'name: support'. Throws
+   * InputError if it is malformed. */
   std::vector<PointSupport>
   parse_point_supports(const std::string &entry, const std::string &text);
 
 
-  /** What holds the shell: conditions on its edges, indexed by Edge, and on
-   * named points. */
+  /** The supports of the shell: conditions on its edges, indexed by Edge, and
+   * on named points. */
   struct Supports
   {
     std::array<std::vector<SupportCondition>, 4> edges;

@@ -19,10 +19,10 @@ namespace Biface
   /**
    * The global tangent, to which cell matrices are added.
    *
-   * Its pattern does not change, and the six columns of a node stand together
-   * in every row: for a cell whose rows all belong to this rank and that no
-   * constraint touches, the places of its entries are found once. Other cells
-   * go through AffineConstraints.
+   * The sparsity pattern is fixed, and the six columns of a node are contiguous
+   * in every row. For a cell without constraints whose rows all belong to this
+   * rank, the positions of its entries are therefore found once. Other cells
+   * are added by AffineConstraints.
    */
   class TangentMatrix
   {
@@ -43,8 +43,8 @@ namespace Biface
     }
 
     /** Add the matrix of a cell, given by its position in ShellMesh::cells, and
-     * its vector to @p global_vector, with what the constraints move from one
-     * to the other. */
+     * its vector to @p global_vector, including the effect of inhomogeneous
+     * constraints. */
     void
     add(const unsigned int               cell,
         const MixedElement::NodalMatrix &cell_matrix,
@@ -65,8 +65,8 @@ namespace Biface
     }
 
   private:
-    /** For each row of a cell and each of its four nodes, the place of the
-     * first of the node's six columns among the values of the matrix. */
+    /** For each row of a cell and each of its four nodes, the position of the
+     * first of the six columns of the node among the values of the matrix. */
     using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
 
     const ShellMesh                         &mesh;
