@@ -171,4 +171,11 @@ namespace Biface
       }
     return result;
   }
+
+
+  Formula
+  parse_position_formula(const std::string &entry, const std::string &text)
+  {
+    return Formula(entry, text, {"x", "y", "z", "alpha_1", "alpha_2"});
+  }
 } // namespace Biface

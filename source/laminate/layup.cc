@@ -62,6 +62,21 @@ namespace Biface
                "only through the nonlinear part of the strains, being "
                "in equilibrium with loads that are not given. Unit: "
                "force/area.");
+    add_parsed(
+      prm,
+      "Laminate/",
+      "Initial resultants",
+      "",
+      initial_resultants,
+      parse_initial_resultants,
+      "Initial resultants, the eleven H_ij of the theory, as functions "
+      "of the position, added to those of 'Initial ply stresses': a "
+      "list of 'H_ij FACE = FORMULA', separated by semicolons, with ij "
+      "one of 11, 22, 12, 13, 23 and FACE one of inner, outer, both, or "
+      "'H_33 = FORMULA'. A membrane force N is N/2 on both faces. The "
+      "formulas are those of 'Loads/Pressure distribution'. They act "
+      "like initial stresses, but are not part of the stresses of "
+      "plies. Unit: force/length.");
     add_choice(prm,
                "Thickness law",
                law,
@@ -187,6 +202,53 @@ namespace Biface
   }
 
 
+  std::vector<InitialResultant>
+  parse_initial_resultants(const std::string &entry, const std::string &text)
+  {
+    const std::string form =
+      "each item must have the form 'H_ij FACE = FORMULA' with ij one of 11, "
+      "22, 12, 13, 23 and FACE one of inner, outer, both, or 'H_33 = FORMULA'";
+    const std::vector<std::string> tangential{"H_11", "H_22", "H_12"};
+    const std::vector<std::string> transverse{"H_13", "H_23"};
+
+    std::vector<InitialResultant> resultants;
+    for (const std::string &item : split_list(entry, text, ';', 100))
+      {
+        const auto                     equals = item.find('=');
+        const std::vector<std::string> words =
+          split_words(item.substr(0, equals));
+        if (equals == std::string::npos || equals + 1 == item.size() ||
+            words.empty())
+          throw InputError(entry, item, form);
+        const Formula value = parse_position_formula(
+          entry, Utilities::trim(item.substr(equals + 1)));
+        if (words.size() == 1 && words[0] == "H_33")
+          {
+            resultants.push_back({Resultants::thickness, value});
+            continue;
+          }
+        if (words.size() != 2 ||
+            (words[1] != "inner" && words[1] != "outer" && words[1] != "both"))
+          throw InputError(entry, item, form);
+        const auto t =
+          std::find(tangential.begin(), tangential.end(), words[0]);
+        const auto s =
+          std::find(transverse.begin(), transverse.end(), words[0]);
+        if (t == tangential.end() && s == transverse.end())
+          throw InputError(entry, item, form);
+        for (const auto face : {Resultants::inner, Resultants::outer})
+          if (words[1] == "both" ||
+              (words[1] == "inner") == (face == Resultants::inner))
+            resultants.push_back(
+              {t != tangential.end()
+                 ? Resultants::tangential(t - tangential.begin(), face)
+                 : Resultants::transverse(s - transverse.begin(), face),
+               value});
+      }
+    return resultants;
+  }
+
+
   void
   Layup::Parameters::check(
     const std::vector<Material::Parameters> &materials) const
@@ -237,7 +299,9 @@ namespace Biface
 
   Layup::Layup(const Parameters                        &parameters,
                const std::vector<Material::Parameters> &materials)
-    : law(parameters.law), reference(parameters.reference)
+    : law(parameters.law)
+    , reference(parameters.reference)
+    , initial_resultants(parameters.initial_resultants)
   {
     parameters.check(materials);
     const MeridionalTables tables(parameters.tables);

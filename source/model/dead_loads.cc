@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -40,8 +41,10 @@ namespace Biface
                "Forces along edges: a comma-separated list of 'alpha_1 min: "
                "' (or alpha_1 max, alpha_2 min, alpha_2 max) and " +
                  form +
-                 "Unit: force per length of the edge on the reference "
-                 "surface.");
+                 "Instead of a face, 'ply N' has it act in the middle of ply "
+                 "N, counted from the inner face. Unit: force per length of "
+                 "the edge on the reference surface, or, with 'true length' at "
+                 "the end, at the height where the force acts.");
     add_parsed(prm,
                "Loads/",
                "Edge moments",
@@ -78,17 +81,15 @@ namespace Biface
 
   namespace
   {
-    /** Read the text after the name: three components, the face, 'local'.
-     * @param text the text of the whole item. */
+    /** Parse three components, the face, 'local'.
+     * @param text of the whole item.
+     * @param form what is allowed. */
     DeadForce
-    parse_force(const std::string &entry,
-                const std::string &text,
-                const std::string &description)
+    parse_force(const std::string              &entry,
+                const std::string              &text,
+                const std::vector<std::string> &words,
+                const std::string              &form)
     {
-      const std::string form =
-        "each force must have the form 'name: F_1 F_2 F_3', optionally "
-        "followed by 'inner', 'outer' or 'middle' and by 'local'";
-      const std::vector<std::string> words = split_words(description);
       if (words.size() < 3)
         throw InputError(entry, text, form);
       DeadForce force;
@@ -114,12 +115,13 @@ namespace Biface
     std::vector<PointForce> forces;
     for (const std::string &item : split_list(entry, text))
       {
-        const auto named =
-          split_named(entry,
-                      item,
-                      "each force must have the form 'name: F_1 "
-                      "F_2 F_3'");
-        forces.push_back({named.first, parse_force(entry, item, named.second)});
+        const std::string form =
+          "each force must have the form 'name: F_1 F_2 F_3', optionally "
+          "followed by 'inner', 'outer' or 'middle' and by 'local'";
+        const auto named = split_named(entry, item, form);
+        forces.push_back(
+          {named.first,
+           parse_force(entry, item, split_words(named.second), form)});
       }
     return forces;
   }
@@ -131,13 +133,39 @@ namespace Biface
     std::vector<EdgeForce> forces;
     for (const std::string &item : split_list(entry, text))
       {
-        const auto named =
-          split_named(entry,
-                      item,
-                      "each force must have the form 'edge: F_1 "
-                      "F_2 F_3'");
-        const DeadForce force = parse_force(entry, item, named.second);
-        forces.push_back({item, parse_edge(entry, item, named.first), force});
+        const std::string form =
+          "each force must have the form 'edge: F_1 F_2 F_3', optionally "
+          "followed by 'inner', 'outer', 'middle' or 'ply N', by 'local' and "
+          "by 'true length'";
+        const auto               named = split_named(entry, item, form);
+        std::vector<std::string> words = split_words(named.second);
+        EdgeForce                force;
+        force.text = item;
+        force.edge = parse_edge(entry, item, named.first);
+
+        const auto length = std::find(words.begin(), words.end(), "length");
+        if (length != words.end())
+          {
+            if (length == words.begin() || length[-1] != "true")
+              throw InputError(entry, item, form);
+            force.true_length = true;
+            words.erase(length - 1, length + 1);
+          }
+        const auto ply = std::find(words.begin(), words.end(), "ply");
+        if (ply != words.end())
+          {
+            const double n =
+              (ply + 1 == words.end() ? 0. : parse_number(entry, ply[1], form));
+            if (!(n >= 1 && n <= 1000 && n == std::floor(n)))
+              throw InputError(entry, item, form);
+            force.ply = static_cast<unsigned int>(n);
+            words.erase(ply, ply + 2);
+            for (const char *face : {"middle", "inner", "outer"})
+              if (std::find(words.begin(), words.end(), face) != words.end())
+                throw InputError(entry, item, form);
+          }
+        force.force = parse_force(entry, item, words, form);
+        forces.push_back(force);
       }
     return forces;
   }
@@ -186,7 +214,64 @@ namespace Biface
     }
 
 
-    /** Add a force per area of the middle surface. */
+    /** Add a force along an edge. Throws InputError where its ply does not
+     * reach the edge. */
+    void
+    add_edge_force(const ShellMesh &mesh,
+                   const EdgeForce &force,
+                   LA::Vector      &nodal_forces)
+    {
+      // the coordinate that changes along the edge
+      const unsigned int along =
+        (force.edge == Edge::alpha_1_min || force.edge == Edge::alpha_1_max
+           ? 1
+           : 0);
+      unsigned int n_loaded = 0;
+      for (const BoundarySegment &segment : mesh.boundary)
+        if (segment.edge == force.edge)
+          for (unsigned int k = 0; k < 2; ++k)
+            {
+              const Node     &node = mesh.nodes[segment.nodes[k]];
+              const Laminate &laminate =
+                mesh.strips[mesh.cells[segment.cell].strip]
+                  .at_lines[segment.vertices[k] % 2];
+              const std::array<double, 2> heights   = laminate.face_heights();
+              const double                thickness = heights[1] - heights[0];
+
+              // where the force acts, as a fraction of the thickness
+              double    part   = force.force.faces[1];
+              DeadForce shared = force.force;
+              if (force.ply > 0)
+                {
+                  double below = 0;
+                  bool   found = false;
+                  for (const Ply &ply : laminate.get_plies())
+                    {
+                      found = (ply.number + 1 == force.ply);
+                      below += ply.thickness * (found ? 0.5 : 1.);
+                      if (found)
+                        break;
+                    }
+                  if (!found)
+                    continue;
+                  part         = below / thickness;
+                  shared.faces = {{1 - part, part}};
+                }
+              ++n_loaded;
+              const double height = heights[0] + part * thickness;
+              const double stretch =
+                (force.true_length ? 1 + node.surface.curvature[along] * height
+                                   : 1.);
+              add_nodal_force(
+                mesh, node, shared, stretch * segment.length / 2, nodal_forces);
+            }
+      if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
+        throw InputError(
+          "Loads/Edge forces", force.text, "there is no such ply on this edge");
+    }
+
+
+    /** Add a force per area of the surface midway between the faces. */
     void
     add_area_force(const ShellMesh &mesh,
                    const DeadForce &force,
@@ -241,14 +326,7 @@ namespace Biface
       }
 
     for (const EdgeForce &item : edge_forces)
-      for (const BoundarySegment &segment : mesh.boundary)
-        if (segment.edge == item.edge)
-          for (const unsigned int n : segment.nodes)
-            add_nodal_force(mesh,
-                            mesh.nodes[n],
-                            item.force,
-                            segment.length / 2,
-                            nodal_forces);
+      add_edge_force(mesh, item, nodal_forces);
 
     for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
       {

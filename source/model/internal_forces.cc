@@ -17,6 +17,20 @@ namespace Biface
     for (const Cell &cell : mesh.cells)
       history.initial_resultants.push_back(
         Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
+
+    const auto          &given = mesh.layup.get_initial_resultants();
+    std::vector<Formula> formulas;
+    for (const InitialResultant &resultant : given)
+      formulas.push_back(resultant.value);
+    const auto values = evaluate_at_nodes(formulas, mesh);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        std::array<Resultants::Vector, 4> at_vertices;
+        for (unsigned int v = 0; v < 4; ++v)
+          for (unsigned int r = 0; r < given.size(); ++r)
+            at_vertices[v][given[r].index] += values[mesh.cells[c].nodes[v]][r];
+        history.initial_resultants[c] += Modes::from_vertices(at_vertices);
+      }
   }
 
 

@@ -44,36 +44,6 @@ namespace Biface
   }
 
 
-  Formula
-  parse_position_formula(const std::string &entry, const std::string &text)
-  {
-    return Formula(entry, text, {"x", "y", "z", "alpha_1", "alpha_2"});
-  }
-
-
-  std::vector<std::vector<double>>
-  evaluate_at_nodes(const std::vector<Formula> &formulas, const ShellMesh &mesh)
-  {
-    const ReferenceSurface          &surface = mesh.get_surface();
-    std::vector<std::vector<double>> values;
-    agree_on_errors(mesh.communicator, [&]() {
-      for (const Node &node : mesh.nodes)
-        {
-          const Point<3> &p = node.surface.position;
-          values.emplace_back();
-          for (const Formula &formula : formulas)
-            values.back().push_back(
-              formula({p[0],
-                       p[1],
-                       p[2],
-                       node.alpha[0] / surface.coordinate_unit(0),
-                       node.alpha[1] / surface.coordinate_unit(1)}));
-        }
-    });
-    return values;
-  }
-
-
   std::vector<double>
   PressureLoad::values(const ShellMesh &mesh) const
   {

@@ -71,6 +71,13 @@ namespace Biface
      * variables. */
     std::vector<double *> slots;
   };
+
+
+  /** Parse a formula of the position on the undeformed reference surface, of
+   * `x, y, z, alpha_1, alpha_2`, the coordinates in the units of parameter
+   * files. Throws InputError like Formula. */
+  Formula
+  parse_position_formula(const std::string &entry, const std::string &text);
 } // namespace Biface
 
 #endif

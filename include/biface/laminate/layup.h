@@ -95,6 +95,21 @@ namespace Biface
   parse_ply_stresses(const std::string &entry, const std::string &text);
 
 
+  /** One of the initial resultants, as a function of the position. */
+  struct InitialResultant
+  {
+    /** In the order of Resultants. */
+    unsigned int index;
+    /** See parse_position_formula(). Unit: force/length. */
+    Formula value;
+  };
+
+  /** Parse a list 'H_ij FACE = FORMULA', separated by semicolons. Throws
+   * InputError if it is malformed. */
+  std::vector<InitialResultant>
+  parse_initial_resultants(const std::string &entry, const std::string &text);
+
+
   /**
    * The plies of a shell, inner ply first. The thickness and angle of a ply may
    * vary along the meridian, and it may cover only a part of the meridian. At
@@ -111,9 +126,11 @@ namespace Biface
                     "cord: 1.2 @ 52, cord: 1.2 @ -52");
       std::vector<TableFile> tables;
       /** Of all plies, or of none. */
-      PlyStresses       initial_stresses;
-      ThicknessLaw      law = ThicknessLaw::symmetric;
-      ThicknessPosition reference;
+      PlyStresses initial_stresses;
+      /** Added to those of the initial stresses. */
+      std::vector<InitialResultant> initial_resultants;
+      ThicknessLaw                  law = ThicknessLaw::symmetric;
+      ThicknessPosition             reference;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -153,10 +170,18 @@ namespace Biface
       return plies;
     }
 
+    /** Initial resultants beside those of Laminate::initial_resultants(). */
+    const std::vector<InitialResultant> &
+    get_initial_resultants() const
+    {
+      return initial_resultants;
+    }
+
   private:
-    std::vector<PlyDescription> plies;
-    ThicknessLaw                law;
-    ThicknessPosition           reference;
+    std::vector<PlyDescription>   plies;
+    ThicknessLaw                  law;
+    ThicknessPosition             reference;
+    std::vector<InitialResultant> initial_resultants;
   };
 } // namespace Biface
 

@@ -40,6 +40,12 @@ namespace Biface
     Edge        edge;
     /** Per length. */
     DeadForce force;
+    /** The ply in whose middle the force acts, counted from 1 at the inner
+     * face; 0 for the faces of the force. */
+    unsigned int ply = 0;
+    /** Whether the length is that of the edge at the height where the force
+     * acts, and not on the reference surface. */
+    bool true_length = false;
   };
 
   /** A force on a face: formulas of the position for its components. */

@@ -40,12 +40,6 @@ namespace Biface
   };
 
 
-  /** Read a formula of the position on the reference surface, of `x, y, z,
-   * alpha_1, alpha_2`. Throws InputError like Formula. */
-  Formula
-  parse_position_formula(const std::string &entry, const std::string &text);
-
-
   /** The face on which the pressure of the stages acts, and how. Positive
    * pressure pushes the face toward the shell. */
   struct PressureLoad
@@ -114,14 +108,6 @@ namespace Biface
     /** Nodal forces of a dead unit pressure. */
     LA::Vector at_unit_pressure;
   };
-
-
-  /** Formulas of the position, see parse_position_formula(), at all nodes of
-   * this rank: `[node][i]` is the value of the i-th formula. Throws InputError
-   * on all ranks if a value is not finite. */
-  std::vector<std::vector<double>>
-  evaluate_at_nodes(const std::vector<Formula> &formulas,
-                    const ShellMesh            &mesh);
 
 
   /** The quarter of the area of a cell at one of its vertices. */

@@ -17,6 +17,7 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
 #include <biface/element/shell_fe_values.h>
+#include <biface/input/formula.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/constraints.h>
 #include <biface/model/named_points.h>
@@ -238,6 +239,14 @@ namespace Biface
     double max_thickness                                              = 0;
     double diameter                                                   = 0;
   };
+
+
+  /** Formulas of the position, see parse_position_formula(), at all nodes of
+   * this rank: `[node][i]` is the i-th formula's value. Throws InputError on
+   * all ranks where one is not finite at any node. */
+  std::vector<std::vector<double>>
+  evaluate_at_nodes(const std::vector<Formula> &formulas,
+                    const ShellMesh            &mesh);
 } // namespace Biface
 
 #endif
