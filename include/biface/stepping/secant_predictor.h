@@ -75,7 +75,7 @@ namespace Biface
       double              size  = (known ? last->size : 0.);
       archive &known &mu &size;
       if (known && !last)
-        last.emplace();
+        last = Step();
       if (known)
         {
           last->mu   = mu;
