@@ -21,8 +21,8 @@ namespace Biface
     if (sets.size() > 2 * longest + 1)
       sets.pop_back();
 
-    // differs[p-1]: the newest sets and those p before them, one turn and one
-    // set long
+    // differs[p-1]: whether the latest sets differ from those p before them,
+    // over one period and one more set
     std::vector<unsigned int> differs(longest, 1);
     for (unsigned int p = 1; p <= longest && 2 * p < sets.size(); ++p)
       {
@@ -33,7 +33,7 @@ namespace Biface
       }
     Utilities::MPI::max(differs, communicator, differs);
 
-    // a set that stays is at rest
+    // a constant set is no cycle
     const auto period =
       1 + (std::find(differs.begin(), differs.end(), 0u) - differs.begin());
     if (period == 1 || period > longest)
@@ -92,7 +92,7 @@ namespace Biface
   {
     const unsigned int n_changes =
       contact.update_active_set(state, loads, held);
-    // a set at rest, or one that grows from nothing, is the rule
+    // usually the set is constant, or grows from the empty set
     if (!cycle.closes_with(state.active))
       return n_changes;
 

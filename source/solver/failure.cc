@@ -15,8 +15,8 @@ namespace Biface
       "if the shell snaps through or buckles, 'Control = displacement' or "
       "'arc length', which pass turning points of the load";
     const char zone_edge[] =
-      "shorter cells at the edge of the contact zone, 'Contact/Multiplier mass "
-      "= lumped', or a smaller 'Contact/Regularization'";
+      "smaller cells at the edge of the contact zone, 'Contact/Multiplier "
+      "mass = lumped', or a smaller 'Contact/Regularization'";
 
 
     std::string

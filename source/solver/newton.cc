@@ -20,24 +20,25 @@ namespace Biface
                "Iteration",
                iteration,
                {"mixed", "substituted"},
-               "'mixed' keeps the resultants of every element as unknowns of "
-               "the iteration, which allows large steps; 'substituted' "
+               "'mixed' treats the resultants of every element as unknowns "
+               "of the iteration, which allows large steps; 'substituted' "
                "computes them from the displacements.");
     prm.add_parameter("Maximum iterations",
                       max_iterations,
-                      "Iterations after which a step is given up.",
+                      "Number of iterations after which a step has failed.",
                       Patterns::Integer(1));
     prm.add_parameter("Residual tolerance",
                       residual_tolerance,
-                      "A step has converged when the contact zone is at rest "
-                      "and the residual, as a fraction of the forces that "
-                      "cancel in it, is at most this. No unit.",
+                      "A step has converged when the active set is unchanged "
+                      "and the residual, relative to the forces that cancel "
+                      "in it, is at most this. No unit.",
                       Patterns::Double());
     prm.add_parameter("Update tolerance",
                       update_tolerance,
-                      "A step has also converged when the contact zone is at "
-                      "rest and the largest nodal update, as a fraction of the "
-                      "shell's thickness, is at most this. No unit.",
+                      "A step has also converged when the active set is "
+                      "unchanged, the maximum nodal update relative to the "
+                      "thickness is at most this, and the relative residual "
+                      "is at most 1e-3. No unit.",
                       Patterns::Double());
   }
 
@@ -70,9 +71,10 @@ namespace Biface
   namespace
   {
     /**
-     * How exactly to solve the next linear system, in the solver's own norm
-     * @cite EisenstatWalker1996: as the residual has fallen, squared, but no
-     * further than the last iteration needs, and at least to @p greatest.
+     * The tolerance of the next linear solve, in the norm of the solver
+     * @cite EisenstatWalker1996: the square of the last reduction of the
+     * residual, but not below what the last iteration needs, and at most
+     * @p greatest.
      */
     double
     forcing_term(const std::vector<double> &residuals,
@@ -92,7 +94,7 @@ namespace Biface
   } // namespace
 
 
-  /** Where an iteration is. */
+  /** The current iterate. */
   struct Newton::Iterate
   {
     Iterate(State                    &state,
@@ -120,7 +122,7 @@ namespace Biface
     const bool               zone_given;
     Loads                    loads;
     ActiveSetIteration       zone;
-    /** Of the active set, after the last update. */
+    /** Changes of the active set in the last update. */
     unsigned int n_changes;
     /** Change of the displacements since the start, and the largest entry of
      * the last increment. */
@@ -210,7 +212,7 @@ namespace Biface
     return {FailureCause::too_many_iterations,
             balanced && !is_satisfied(iterate)
               ? "the forces are in balance, but the controlled value was not "
-                "attained in " +
+                "reached in " +
                   n + " iterations"
               : "no convergence in " + n + " iterations"};
   }
@@ -244,7 +246,7 @@ namespace Biface
   bool
   Newton::is_converged(const Iterate &iterate) const
   {
-    // no larger residual is taken for round-off, or for a standstill
+    // larger residuals are neither round-off nor stagnation
     constexpr double maximum_residual = 1e-3;
 
     const double thickness = equations.mesh.thickness();
@@ -266,7 +268,8 @@ namespace Biface
   bool
   Newton::is_satisfied(const Iterate &iterate) const
   {
-    // a contact force has fewer digits than the clearances it comes from
+    // a contact force has fewer digits than the clearances from which it is
+    // computed
     constexpr double minimum_tolerance = 1e-6;
 
     const ControlEquation *equation = iterate.parametrized.equation;
@@ -279,8 +282,8 @@ namespace Biface
   std::optional<Failure>
   Newton::compute_increment(Iterate &iterate, Increment &increment)
   {
-    // Small errors of large displacements make contact wander, which is
-    // stiff. What begins on a coarser mesh has small ones left.
+    // Contact is stiff, so that small errors of large increments change the
+    // active set. Steps that start from a coarser mesh have small increments.
     const double exactness = forcing_term(iterate.result.residuals,
                                           parameters.residual_tolerance,
                                           iterate.zone_given ? 1e-3 : 1e-6);
@@ -308,13 +311,14 @@ namespace Biface
                               exactness);
         if (!linear.success)
           return Failure{linear.cause, linear.message};
-        // supports hold still while the load grows
+        // supported displacements do not change with the load parameter
         equations.mesh.constraints.distribute(per_parameter);
         increment.mu = equation->parameter_change(
           here, increment.displacement, per_parameter);
         if (!std::isfinite(increment.mu))
           return Failure{FailureCause::control,
-                         "what is controlled does not depend on the loads"};
+                         "the controlled quantity does not depend on the "
+                         "loads"};
         increment.displacement.add(increment.mu, per_parameter);
       }
     return {};

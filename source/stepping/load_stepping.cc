@@ -19,9 +19,9 @@ namespace Biface
     control.add_parameters(prm);
     prm.add_parameter("Predictor",
                       predict,
-                      "Whether a step of given loads or a given force begins "
-                      "with displacements that go on as in the step before, "
-                      "which saves iterations.",
+                      "Whether steps in load or force control start from "
+                      "displacements extrapolated from the last step, which "
+                      "saves iterations.",
                       Patterns::Bool());
   }
 
@@ -186,7 +186,7 @@ namespace Biface
 
     out << "  not converged: " << result.failure.message
         << "; trying the substituted iteration" << std::endl;
-    // the secant may have led astray; the coarser mesh has been there
+    // the secant may be misleading; the coarser mesh has a solution
     Attempt other = iterate(run, trial, NewtonIteration::substituted, false);
     other.result.iterations += result.iterations;
     return other;
@@ -268,8 +268,8 @@ namespace Biface
                                    : 0;
     if (Utilities::MPI::max(any, contact.mesh.communicator) == 0)
       return;
-    out << "  Warning: the foundation passes through nodes that supports hold, "
-           "and that cannot come into contact: "
+    out << "  Warning: the foundation penetrates supported nodes, which "
+           "cannot come into contact: "
         << name_nodes(contact.mesh, pierced) << std::endl;
     warned = true;
   }

@@ -26,7 +26,7 @@ namespace Biface
   NestedPredictor::Mean
   NestedPredictor::at(const Instant &instant) const
   {
-    // round-off in fractions that were reached by other sums
+    // round-off in fractions that are different sums
     constexpr double tolerance = 1e-9;
 
     const auto after =
@@ -82,7 +82,7 @@ namespace Biface
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         const Node &node = mesh.nodes[n];
-        // with a mean of two zones, that of the nearer one
+        // between two active sets, use the nearer one
         const GridState &zone = (end.weight < 0.5 ? *end.before : *end.after);
         state.active[n]       = (zone.contact(node.alpha) > 0.5);
         if (!node.locally_owned)

@@ -18,67 +18,66 @@ namespace Biface
     for (const std::string &control : control_names())
       selection += (selection.empty() ? "" : "|") + control;
 
-    prm.add_parameter("Name",
-                      name,
-                      "What the stage is called in results.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Name", name, "Name of the stage in the results.", Patterns::Anything());
     add_optional_number(
       prm,
       "Pressure",
       pressure,
       unchanged,
-      "Pressure at the end of the stage; on which face, and what it does as the "
-      "face moves, is said in the section 'Loads'. 'unchanged': as at the end of "
-      "the stage before. Unit: force/area.");
+      "Pressure at the end of the stage; see the section 'Loads' for its "
+      "face and type. 'unchanged': as at the end of the previous stage. "
+      "Unit: force/area.");
     prm.add_parameter("Contact",
                       contact,
-                      "Whether the rigid foundation of the section 'Contact' "
-                      "is there. It first touches the shell as deformed at the "
-                      "begin of the first stage with contact (or the first "
-                      "after 'Start from prestress').",
+                      "Whether the stage has contact with the rigid "
+                      "foundation of the section 'Contact'. Initially the "
+                      "foundation just touches the shell as deformed at the "
+                      "start of the first stage with contact (or of the "
+                      "first after 'Start from prestress').",
                       Patterns::Bool());
     add_optional_number(
       prm,
       "Travel",
       travel,
       unchanged,
-      "How far the foundation has moved against 'Direction' "
-      "at the end of the stage, counted from where it first "
-      "touched. 'unchanged': as at the end of the stage before. Unit: "
-      "length.");
+      "Travel of the foundation against 'Direction' at the end of the stage, "
+      "measured from where it first touched the shell. 'unchanged': as at "
+      "the end of the previous stage. Unit: length.");
     add_optional_number(
       prm,
       "Load factor",
       factor,
       unchanged,
-      "What the section 'Loads' and prescribed displacements "
-      "of supports are multiplied by at the end of the stage. "
-      "'unchanged': as at the end of the stage before. No unit.");
+      "Factor of the loads of the section 'Loads' and of prescribed "
+      "displacements of supports at the end of the stage. 'unchanged': as at "
+      "the end of the previous stage. No unit.");
     prm.add_parameter(
       "Control",
       control,
-      "What is given in every step: 'load' (equal steps of all "
-      "loads), 'displacement' (equal steps of one displacement; the "
-      "loads follow on their way to those given, or beyond), 'arc "
-      "length' (steps of the displacements as a whole, which adapt "
-      "and pass turning points of the load, until the loads given are "
-      "reached; 'Steps' sets the first: 1/Steps of the loads), or "
-      "'foundation force' (equal steps of the force on the foundation "
-      "and of all loads; its travel follows).",
+      "The quantity prescribed in every step: 'load' (equal steps of all "
+      "loads), 'displacement' (equal steps of one displacement; the fraction "
+      "of the loads of the stage is computed and may exceed 1), 'arc length' "
+      "(adaptive steps of the norm of all displacements, which pass limit "
+      "points, until the loads of the stage are reached; 'Steps' sets the "
+      "first step: 1/Steps of the loads), or 'foundation force' (equal steps "
+      "of the force on the foundation and of all loads; the travel is "
+      "computed).",
       Patterns::Selection(selection));
     prm.add_parameter("Control point",
                       control_point,
                       "Name of the point whose displacement (of the middle "
-                      "surface) is given.",
+                      "surface) is prescribed.",
                       Patterns::Anything());
     add_choice(prm,
                "Control component",
                control_component,
                {"x", "y", "z"},
-               "Component of the displacement that is given.");
+               "Component of the prescribed displacement.");
     prm.add_parameter("Control value",
                       control_value,
-                      "Its value at the end of the stage. Unit: length.",
+                      "Value of the prescribed displacement at the end of "
+                      "the stage. Unit: length.",
                       Patterns::Double());
     prm.add_parameter("Force",
                       force,
@@ -91,25 +90,26 @@ namespace Biface
                       Patterns::Integer(1, 1000000));
     prm.add_parameter("Adaptive steps",
                       adaptive,
-                      "Whether steps of the loads or of the force grow after "
-                      "easy ones, beyond 1/Steps; see 'Maximum growth'. "
-                      "Without it, all states at multiples of 1/Steps are "
-                      "reached and written.",
+                      "Whether steps of the loads or the force grow beyond "
+                      "1/Steps after fast convergence; see 'Maximum growth'. "
+                      "Otherwise all multiples of 1/Steps are reached and "
+                      "written.",
                       Patterns::Bool());
     add_choice(prm,
                "Strain theory",
                theory,
                {"nonlinear", "linear"},
                "'nonlinear' (finite displacements) or 'linear' (linearized "
-               "about the state in which the stage begins, with its stresses; "
-               "contact stays one-sided). Two linear stages in a row are "
-               "linearized about different states.");
+               "about the state at the start of the stage, with its "
+               "stresses; contact remains unilateral). Consecutive linear "
+               "stages are linearized about different states.");
     prm.add_parameter("Start from prestress",
                       from_prestress,
-                      "Whether the stage begins in the undeformed shape with "
-                      "the resultants reached so far as initial ones, in "
-                      "equilibrium with the loads so far, which are no longer "
-                      "listed: 'Pressure' then counts from 0.",
+                      "Whether the stage starts from the undeformed shape "
+                      "with the resultants reached so far as initial "
+                      "resultants. They are in equilibrium with the loads so "
+                      "far, which are no longer given: 'Pressure' then "
+                      "starts from 0.",
                       Patterns::Bool());
   }
 
@@ -120,8 +120,8 @@ namespace Biface
     if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
       throw InputError(section + "/Name",
                        name,
-                       "it must not be empty nor hold a comma or a quotation "
-                       "mark");
+                       "it must not be empty or contain a comma or a "
+                       "quotation mark");
     const auto check_load = [&](const std::string           &entry,
                                 const std::optional<double> &load) {
       if (load)
@@ -141,7 +141,7 @@ namespace Biface
     if (!contact && travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
                        number_to_string(*travel),
-                       "without 'Contact = true' there is nothing to move");
+                       "it must be 0 unless 'Contact = true'");
   }
 
 

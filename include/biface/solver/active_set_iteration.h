@@ -18,10 +18,9 @@
 namespace Biface
 {
   /**
-   * Notices that the active sets of an iteration are cycling: the same two to
-   * four sets come in turn, which the primal-dual active set method is not
-   * safe from where the matrix is no M-matrix
-   * @cite HintermuellerItoKunisch2002.
+   * Detects cycles of the active set, in which the same two to four sets recur.
+   * They can occur in the primal-dual active set method unless the matrix is an
+   * M-matrix @cite HintermuellerItoKunisch2002.
    */
   class ActiveSetCycle
   {
@@ -30,21 +29,21 @@ namespace Biface
       : communicator(communicator)
     {}
 
-    /** Take the set after one more iteration, of the nodes of this rank.
-     * @return whether sets have come in the same turn twice, the same on all
-     * ranks. */
+    /** Record the active set of this rank after another iteration.
+     * @return whether the same sequence of sets has occurred twice, the same on
+     * all ranks. */
     bool
     closes_with(const ActiveSet &active);
 
-    /** The nodes that are in some sets of the cycle that was found, and not in
-     * others. */
+    /** The nodes that belong to some sets of the detected cycle but not to
+     * all. */
     const ActiveSet &
     toggling_nodes() const
     {
       return toggling;
     }
 
-    /** Forget the sets taken so far. */
+    /** Forget the recorded sets. */
     void
     restart()
     {
@@ -55,22 +54,22 @@ namespace Biface
     static constexpr unsigned int longest = 4;
 
     const MPI_Comm communicator;
-    /** Newest first. */
+    /** Latest first. */
     std::deque<ActiveSet> sets;
     ActiveSet             toggling;
   };
 
 
-  /** How many nodes are marked, and where the first of them are on the
-   * reference surface, in its coordinates: the same on any number of ranks. */
+  /** The number of marked nodes and the coordinates of the first of them, as
+   * text: the same on any number of ranks. */
   std::string
   name_nodes(const ShellMesh &mesh, const ActiveSet &marked);
 
 
   /**
-   * The active set of the contact in the iterations of one step. Where it is
-   * cycling, the nodes that toggle are held in contact, until the iteration has
-   * converged with them and they are released. A second cycle is not broken.
+   * The active set in the iterations of a step. If it is cycling, the nodes
+   * that toggle are held in contact until the iteration has converged with
+   * them; then they are released. A second cycle is a failure.
    */
   class ActiveSetIteration
   {
@@ -79,17 +78,17 @@ namespace Biface
     ActiveSetIteration(const ContactInteraction   &contact,
                        dealii::ConditionalOStream &out);
 
-    /** Decide anew which nodes are in contact.
+    /** Update the active set.
      * @return the number of changes, on all ranks. */
     unsigned int
     update(State &state, const Loads &loads);
 
-    /** Let go of nodes that are held.
+    /** Release the nodes that are held.
      * @return the number of changes, on all ranks. */
     unsigned int
     release(State &state, const Loads &loads);
 
-    /** Of the cycle that was not broken: a sentence; empty without one. */
+    /** The message on a second cycle; empty without one. */
     const std::string &
     failure() const
     {

@@ -11,26 +11,25 @@
 namespace Biface
 {
   /**
-   * An equation that takes the place of a given load: the load parameter
-   * @f$\mu@f$ becomes an unknown of Newton's method, and every iteration solves
-   * for two increments, @f$d\mathbf V_R@f$ of the residual and
-   * @f$d\mathbf V_q@f$ of a unit of @f$\mu@f$; the equation then chooses
-   * @f$d\mu@f$ in @f$d\mathbf V = d\mathbf V_R + d\mu\,d\mathbf V_q@f$
-   * @cite Crisfield1981.
+   * An equation that replaces prescribed loads: the load parameter @f$\mu@f$
+   * becomes an unknown of Newton's method, and every iteration solves for two
+   * increments, @f$d\mathbf V_R@f$ for the residual and @f$d\mathbf V_q@f$ for
+   * a unit change of @f$\mu@f$; the equation then determines @f$d\mu@f$ in
+   * @f$d\mathbf V = d\mathbf V_R + d\mu\,d\mathbf V_q@f$ @cite Crisfield1981.
    */
   class ControlEquation
   {
   public:
-    /** @param rates how the loads change with @f$\mu@f$. */
+    /** @param rates the derivatives of the loads by @f$\mu@f$. */
     explicit ControlEquation(const LoadRates &rates) : rates(rates)
     {}
 
     virtual ~ControlEquation() = default;
 
-    /** Where Newton's method is. */
+    /** The current iterate of Newton's method. */
     struct Iteration
     {
-      /** As last assembled, at this state and these loads. */
+      /** As last assembled, for this state and these loads. */
       const ShellEquations     &equations;
       const ContactInteraction &contact;
       const State              &state;
@@ -39,15 +38,14 @@ namespace Biface
       const LA::Vector &total;
     };
 
-    /** @f$d\mu@f$ of this iteration; not a finite number where the equation
-     * does not depend on the loads. */
+    /** @f$d\mu@f$ of this iteration; not finite if the equation does not depend
+     * on the loads. */
     virtual double
     parameter_change(const Iteration  &iteration,
                      const LA::Vector &dV_R,
                      const LA::Vector &dV_q) const = 0;
 
-    /** How far the equation is from being satisfied, as a fraction of what it
-     * prescribes. */
+    /** The violation of the equation, relative to the prescribed value. */
     virtual double
     violation(const Iteration &iteration) const = 0;
 

@@ -10,20 +10,20 @@ namespace Biface
   /** Why a step failed. */
   enum class FailureCause
   {
-    /** The iteration neither settled nor diverged. */
+    /** The iteration neither converged nor diverged. */
     too_many_iterations,
     /** It diverged or became NaN. */
     divergence,
-    /** The active set of the contact is cycling. */
+    /** The active set is cycling. */
     contact_cycle,
-    /** The tangent has no inverse. */
+    /** The tangent is singular. */
     singular_tangent,
     out_of_memory,
-    /** Krylov's method did not come to its tolerance. */
+    /** The Krylov method did not reach its tolerance. */
     linear_iterations,
-    /** What is controlled does not depend on the loads. */
+    /** The controlled quantity does not depend on the loads. */
     control,
-    /** There may be no more steps. */
+    /** The maximum number of steps is reached. */
     too_many_steps
   };
 
@@ -31,14 +31,14 @@ namespace Biface
   struct Failure
   {
     FailureCause cause = FailureCause::too_many_iterations;
-    /** What happened: part of a sentence. */
+    /** What happened, as part of a sentence. */
     std::string message;
   };
 
 
-  /** What a failure means, and what can be done about it: sentences for the
-   * user, which name entries of the parameter file.
-   * @param in_contact whether the foundation was there. */
+  /** The meaning of a failure and possible remedies: sentences for the user
+   * that name entries of the parameter file.
+   * @param in_contact whether the stage has contact. */
   std::string
   explain(const FailureCause cause, const bool in_contact);
 } // namespace Biface

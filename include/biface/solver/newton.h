@@ -25,24 +25,24 @@ namespace Biface
   struct ParametrizedLoads
   {
     std::function<Loads(const double)> at;
-    /** What determines @f$\mu@f$; null where it is given. */
+    /** The equation that determines @f$\mu@f$; null if it is prescribed. */
     const ControlEquation *equation = nullptr;
   };
 
 
-  /** How a Newton iteration ended. */
+  /** The result of a Newton iteration. */
   struct NewtonResult
   {
     bool         converged  = false;
     unsigned int iterations = 0;
-    /** Where it did not converge: why. */
+    /** The reason if it did not converge. */
     Failure failure;
-    /** Whether it was asked to stop. */
+    /** Whether it was stopped on request. */
     bool stopped = false;
-    /** Relative residuals before each iteration, and after the last. */
+    /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
-    /** Of the last tangent, where the linear solver counts them: how many ways
-     * there are to leave this equilibrium. */
+    /** The number of negative pivots of the last tangent, if the linear solver
+     * counts them: the number of unstable directions of this equilibrium. */
     std::optional<unsigned int> n_negative_pivots;
   };
 
@@ -50,10 +50,11 @@ namespace Biface
   /**
    * Newton's method on the displacements and, in its mixed form, on the
    * resultants of every element @cite GrigolyukKulikovPlotnikova2004, with the
-   * primal-dual active set of the contact inside: the set is decided anew after
-   * every iteration, and the iteration ends when it is at rest and the residual
-   * or the update is small. Where the set cycles, the nodes that toggle are
-   * held in contact until all is at rest, and then released, once in a step.
+   * primal-dual active set method for contact inside: the active set is updated
+   * after every iteration, and the iteration has converged when the set is
+   * unchanged and the residual or the update is small. If the set is cycling,
+   * the nodes that toggle are held in contact until the iteration has
+   * converged, and then released, once per step.
    */
   class Newton
   {
@@ -68,16 +69,17 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where a value is not usable. */
+      /** Throws InputError if a value is invalid. */
       void
       check() const;
     };
 
-    /** Whether to stop; asked on all ranks, which must get the same answer. */
+    /** Whether to stop; called on all ranks, which must obtain the same
+     * answer. */
     using Stop = std::function<bool()>;
 
     /** The objects are kept by reference.
-     * @param stop asked before each iteration. */
+     * @param stop called before each iteration. */
     Newton(const Parameters           &parameters,
            ShellEquations             &equations,
            const ContactInteraction   &contact,
@@ -89,14 +91,14 @@ namespace Biface
     /**
      * Bring a state into equilibrium.
      *
-     * @param state the start, then the result; where the iteration did not
-     * converge, of no use.
-     * @param loads as functions of the load parameter.
-     * @param mu the load parameter: the start, then, where an equation
+     * @param state the initial guess, then the result; meaningless if the
+     * iteration did not converge.
+     * @param loads the loads as functions of the load parameter.
+     * @param mu the load parameter: the initial guess, then, if an equation
      * determines it, the result.
      * @param iteration see NewtonIteration.
-     * @param zone_given whether the first iteration takes the contact zone of
-     * the state as it is, though its displacements may tell of another.
+     * @param zone_given whether the first iteration keeps the active set of the
+     * state, even if its displacements imply a different one.
      */
     NewtonResult
     solve(State                   &state,
@@ -132,12 +134,12 @@ namespace Biface
     too_many_iterations(const Iterate &iterate) const;
 
     /** Solve the linear systems of an iteration.
-     * @return why not, where that failed. */
+     * @return the failure, if any. */
     std::optional<Failure>
     compute_increment(Iterate &iterate, Increment &increment);
 
-    /** Add an increment, and decide the active set anew.
-     * @return why not to go on from there, if so. */
+    /** Add an increment and update the active set.
+     * @return the failure, if any. */
     std::optional<Failure>
     move(Iterate &iterate, const Increment &increment);
 

@@ -24,30 +24,30 @@
 
 namespace Biface
 {
-  /** How the stages ended. */
+  /** The result of all stages. */
   struct LoadSteppingResult
   {
     bool success = true;
-    /** Where a step failed for good: what happened. */
+    /** What happened, if a step failed after all attempts. */
     std::string message;
-    /** Whether it was asked to stop; then it is no success. */
+    /** Whether it was stopped on request, which is not a success. */
     bool stopped = false;
-    /** Of a step that failed for good. */
+    /** The cause, if a step failed after all attempts. */
     FailureCause cause      = FailureCause::too_many_iterations;
     bool         in_contact = false;
-    /** The loads of the last converged step, and those with which the last
-     * attempt beyond it started. */
+    /** The loads of the last converged step, and those at the start of the last
+     * attempt beyond it. */
     LoadLevel reached;
     LoadLevel tried;
   };
 
 
   /**
-   * Takes the shell through its stages, a step at a time, as the Control of
-   * each stage proposes. A step that fails is tried again from the restored
-   * state: in the mixed iteration first with the substituted one, then with
-   * half the size; after a success the size doubles again, up to what is left
-   * of the stage's step, or beyond where the stage lets steps adapt.
+   * Takes the shell through its stages in steps proposed by the Control of each
+   * stage. A failed step is tried again from the restored state: after the
+   * mixed iteration first with the substituted one, then with half the size.
+   * After a success the size doubles again, up to the remainder of the step of
+   * the stage, or beyond it with adaptive steps.
    */
   class LoadStepping
   {
@@ -65,8 +65,8 @@ namespace Biface
     using Observer = std::function<void(const StepReport &, const State &)>;
 
     /** All objects are kept by reference.
-     * @param nested the states of a coarser mesh, to start steps with; null
-     * without one. */
+     * @param nested the states of a coarser mesh from which steps start; null
+     * for none. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
@@ -75,12 +75,11 @@ namespace Biface
                  const NestedPredictor      *nested = nullptr);
 
     /**
-     * Run the stages on from where the progress is.
+     * Run the stages, continuing from the given progress.
      *
-     * @param progress, state at the start, or of a run that ended early, with
-     * the history of its equations; where a step failed or was stopped, they
-     * are those of the last converged one. They are up to date when the
-     * observer is called.
+     * @param progress, state those of the start or of an interrupted run, whose
+     * history is in the equations; in the end those of the last converged step.
+     * They are up to date when the observer is called.
      */
     LoadSteppingResult
     run(const std::vector<Stage> &stages,
@@ -89,7 +88,7 @@ namespace Biface
         const Observer           &observer);
 
   private:
-    /** A stage under way. */
+    /** The current stage. */
     struct StageRun
     {
       const Stage &stage;
@@ -98,7 +97,7 @@ namespace Biface
       State       &state;
     };
 
-    /** How an attempt at a step ended, and where. */
+    /** The result of an attempt at a step. */
     struct Attempt
     {
       NewtonResult result;
@@ -109,8 +108,8 @@ namespace Biface
     void
     begin_stage(const StageRun &run);
 
-    /** One converged step, cut as often as needed.
-     * @return its report, or why there is none. */
+    /** A converged step, halved as often as needed.
+     * @return its report or the failure. */
     std::variant<StepReport, LoadSteppingResult>
     next_step(const StageRun &run);
 
@@ -118,21 +117,21 @@ namespace Biface
     Attempt
     try_step(const StageRun &run, const Control::Trial &trial);
 
-    /** Newton's method from where the step probably ends.
-     * @param secant whether the steps before may tell where. */
+    /** Newton's method from the predicted state.
+     * @param secant whether to use the secant predictor. */
     Attempt
     iterate(const StageRun       &run,
             const Control::Trial &trial,
             const NewtonIteration iteration,
             const bool            secant);
 
-    /** Go on from an attempt that has converged. */
+    /** Accept a converged attempt. */
     StepReport
     accept(const StageRun       &run,
            const Control::Trial &trial,
            const Attempt        &attempt);
 
-    /** Name the held nodes that the foundation has passed through, once. */
+    /** Warn once of supported nodes that the foundation has passed through. */
     void
     warn_of_pierced_nodes(const State &state, const Loads &loads);
 
@@ -149,7 +148,7 @@ namespace Biface
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;
 
-    /** Whether pierced nodes were named. */
+    /** Whether this warning was given. */
     bool warned = false;
   };
 } // namespace Biface

@@ -14,14 +14,14 @@
 namespace Biface
 {
   /**
-   * Where the next step probably ends, from the same analysis on a coarser
-   * mesh: displacements and resultants change as they did there, and its
-   * contact zone is taken over (nested iteration).
+   * Predicts a step from the same analysis on a coarser mesh: displacements and
+   * resultants change as they did there, and the active set is that of the
+   * coarser mesh (nested iteration).
    *
-   * On a fine mesh this is more than fewer iterations. An active set that
-   * starts far too large shrinks by a few nodes an iteration, and meanwhile the
-   * foundation holds its edge by forces that grow on ever narrower cells, until
-   * they crush the shell's thickness; close to the solution there are none.
+   * On a fine mesh this not only saves iterations. An active set that starts
+   * far too large shrinks by a few nodes per iteration. Meanwhile the contact
+   * forces at its edge grow with decreasing cell size until they crush the
+   * thickness of the shell. Close to the solution this does not happen.
    */
   class NestedPredictor
   {
@@ -29,15 +29,15 @@ namespace Biface
     /** At the start, before any stage. */
     NestedPredictor(const ChartGrid &coarse, const std::vector<Stage> &stages);
 
-    /** Learn a converged step of the coarser mesh; in rising order. */
+    /** Record a converged step of the coarser mesh, in ascending order. */
     void
     learn(const Instant &instant, GridState &&state);
 
     /**
-     * Move a state of the finer mesh by a step.
+     * Predict a step of the finer mesh.
      *
-     * @return whether the coarser mesh has come as far as @p to; else nothing
-     * is changed.
+     * @return whether the coarser mesh has reached @p to; otherwise nothing is
+     * changed.
      */
     bool
     predict(const ShellMesh &mesh,
@@ -46,15 +46,16 @@ namespace Biface
             State           &state) const;
 
   private:
-    /** A state between two of those learnt. */
+    /** A state interpolated between two recorded ones. */
     struct Mean
     {
       const GridState *before, *after;
-      /** Of the latter. */
+      /** The weight of the latter. */
       double weight;
     };
 
-    /** @return null pointers where the coarser mesh has not come so far. */
+    /** @return null pointers if the coarser mesh has not reached the
+     * instant. */
     Mean
     at(const Instant &instant) const;
 

@@ -13,41 +13,41 @@
 namespace Biface
 {
   /**
-   * Where a run is on its way through the stages: all that LoadStepping knows
-   * from one step to the next. With the State and ShellEquations::History, a
-   * complete restore point: stepping goes on from a copy as from the original.
+   * The progress of a run through the stages: all data that LoadStepping keeps
+   * between steps. With the State and ShellEquations::History it is a complete
+   * restore point, from a copy of which stepping continues identically.
    */
   struct Progress
   {
-    /** Converged steps through all stages. */
+    /** Number of converged steps in all stages. */
     unsigned int n_steps = 0;
-    /** Position of the stage at hand, and whether it was entered. */
+    /** Position of the current stage, and whether it has started. */
     unsigned int stage       = 0;
     bool         stage_begun = false;
     /** The loads of the last converged step. */
     LoadLevel reached;
     /** See ShellEquations::touching_travel(), at the start of the first stage
-     * with contact, or the first one after a prestress. */
+     * with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
 
-    /** What the control of the stage at hand knows, if the stage has begun. */
+    /** The data of the control of the current stage, if it has started. */
     Control::Memory control;
 
     SecantPredictor predictor;
 
-    /** Whether nothing is left to do. */
+    /** Whether all stages are complete. */
     bool
     at_end_of(const std::vector<Stage> &stages) const
     {
       return stage_begun && stage + 1 == stages.size() && control.done >= 1;
     }
 
-    /** Take another description of the stage at hand, if it has begun, see
+    /** Change the description of the current stage, if it has started, see
      * Control::change_stage(). */
     void
     change_stage(const Stage &before, const Stage &now);
 
-    /** The numbers; vectors are distributed, and stored by themselves. */
+    /** The numbers; vectors are distributed and stored separately. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -13,36 +13,37 @@
 namespace Biface
 {
   /**
-   * Where the next step probably ends: displacements, resultants and a load
-   * parameter that follows, such as the travel of the foundation, go on as in
-   * the step before, in proportion to the loads. Nodes in contact follow from
-   * displacements and travel.
+   * Predicts a step by extrapolating displacements, resultants and an unknown
+   * load parameter, such as the travel of the foundation, from the last step in
+   * proportion to the loads. The active set follows from displacements and
+   * travel.
    */
   class SecantPredictor
   {
   public:
-    /** Forget what was learnt, where the loads take another course. */
+    /** Forget the last step, if the loads change their direction. */
     void
     reset()
     {
       last.reset();
     }
 
-    /** Learn from a converged step.
-     * @param mu_change of the load parameter, where it follows; else 0.
-     * @param size how far the loads went, in any measure. */
+    /** Record a converged step.
+     * @param mu_change the change of the load parameter, if it is unknown;
+     * otherwise 0.
+     * @param size the change of the loads, in any measure. */
     void
     learn(const State &before,
           const State &after,
           const double mu_change,
           const double size);
 
-    /** Move a state and its load parameter by a step of the given size, where a
-     * step was learnt. */
+    /** Extrapolate a state and its load parameter by a step of the given size,
+     * if a step was recorded. */
     void
     predict(State &state, double &mu, const double size) const;
 
-    /** What changed in a step. */
+    /** The changes in a step. */
     struct Step
     {
       /** The locally owned entries. */
@@ -52,7 +53,7 @@ namespace Biface
       double                     size = 0;
     };
 
-    /** What was learnt, if anything. */
+    /** The recorded step, if any. */
     const std::optional<Step> &
     get_last() const
     {
@@ -65,7 +66,7 @@ namespace Biface
       last = step;
     }
 
-    /** The numbers; vectors are distributed, and stored by themselves. */
+    /** The numbers; vectors are distributed and stored separately. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

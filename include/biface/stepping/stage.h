@@ -13,12 +13,12 @@
 
 namespace Biface
 {
-  /** Loads and foundation travel at some point of an analysis. */
+  /** Loads and travel of the foundation at an instant of an analysis. */
   struct LoadLevel
   {
     double pressure = 0;
     double factor   = 0;
-    /** Counted from where the foundation first touched the shell. */
+    /** Since the foundation first touched the shell. */
     double travel = 0;
 
     template <class Archive>
@@ -30,8 +30,8 @@ namespace Biface
   };
 
 
-  /** An instant of an analysis: the position of a stage among the stages, and
-   * the part of it that is done. */
+  /** An instant of an analysis: the position of the stage and the completed
+   * fraction of it. */
   struct Instant
   {
     unsigned int stage    = 0;
@@ -46,38 +46,40 @@ namespace Biface
   };
 
 
-  /** A stage of loading: from the loads of the stage before to its own, in
-   * equal steps. */
+  /** A stage of loading: from the final loads of the previous stage to its own,
+   * in equal steps. */
   struct Stage
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
-    /** At the end of the stage; without a value, as at its start. */
+    /** At the end of the stage; if not set, as at its start. */
     std::optional<double> pressure;
-    /** Whether there is a foundation, and how far it has come at the end. */
+    /** Whether there is a foundation, and its travel at the end of the
+     * stage. */
     bool                  contact = false;
     std::optional<double> travel;
-    /** Of the dead loads and prescribed displacements, at the end. */
+    /** Factor of the dead loads and prescribed displacements at the end of the
+     * stage. */
     std::optional<double> factor;
     unsigned int          n_steps = 1;
 
-    /** What is given in every step: one of control_names(). */
+    /** The quantity prescribed in every step: one of control_names(). */
     std::string control = "load";
-    /** The displacement that is given: a named point, its component (0 to 2 for
-     * x to z), and its value at the end of the stage. */
+    /** The prescribed displacement: a named point, the component (0 to 2 for x
+     * to z), and the value at the end of the stage. */
     std::string  control_point;
     unsigned int control_component = 0;
     double       control_value     = 0;
-    /** The force on the foundation at the end of the stage, where it is given.
-     */
+    /** The force on the foundation at the end of the stage, if prescribed. */
     double force = 0;
-    /** Whether steps of loads and of the force grow after easy ones. */
+    /** Whether steps of the loads or the force grow after fast convergence. */
     bool adaptive = false;
 
-    /** Begin with the stresses reached so far, but undeformed and unloaded. */
+    /** Whether to start with the stresses reached so far, but undeformed and
+     * unloaded. */
     bool from_prestress = false;
 
-    /** The loads at the end of the stage, by those at its start. */
+    /** The loads at the end of the stage for given loads at its start. */
     LoadLevel
     end(const LoadLevel &start) const
     {
@@ -86,11 +88,11 @@ namespace Biface
               travel.value_or(start.travel)};
     }
 
-    /** @param number of the stage, for its default name. */
+    /** @param number the number of the stage, for its default name. */
     void
     add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
 
-    /** Throws InputError where a value is not usable. */
+    /** Throws InputError if a value is invalid. */
     void
     check(const std::string &section) const;
 
@@ -114,8 +116,8 @@ namespace Biface
   };
 
 
-  /** Check stages one after the other, and what can be told of each before the
-   * run. Throws InputError. */
+  /** Check all stages in order, as far as possible before the run. Throws
+   * InputError. */
   void
   check_stages(const std::vector<Stage> &stages);
 } // namespace Biface

@@ -13,25 +13,25 @@
 
 namespace Biface
 {
-  /** A converged step, as reported: all that output has to know of it beside
+  /** The report of a converged step: the data needed by output in addition to
    * the State. */
   struct StepReport
   {
-    /** Counted from 1 through all stages. */
+    /** Number of the step, from 1 through all stages. */
     unsigned int step = 0;
-    /** Where the step ended. */
+    /** The instant at the end of the step. */
     Instant instant;
     /** Name of the stage, and whether it has a foundation. */
     std::string stage;
     bool        in_contact = false;
     Loads       loads;
-    /** What is controlled beside the loads, in words, and its value. */
+    /** The controlled quantity, if not a load, in words, and its value. */
     std::optional<std::pair<std::string, double>> controlled;
-    /** Travel of the foundation since it touched the shell. */
+    /** Travel of the foundation since it first touched the shell. */
     double         approach = 0;
     ContactSummary contact;
     unsigned int   iterations = 0;
-    /** Relative residuals before each iteration, and after the last. */
+    /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
     /** See NewtonResult. */
     std::optional<unsigned int> n_negative_pivots;

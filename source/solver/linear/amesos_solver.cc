@@ -24,9 +24,9 @@ namespace Biface
     failure(const std::string &phase, const int status)
     {
       LinearSolverResult result;
-      result.message = "Amesos failed in its " + phase + " with the code " +
+      result.message = "Amesos failed in the " + phase + " with the code " +
                        std::to_string(status) +
-                       ": the tangent may be singular, or memory too small";
+                       ": the tangent may be singular, or memory insufficient";
       return result;
     }
   } // namespace
@@ -35,8 +35,8 @@ namespace Biface
   LinearSolverResult
   AmesosSolver::factorize(const LA::SparseMatrix &A, const bool /*symmetric*/)
   {
-    // Amesos reads the matrix anew in each factorization, but wants to know
-    // the object at the beginning, and changes nothing in it
+    // Amesos reads the matrix in each factorization, but needs the object in
+    // advance; it does not change it
     if (!solver || matrix != &A)
       {
         TimerOutput::Scope scope(timer, "Linear solver: analysis");

@@ -23,11 +23,11 @@ namespace Biface
       "Type",
       type,
       {"direct", "Amesos", "iterative"},
-      "'direct' (MUMPS: LDL^T where the tangent is symmetric, LU where not), "
-      "'Amesos' (the direct solver UMFPACK or KLU on the first rank: slower; "
-      "also what 'direct' means where the program was built without MUMPS) or "
-      "'iterative' (GMRES with algebraic multigrid: "
-      "less memory, more time).");
+      "'direct' (MUMPS: LDL^T if the tangent is symmetric, LU otherwise), "
+      "'Amesos' (the direct solvers UMFPACK or KLU on the first rank: "
+      "slower; also used for 'direct' if the program was built without "
+      "MUMPS) or 'iterative' (GMRES with algebraic multigrid: less memory, "
+      "more time).");
     multigrid.add_parameters(prm);
   }
 
@@ -64,9 +64,8 @@ namespace Biface
     const double norm_b = b.l2_norm();
     const double norm_x = x.l2_norm();
 
-    // Round-off alone leaves a residual of the size of eps |A| |x|, which for a
-    // thin shell is much more than eps |b|. A singular matrix leaves one of the
-    // size of b.
+    // Round-off causes a residual of order eps |A| |x|, which for a thin shell
+    // is much larger than eps |b|. For a singular matrix it is of order |b|.
     LinearSolverResult result;
     const double       relative = (norm_b > 0 ? norm_r / norm_b : norm_r);
     const double backward_error = norm_r / (A.linfty_norm() * norm_x + norm_b);

@@ -21,18 +21,18 @@ namespace Biface
   {
     prm.add_parameter("Maximum iterations",
                       max_iterations,
-                      "Iterations of Krylov's method after which a linear "
-                      "solve has failed.",
+                      "Number of GMRES iterations after which a linear solve "
+                      "has failed.",
                       Patterns::Integer(1));
     prm.add_parameter("Restart length",
                       restart_length,
-                      "After how many iterations GMRES begins anew; each needs "
-                      "the memory of a vector.",
+                      "Number of iterations after which GMRES restarts; each "
+                      "needs the memory of a vector.",
                       Patterns::Integer(10));
     prm.add_parameter("Smoother sweeps",
                       sweeps,
-                      "Sweeps of symmetric Gauss-Seidel on each level, before "
-                      "and after the coarser one.",
+                      "Sweeps of symmetric Gauss-Seidel on each level, "
+                      "before and after the coarser level.",
                       Patterns::Integer(1, 20));
   }
 
@@ -77,9 +77,11 @@ namespace Biface
     int                    *columns;
     double                 *values;
     const int error = epetra.ExtractCrsDataPointers(starts, columns, values);
-    AssertThrow(error == 0, ExcMessage("The matrix is not in one piece."));
+    AssertThrow(error == 0,
+                ExcMessage("The matrix is not stored "
+                           "contiguously."));
 
-    // columns: A <- A T, for the pairs whose two columns stand side by side
+    // columns: A <- A T, for the pairs whose two columns are adjacent
     std::vector<bool> paired_column(epetra.ColMap().NumMyElements(), false);
     for (int j = 0; j + 1 < epetra.ColMap().NumMyElements(); ++j)
       {
@@ -185,7 +187,8 @@ namespace Biface
     to_means_and_differences(rhs);
     x = 0;
 
-    // preconditioned from the left, which is what the residual is judged by
+    // left preconditioning, so that the tolerance refers to the preconditioned
+    // residual
     LinearSolverResult result;
     ReductionControl   control(parameters.max_iterations, 0, tolerance);
     const SolverGMRES<LA::Vector>::AdditionalData vectors(
@@ -203,7 +206,7 @@ namespace Biface
                 << control.last_step()
                 << " iterations the preconditioned residual was "
                 << control.last_value() / control.initial_value()
-                << " of the first one, but " << tolerance << " was asked for";
+                << " of the initial one (tolerance " << tolerance << ")";
         result.message = message.str();
         result.cause   = FailureCause::linear_iterations;
       }

@@ -17,7 +17,7 @@ namespace Biface
 {
   using namespace dealii;
 
-  /** One MUMPS object, made for one pattern. */
+  /** A MUMPS object for one sparsity pattern. */
   class MumpsSolver::Instance
   {
   public:
@@ -34,13 +34,13 @@ namespace Biface
       mumps.sym          = (symmetric ? 2 : 0);
       call(initialize);
 
-      // no output of its own
+      // no output by MUMPS
       for (const int i : {1, 2, 3})
         icntl(i) = -1;
       icntl(4)  = 0;
       icntl(14) = 40; // per cent of workspace beyond the estimate
-      icntl(18) = 3;  // each rank brings its own entries
-      // ScaLAPACK takes longer for the last front where few ranks share it
+      icntl(18) = 3;  // each rank passes its own entries
+      // ScaLAPACK is slower for the root front on few ranks
       if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
         icntl(13) = 1;
 
@@ -57,7 +57,7 @@ namespace Biface
 
     ~Instance()
     {
-      // collective: where one rank alone unwinds, the others will not come
+      // collective: not called if a single rank unwinds
       if (std::uncaught_exceptions() == 0)
         call(terminate);
     }
@@ -83,7 +83,7 @@ namespace Biface
         values[k] = matrix_values[places[k]];
       mumps.a_loc = values.data();
 
-      // more fill-in than foreseen, by pivoting: give it more room
+      // more fill-in than estimated, due to pivoting: increase the workspace
       int status = call(factorization);
       while ((status == -8 || status == -9) && icntl(14) < 1000)
         {
@@ -128,14 +128,14 @@ namespace Biface
       return mumps.infog[0];
     }
 
-    /** ICNTL as the manual numbers it. */
+    /** ICNTL with the numbering of the manual. */
     MUMPS_INT &
     icntl(const int i)
     {
       return mumps.icntl[i - 1];
     }
 
-    /** The arrays in which Epetra keeps the rows of this rank. */
+    /** The arrays in which Epetra stores the rows of this rank. */
     struct Storage
     {
       int    *row_starts;
@@ -216,7 +216,7 @@ namespace Biface
 
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
-    /** Places of the entries among the values of the Epetra matrix. */
+    /** Positions of the entries among the values of the Epetra matrix. */
     std::vector<int>    places;
     std::vector<double> values;
     /** The right hand side, then the solution, on the first rank. */
@@ -240,7 +240,7 @@ namespace Biface
     mumps_failure(const std::string &phase, const int status)
     {
       LinearSolverResult result;
-      result.message = "MUMPS failed in its " + phase +
+      result.message = "MUMPS failed in the " + phase +
                        " with INFOG(1) = " + std::to_string(status);
       if (status == -10)
         result.message += ": the tangent is singular";

@@ -10,18 +10,18 @@ namespace Biface
   namespace
   {
     /**
-     * The displacements are to change by a given length in all, @f$|\Delta
-     * \mathbf V| = s@f$ @cite Crisfield1981. In the first iteration the load
-     * changes so that the displacements go on in the direction of the step
-     * before: turning points of the load are passed without being asked.
-     * Later, the equation is linearized.
+     * The norm of the change of the displacements is prescribed,
+     * @f$|\Delta \mathbf V| = s@f$ @cite Crisfield1981. In the first iteration
+     * the load changes so that the displacements continue in the direction of
+     * the last step, which passes limit points. Later, the equation is
+     * linearized.
      */
     class ArcLengthEquation : public ControlEquation
     {
     public:
       /**
        * @param length s.
-       * @param previous what the displacements changed by in the step before.
+       * @param previous the change of the displacements in the last step.
        */
       ArcLengthEquation(const LoadRates  &rate,
                         const double      length,
@@ -109,7 +109,7 @@ namespace Biface
   void
   ArcLengthControl::accept(const Step &step)
   {
-    // iterations of a step whose length is right
+    // desired iterations per step
     constexpr double wanted_iterations = 5;
 
     load_fraction = step.mu;
@@ -134,8 +134,8 @@ namespace Biface
   {
     if (n_steps == 0 || n_steps < parameters.max_arc_steps)
       return {};
-    return "the loads of the stage '" + stage.name + "' were not reached in " +
-           std::to_string(n_steps) + " steps";
+    return "the loads of the stage '" + stage.name +
+           "' were not reached within " + std::to_string(n_steps) + " steps";
   }
 
 
@@ -177,7 +177,7 @@ namespace Biface
   void
   ArcLengthControl::change_size()
   {
-    // a length that was found stays
+    // keep a length that was found
     if (first_length == 0)
       Control::change_size();
   }

@@ -79,19 +79,19 @@ namespace Biface
   {
     prm.add_parameter("Maximum cuts",
                       max_cuts,
-                      "How often a step that does not converge is halved "
-                      "before the run ends.",
+                      "Number of times a step that does not converge is "
+                      "halved before the run ends.",
                       Patterns::Integer(0, 30));
     prm.add_parameter("Maximum arc steps",
                       max_arc_steps,
-                      "After how many steps of given arc length a stage ends, "
-                      "whether its loads were reached or not.",
+                      "Maximum number of steps of a stage with arc-length "
+                      "control, after which it ends even if its loads were "
+                      "not reached.",
                       Patterns::Integer(1));
     prm.add_parameter("Maximum growth",
                       maximum_growth,
-                      "How much longer than the first one a step of given arc "
-                      "length, or one of a stage with 'Adaptive steps', may "
-                      "become. No unit.",
+                      "Maximum size of a step in arc-length control or with "
+                      "'Adaptive steps', relative to the first step. No unit.",
                       Patterns::Double(1));
   }
 
@@ -219,7 +219,7 @@ namespace Biface
   void
   EqualSteps::accept(const Step &step)
   {
-    // fewer iterations than this are an easy step
+    // steps with fewer iterations grow
     constexpr double many_iterations = 8;
 
     const double first  = 1. / stage.n_steps;
@@ -295,7 +295,7 @@ namespace Biface
     if (stays(start.pressure, stage.pressure) &&
         stays(start.factor, stage.factor))
       throw InputError(what + "neither its pressure nor its load factor "
-                              "differs from that of the stage before.");
+                              "differs from the previous stage.");
     if (stage.contact && start.travel && !stays(start.travel, stage.travel))
       throw InputError(what + "its foundation moves, too.");
   }

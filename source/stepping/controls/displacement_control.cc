@@ -10,8 +10,8 @@ namespace Biface
 {
   namespace
   {
-    /** A displacement, @f$\mathbf l\cdot\mathbf V@f$, is to change by a given
-     * amount in the step. */
+    /** The change of a displacement, @f$\mathbf l\cdot\mathbf V@f$, in the step
+     * is prescribed. */
     class DisplacementEquation : public ControlEquation
     {
     public:
@@ -51,7 +51,7 @@ namespace Biface
     if (stage.control_point.empty())
       throw InputError(section + "/Control point",
                        stage.control_point,
-                       "control by a displacement needs a point");
+                       "displacement control needs a point");
     check_loads_follow(stage, start);
     if (start.is_undeformed)
       check_value(0);

@@ -10,8 +10,8 @@ namespace Biface
 {
   namespace
   {
-    /** How far the foundation goes beyond touching, to find something to press
-     * on. */
+    /** How far the foundation travels beyond the first touch, to get into
+     * contact. */
     double
     beyond_touching(const ShellMesh &mesh)
     {
@@ -19,12 +19,12 @@ namespace Biface
     }
 
 
-    /** The force on the foundation is to have a given value; the load parameter
-     * is how far the foundation has moved. */
+    /** The force on the foundation is prescribed; the load parameter is the
+     * travel of the foundation. */
     class ForceEquation : public ControlEquation
     {
     public:
-      /** @param force compressive. */
+      /** @param force the compressive force. */
       explicit ForceEquation(const double force)
         : ControlEquation(unit_travel()), force(force)
       {}
@@ -35,7 +35,7 @@ namespace Biface
                        const LA::Vector &dV_q) const override
       {
         const ContactInteraction &contact = iteration.contact;
-        // something must be pressed on
+        // without contact, travel until it touches
         if (contact.count_active(iteration.state) == 0)
           return contact.travel_to_touch(iteration.state, iteration.loads) +
                  beyond_touching(contact.mesh);
@@ -71,9 +71,8 @@ namespace Biface
                       const KnownStart & /*start*/) const
   {
     if (!stage.contact)
-      throw InputError(section + "/Control",
-                       "foundation force",
-                       "without 'Contact = true' there is no foundation");
+      throw InputError(
+        section + "/Control", "foundation force", "it needs 'Contact = true'");
     if (stage.travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
                        number_to_string(*stage.travel),
@@ -150,7 +149,7 @@ namespace Biface
   {
     const double     force = force_at(fraction);
     std::vector<Way> ways  = ways_of_loads(reached, now.end(start));
-    // the travel follows
+    // the travel is unknown
     ways.back() = {start_force, force, now.force};
     if (!go_on_from(common_part(ways), reached))
       start_force = force;

@@ -15,15 +15,15 @@ class Epetra_LinearProblem;
 namespace Biface
 {
   /**
-   * A serial direct solver through the package Amesos of Trilinos, for where
-   * MUMPS itself is missing: UMFPACK, or else KLU, which Trilinos always has.
-   * Both take every matrix for unsymmetric and work on the first rank; the
-   * analysis of the pattern is done once.
+   * A serial direct solver through the Trilinos package Amesos, used if MUMPS
+   * is not available: UMFPACK, or otherwise KLU, which is always part of
+   * Trilinos. Both treat every matrix as unsymmetric and run on the first rank;
+   * the sparsity pattern is analyzed once.
    */
   class AmesosSolver : public LinearSolver
   {
   public:
-    /** @param timer gets the sections "Linear solver: ...". */
+    /** @param timer receives the sections "Linear solver: ...". */
     explicit AmesosSolver(dealii::TimerOutput &timer);
 
     ~AmesosSolver() override;
@@ -38,7 +38,7 @@ namespace Biface
     dealii::TimerOutput                  &timer;
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver>    solver;
-    /** The matrix last factorized. */
+    /** The last factorized matrix. */
     const LA::SparseMatrix *matrix = nullptr;
   };
 } // namespace Biface

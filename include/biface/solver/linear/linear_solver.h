@@ -16,20 +16,21 @@
 
 namespace Biface
 {
-  /** How a linear solve ended. */
+  /** The result of a linear solve. */
   struct LinearSolverResult
   {
     bool success = false;
-    /** Where it failed: a sentence that says why. */
+    /** The reason of a failure, as part of a sentence. */
     std::string  message;
     FailureCause cause = FailureCause::singular_tangent;
-    /** Of a symmetric matrix, where the solver counts them. */
+    /** Of a symmetric matrix, if the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
   };
 
 
   /**
-   * Solves a sequence of linear systems whose matrices share one pattern.
+   * Solves a sequence of linear systems whose matrices have the same sparsity
+   * pattern.
    */
   class LinearSolver
   {
@@ -65,30 +66,30 @@ namespace Biface
     virtual ~LinearSolver() = default;
 
     /**
-     * Prepare to solve systems with the matrix @p A, which must stay as it is
-     * until the last of them is solved. A failure (a singular matrix, say) is
-     * an ordinary result, the same on all ranks.
+     * Prepare to solve systems with the matrix @p A, which must not change
+     * until the last of them is solved. A failure, such as a singular matrix,
+     * is an ordinary result, the same on all ranks.
      *
-     * @param symmetric whether the matrix is symmetric, so that half of it
-     * will do.
+     * @param symmetric whether the matrix is symmetric, so that half of it is
+     * sufficient.
      */
     virtual LinearSolverResult
     factorize(const LA::SparseMatrix &A, const bool symmetric) = 0;
 
     /**
-     * Solve @f$A x = b@f$ with the matrix last given to factorize().
+     * Solve @f$A x = b@f$ with the last matrix passed to factorize().
      *
-     * @param tolerance the fraction to which an iteration reduces its own norm
-     * of the residual; a direct solver goes as far as it can.
+     * @param tolerance the relative reduction of the residual by an iterative
+     * solver, in its own norm; ignored by direct solvers.
      */
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;
   };
 
 
-  /** The linear solver that the parameters describe. The objects are kept by
+  /** Create the linear solver given by the parameters. The objects are kept by
    * reference.
-   * @param timer gets the sections "Linear solver: ...". */
+   * @param timer receives the sections "Linear solver: ...". */
   std::unique_ptr<LinearSolver>
   make_linear_solver(const LinearSolver::Parameters &parameters,
                      const ShellMesh                &mesh,
@@ -96,10 +97,10 @@ namespace Biface
 
 
   /**
-   * Compute the residual of a solution and judge it: a direct solver gives
-   * numbers for a singular matrix, too.
+   * Check the residual of a solution, since a direct solver may return numbers
+   * even for a singular matrix.
    *
-   * @return success where the solution is finite, its residual is at most 1e-3
+   * @return success if the solution is finite and its residual is at most 1e-3
    * of the right hand side and at most 1e-10 of @f$|A|_\infty|x| + |b|@f$.
    */
   LinearSolverResult

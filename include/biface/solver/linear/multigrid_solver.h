@@ -15,29 +15,28 @@
 namespace Biface
 {
   /**
-   * Krylov's method with algebraic multigrid by smoothed aggregation (Trilinos
-   * ML). The method is GMRES for symmetric matrices, too: on fine meshes, the
-   * tangent of a shell pressed flat has negative eigenvalues, and conjugate
-   * gradients fail.
+   * GMRES with algebraic multigrid by smoothed aggregation (Trilinos ML). GMRES
+   * is also used for symmetric matrices: on fine meshes, the tangent of a shell
+   * in contact has negative eigenvalues, and conjugate gradients fail.
    *
-   * The preconditioned residual is what is reduced. It is close to the error:
-   * in the residual itself, stiff contact and stiff thickness outweigh all
-   * else.
+   * The tolerance refers to the preconditioned residual, which is close to the
+   * error. In the residual itself, the stiffness of the contact and of the
+   * thickness dominate.
    *
-   * Two things make multigrid work for a shell with two faces. The unknowns are
-   * changed to the mean and half the difference of both faces, of which the
-   * stiff difference is dealt with by the smoother alone. And the six rigid
-   * motions, in the frames of the nodes, are given as the near null space.
+   * Two measures make multigrid work for a shell with two faces. The unknowns
+   * are transformed to the mean and half the difference of the two faces; the
+   * smoother alone handles the stiff difference. The six rigid motions, in the
+   * frames of the nodes, are the near null space.
    *
-   * It needs less memory than a factorization, and more time on meshes that fit
-   * into one. Where it does not converge, that is its result.
+   * It needs less memory than a factorization, but more time if the
+   * factorization fits into memory. Failure to converge is an ordinary result.
    */
   class MultigridSolver : public LinearSolver
   {
   public:
     using Parameters = LinearSolver::Parameters::Multigrid;
 
-    /** @param timer gets the sections "Linear solver: ...". */
+    /** @param timer receives the sections "Linear solver: ...". */
     MultigridSolver(const Parameters    &parameters,
                     const ShellMesh     &mesh,
                     dealii::TimerOutput &timer);
@@ -49,7 +48,7 @@ namespace Biface
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
   private:
-    /** Change the matrix, of which this is a copy, to the unknowns of mean and
+    /** Transform the copy of the matrix to the unknowns mean and half
      * difference. */
     void
     transform_matrix();
@@ -66,10 +65,10 @@ namespace Biface
 
     LA::SparseMatrix                          matrix;
     dealii::TrilinosWrappers::PreconditionAMG preconditioner;
-    /** The rigid motions in the changed unknowns, one after the other. */
+    /** The rigid motions in the transformed unknowns, one after the other. */
     std::vector<double> near_null_space;
-    /** Inner-face degrees of freedom, as local indices, whose pair is free: the
-     * outer face's is the next one. */
+    /** Local indices of the degrees of freedom of the inner face that form a
+     * free pair with the next index, that of the outer face. */
     std::vector<unsigned int> pairs;
   };
 } // namespace Biface

@@ -15,14 +15,13 @@ namespace Biface
 {
   /**
    * The multifrontal direct solver MUMPS @cite AmestoyDuffLExcellentKoster2001,
-   * called without an intermediary: @f$LDL^T@f$ where the matrix is symmetric,
-   * @f$LU@f$ where not; each rank hands over its own rows; the analysis of the
-   * pattern is done once.
+   * called directly: @f$LDL^T@f$ for symmetric matrices, @f$LU@f$ otherwise.
+   * Each rank passes its own rows; the sparsity pattern is analyzed once.
    */
   class MumpsSolver : public LinearSolver
   {
   public:
-    /** @param timer gets the sections "Linear solver: ...". */
+    /** @param timer receives the sections "Linear solver: ...". */
     MumpsSolver(const MPI_Comm communicator, dealii::TimerOutput &timer);
 
     ~MumpsSolver() override;
@@ -39,7 +38,7 @@ namespace Biface
     const MPI_Comm            communicator;
     dealii::TimerOutput      &timer;
     std::unique_ptr<Instance> instance;
-    /** The matrix last factorized. */
+    /** The last factorized matrix. */
     const LA::SparseMatrix *matrix = nullptr;
   };
 } // namespace Biface

@@ -8,10 +8,10 @@
 namespace Biface
 {
   /**
-   * The norm of the change of all displacements is given in every step: the
-   * load parameter is the part of the stage that the loads have gone, which
-   * follows, through turning points, until it is 1. The first step is one of
-   * given loads, and gives the length of the later ones, which adapt.
+   * The norm of the change of all displacements is prescribed in every step.
+   * The load parameter, the fraction of the loads of the stage, is unknown and
+   * may pass limit points until it reaches 1. The first step prescribes the
+   * loads and thereby sets the length of the later steps, which adapt.
    */
   class ArcLengthControl : public Control
   {
@@ -30,7 +30,8 @@ namespace Biface
     Trial
     propose(const Equilibrium &from) const override;
 
-    /** Where a step went beyond the loads of the stage: one that ends there. */
+    /** If a step went beyond the loads of the stage: a step that ends at these
+     * loads. */
     std::optional<Trial>
     replace(const Trial &trial, const double mu) const override;
 
@@ -63,8 +64,8 @@ namespace Biface
     double       load_fraction = 0;
     unsigned int n_steps       = 0;
     double       first_length  = 0;
-    /** What the last step changed the displacements by (locally owned entries).
-     */
+    /** The change of the displacements in the last step (locally owned
+     * entries). */
     LA::Vector last_change;
   };
 } // namespace Biface

@@ -23,7 +23,7 @@
 
 namespace Biface
 {
-  /** The size of steps, which is halved by failures. */
+  /** The size of steps, which is halved by a failure. */
   class StepSize
   {
   public:
@@ -36,11 +36,11 @@ namespace Biface
       return value;
     }
 
-    /** The next size, by a factor and not beyond a bound. */
+    /** Set the next size, by a growth factor and up to a maximum. */
     void
     succeeded(const double growth, const double maximum);
 
-    /** @return whether there may be another attempt. */
+    /** @return whether another attempt is allowed. */
     bool
     failed(const unsigned int max_cuts);
 
@@ -58,11 +58,10 @@ namespace Biface
 
 
   /**
-   * What is given in every step of a stage, and with it how the stage goes on:
-   * the interface of all controls, and what they have in common. A control
-   * begins a stage, proposes the next step, learns how it went, and says when
-   * the stage is done; LoadStepping computes the steps. See doc/extending.md
-   * for how to add one.
+   * The interface and common parts of all controls. A control determines what
+   * is prescribed in every step of a stage: it begins the stage, proposes the
+   * next step, is informed of the result, and says when the stage is complete;
+   * LoadStepping computes the steps. See doc/extending.md for how to add one.
    */
   class Control
   {
@@ -81,11 +80,11 @@ namespace Biface
 
     virtual ~Control() = default;
 
-    /** What can be told before the run of the start of a stage. */
+    /** What is known before the run about the start of a stage. */
     struct KnownStart
     {
       std::optional<double> pressure, factor, travel;
-      /** Whether there are no displacements. */
+      /** Whether all displacements are zero. */
       bool is_undeformed = false;
 
       static KnownStart
@@ -102,12 +101,12 @@ namespace Biface
     };
 
     /** Check the entries of the stage. Throws InputError.
-     * @param section of the stage, to be named. */
+     * @param section the section of the stage, for error messages. */
     virtual void
     check(const std::string & /*section*/, const KnownStart & /*start*/) const
     {}
 
-    /** What can be told before the run of the end of the stage. */
+    /** What is known before the run about the end of the stage. */
     virtual KnownStart
     known_end(const KnownStart &start) const;
 
@@ -116,18 +115,18 @@ namespace Biface
     check(const std::string & /*section*/, const ShellMesh & /*mesh*/) const
     {}
 
-    /** The last converged state, where a step starts. */
+    /** The last converged state, from which a step starts. */
     struct Equilibrium
     {
       const ShellEquations     &equations;
       const ContactInteraction &contact;
       const State              &state;
       const LoadLevel          &level;
-      /** What acts on the shell at a level. */
+      /** The loads on the shell at a given level. */
       std::function<Loads(const LoadLevel &)> loads;
     };
 
-    /** Begin the stage. Throws InputError where it leads nowhere. */
+    /** Begin the stage. Throws InputError if it cannot make progress. */
     virtual void
     begin(const Equilibrium &start);
 
@@ -136,12 +135,12 @@ namespace Biface
     {
       /** The loads, as a function of the load parameter @f$\mu@f$. */
       std::function<LoadLevel(const double)> level;
-      /** The value of @f$\mu@f$, or, with an equation, the first guess. */
+      /** The value of @f$\mu@f$ or, with an equation, the initial guess. */
       double mu = 0;
-      /** What determines @f$\mu@f$; null where it is given. */
+      /** The equation that determines @f$\mu@f$; null if it is prescribed. */
       std::shared_ptr<const ControlEquation> equation = nullptr;
-      /** The part of the stage that the step is, if states change in
-       * proportion to it, for predictors; 0 if not. */
+      /** The size of the step as a fraction of the stage, for predictors, if
+       * states change in proportion to it; otherwise 0. */
       double size = 0;
     };
 
@@ -149,65 +148,66 @@ namespace Biface
     virtual Trial
     propose(const Equilibrium &from) const = 0;
 
-    /** Another step to try in place of one that has converged at @p mu, but
-     * beyond where the stage is to go; none if all is well. */
+    /** A step to try instead of one that converged at @p mu but went beyond the
+     * end of the stage; none if it did not. */
     virtual std::optional<Trial>
     replace(const Trial & /*trial*/, const double /*mu*/) const
     {
       return {};
     }
 
-    /** A step that has converged. */
+    /** A converged step. */
     struct Step
     {
       const Trial &trial;
-      /** What the load parameter is in the end. */
+      /** The final load parameter. */
       double mu;
-      /** Of all attempts at the step. */
+      /** Number of iterations in all attempts at the step. */
       unsigned int iterations;
       const State &before, &after;
     };
 
-    /** Go on from a step. */
+    /** Accept a converged step. */
     virtual void
     accept(const Step &step) = 0;
 
-    /** Halve the step that has failed.
-     * @return whether there may be another attempt. */
+    /** Halve the failed step.
+     * @return whether another attempt is allowed. */
     bool
     cut()
     {
       return size.failed(parameters.max_cuts);
     }
 
-    /** The part of the stage that is done: 1 at its end. */
+    /** The completed fraction of the stage: 1 at its end. */
     virtual double
     done() const = 0;
 
-    /** What is controlled beside the loads and contact, in words, and its value
-     * after the last step. */
+    /** The controlled quantity, if not a load or the contact force, in words,
+     * and its value after the last step. */
     virtual std::optional<std::pair<std::string, double>>
     controlled() const
     {
       return {};
     }
 
-    /** Whether each step is a given part of the stage, unless it is cut. */
+    /** Whether each step is a given fraction of the stage, unless it is
+     * halved. */
     virtual bool
     has_equal_steps() const
     {
       return false;
     }
 
-    /** Where the stage has not come to its end, but there may be no more steps:
-     * what happened; else empty. */
+    /** The message if the stage is incomplete but no more steps are allowed;
+     * otherwise empty. */
     virtual std::string
     exhausted() const
     {
       return {};
     }
 
-    /** All that a control knows from one step to the next. */
+    /** All data that a control keeps between steps. */
     struct Memory
     {
       /** The loads at the start of the stage. */
@@ -215,13 +215,13 @@ namespace Biface
       StepSize  size;
       /** See Control::done(). */
       double done = 0;
-      /** What the kind of control adds, by names. */
+      /** Data of the derived class by name. */
       std::map<std::string, double> numbers;
       /** Locally owned entries of displacements. */
       std::map<std::string, LA::Vector> vectors;
 
-      /** The numbers, and the names of vectors, which are distributed and
-       * stored by themselves. */
+      /** The numbers and the names of vectors, which are distributed and stored
+       * separately. */
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
@@ -242,50 +242,50 @@ namespace Biface
     restore(const Memory &memory);
 
     /**
-     * Take another description of the stage, which may differ in its loads, in
-     * what is given at its end, and in its steps. What was reached is kept.
-     * Where it lies on the straight way from the start of the stage to its new
-     * end, it becomes the part of that way which it is; otherwise the stage
-     * begins anew from there.
+     * Change the description of the stage, which may differ in its final loads,
+     * the final value of the controlled quantity, and its steps. The loads
+     * reached are kept. If they lie on the straight path from the start of the
+     * stage to its new end, the stage continues from this fraction of the path;
+     * otherwise it starts again from there.
      *
-     * @return whether the way has changed.
+     * @return whether the path has changed.
      */
     bool
     change_stage(const Stage &now, const LoadLevel &reached);
 
   protected:
-    /** A number on its way through the stage. */
+    /** The path of a number through the stage. */
     struct Way
     {
       double start, now, end;
     };
 
-    /** The part of their ways that all have gone, if it is the same for all. */
+    /** The completed fraction of all paths, if it is the same for all. */
     static std::optional<double>
     common_part(const std::vector<Way> &ways);
 
-    /** The ways of the loads. */
+    /** The paths of the loads. */
     std::vector<Way>
     ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 
-    /** The part of change_stage() of one kind of control, where the way has
-     * changed: go on along the new one, or begin anew from @p reached. */
+    /** The part of change_stage() specific to a control, if the path has
+     * changed: continue along the new one, or start again from @p reached. */
     virtual void
     change_way(const Stage &now, const LoadLevel &reached) = 0;
 
-    /** What the size of steps is after a change of their number. */
+    /** Set the size of steps after a change of their number. */
     virtual void
     change_size()
     {
       size = StepSize(1. / stage.n_steps);
     }
 
-    /** The loads at a part of the straight way from the start of the stage to
-     * its end. */
+    /** The loads at a fraction of the straight path from the start of the stage
+     * to its end. */
     LoadLevel
     level_at(const double fraction) const;
 
-    /** How the loads change over the whole stage, without the foundation. */
+    /** The change of the loads over the whole stage, without the foundation. */
     LoadRates
     load_rate() const;
 
@@ -297,19 +297,19 @@ namespace Biface
   };
 
 
-  /** What a stage can ask for. */
+  /** The names of all controls. */
   std::vector<std::string>
   control_names();
 
-  /** The control that a stage asks for. */
+  /** Create the control of a stage. */
   std::unique_ptr<Control>
   make_control(const Stage               &stage,
                const Control::Parameters &parameters = Control::Parameters());
 
 
-  /** A control whose steps are equal parts of the stage, or grow where the
-   * stage lets them adapt. Where a step is cut, the end of the equal one is
-   * reached nevertheless. */
+  /** A control whose steps are equal fractions of the stage, or larger ones
+   * with adaptive steps. If a step is halved, the end of the equal step is
+   * still reached. */
   class EqualSteps : public Control
   {
   public:
@@ -337,37 +337,37 @@ namespace Biface
     restore(const Memory &memory) override;
 
   protected:
-    /** The part of the stage that is done after the next step. */
+    /** The completed fraction of the stage after the next step. */
     double
     next() const;
 
-    /** Where it is a part, go on from there, or else begin anew.
-     * @return whether it is. */
+    /** Continue from a fraction of the stage, if given, or start again.
+     * @return whether it was given. */
     bool
     go_on_from(const std::optional<double> &part, const LoadLevel &reached);
 
     double fraction = 0;
 
   private:
-    /** The next end of an equal step, or that of the stage. */
+    /** The next end of an equal step or of the stage. */
     double
     next_target() const;
   };
 
 
-  /** The factor for the size of the next step, by the iterations of the last
-   * one and those that are wanted. */
+  /** The growth factor of the step size from the iterations of the last step
+   * and the desired number. */
   double
   step_growth(const double wanted, const unsigned int iterations);
 
 
-  /** Refuse to let the loads follow in a stage where none changes, or the
-   * foundation moves, too. Throws InputError. */
+  /** Throw InputError for a stage with unknown loads, none of which changes, or
+   * in which the foundation moves, too. */
   void
   check_loads_follow(const Stage &stage, const Control::KnownStart &start);
 
-  /** Refuse to let the loads follow where supports prescribe displacements.
-   * Throws InputError. */
+  /** Throw InputError for a stage with unknown loads if supports prescribe
+   * displacements. */
   void
   check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh);
 } // namespace Biface

@@ -7,9 +7,9 @@
 
 namespace Biface
 {
-  /** One component of the displacement of a named point is given in every step:
-   * the load parameter is the part of their way that the loads have gone, which
-   * follows, and may end anywhere. */
+  /** One component of the displacement of a named point is prescribed in every
+   * step. The load parameter, the fraction of the change of the loads, is
+   * unknown and may have any final value. */
   class DisplacementControl : public EqualSteps
   {
   public:

@@ -7,8 +7,8 @@
 
 namespace Biface
 {
-  /** The force on the foundation is given in every step, and all loads: the
-   * load parameter is the travel of the foundation, which follows. */
+  /** The force on the foundation and all loads are prescribed in every step.
+   * The load parameter, the travel of the foundation, is unknown. */
   class ForceControl : public EqualSteps
   {
   public:
@@ -38,7 +38,7 @@ namespace Biface
     change_way(const Stage &now, const LoadLevel &reached) override;
 
   private:
-    /** The force at a part of the stage. */
+    /** The force at a fraction of the stage. */
     double
     force_at(const double fraction) const;
 

@@ -7,8 +7,8 @@
 
 namespace Biface
 {
-  /** All loads and the travel of the foundation are given in every step: the
-   * load parameter is the part of the stage. */
+  /** All loads and the travel of the foundation are prescribed in every step.
+   * The load parameter is the fraction of the stage. */
   class LoadControl : public EqualSteps
   {
   public:
