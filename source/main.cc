@@ -10,7 +10,7 @@
 int
 main(int argc, char *argv[])
 {
-  // MPI takes its own words out of the command line; one thread a rank
+  // MPI removes its own arguments from the command line; one thread per rank
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {

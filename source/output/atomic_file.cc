@@ -63,7 +63,7 @@ namespace Biface
   {
     if (!reason.empty())
       return;
-    // some file systems tell only now that there is no space
+    // some file systems report only now that there is no space
     const int result = ::close(file);
     file             = -1;
     if (result != 0 || std::rename(temporary.c_str(), path.c_str()) != 0)
@@ -87,7 +87,7 @@ namespace Biface
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0)
       return std::strerror(errno);
-    // some file systems cannot do it for directories, and need not
+    // some file systems do not support this for directories and do not need it
     const bool        failed = (::fsync(file) != 0 && errno != EINVAL);
     const std::string reason = (failed ? std::strerror(errno) : "");
     ::close(file);

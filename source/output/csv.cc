@@ -30,7 +30,8 @@ namespace Biface
 
   namespace
   {
-    /** @return why it did not succeed; then the file is as long as it was. */
+    /** @return the reason of a failure, after which the file has its previous
+     * length. */
     std::string
     append_text(const std::string &path, const std::string &text)
     {
@@ -81,7 +82,7 @@ namespace Biface
                        const std::string &text,
                        const MPI_Comm     communicator)
   {
-    // a message holds less than 2^31 bytes
+    // a message is limited to 2^31 - 1 bytes
     constexpr std::uint64_t longest = 1 << 28;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
 

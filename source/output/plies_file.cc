@@ -21,9 +21,9 @@ namespace Biface
     prm.add_parameter("Points per ply",
                       points_per_ply,
                       "Number of heights within each ply at which "
-                      "plies-NNNN.csv lists strains and stresses at the named "
-                      "points: 1 is the middle, 2 are both sides, and so on; 0 "
-                      "writes no such file.",
+                      "plies-NNNN.csv lists strains and stresses at the "
+                      "named points: 1 means the middle, 2 both sides, and "
+                      "so on; 0: no such file.",
                       Patterns::Integer(0, 101));
   }
 
@@ -54,7 +54,7 @@ namespace Biface
 
   namespace
   {
-    /** Where in a ply the i-th of n points lies, as a fraction of its
+    /** The position of the i-th of n points in a ply, as a fraction of its
      * thickness. */
     double
     height_of(const unsigned int i, const unsigned int n)
@@ -72,8 +72,8 @@ namespace Biface
     const unsigned int n_heights = parameters.points_per_ply;
     const auto         names     = ply_value_names(criteria);
 
-    // of each height: angle, height over the reference surface, tension along
-    // the fibers, then the values; in front, how many cells gave them
+    // the number of cells, then for each height: angle, height above the
+    // reference surface, tension along the fibers, and the values
     const unsigned int n_columns = 3 + names.size();
     std::string text = "name,ply,material,fraction,angle,height,fiber_tension";
     for (const std::string &name : names)

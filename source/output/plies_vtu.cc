@@ -30,7 +30,7 @@ namespace Biface
     /**
      * The direction of the fibers in the deformed shell, as data 3 to 5 of a
      * patch with its vertices and the displacements in data 0 to 2: each
-     * coordinate line carries its component along.
+     * component follows its coordinate line.
      */
     void
     set_fibers(const double angle, DataOutBase::Patch<3, 3> &patch)

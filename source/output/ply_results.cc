@@ -41,8 +41,8 @@ namespace Biface
     for (const PlyDescription &ply : layup.get_plies())
       if (!ply.strengths && bare.insert(ply.material).second)
         sentences.push_back("The material '" + ply.material +
-                            "' has no strengths (X_t to S): its plies get no "
-                            "failure index.");
+                            "' has no strengths (X_t to S): its plies have "
+                            "no failure index.");
     return sentences;
   }
 

@@ -16,7 +16,7 @@ namespace Biface
   {
     PointDisplacement  u;
     const unsigned int n = node_of_point(mesh, "Named points", point.name);
-    // the rank that owns the node has it
+    // known by the rank that owns the node
     if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
       for (unsigned int face = 0; face < 2; ++face)
         {

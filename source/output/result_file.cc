@@ -126,11 +126,10 @@ namespace Biface
     std::string        line;
     if (!std::getline(lines, line) || line != header)
       throw InputError("the file '" + path +
-                       "' does not have the columns that a restart would add "
-                       "to.");
+                       "' does not have the columns that a restart continues.");
     std::string kept    = header + '\n';
     std::size_t n_lines = 0;
-    // a last line without an end was not written to its end
+    // a last line without a line end is incomplete
     while (n_lines < steps.size() * lines_per_step &&
            std::getline(lines, line) && !lines.eof() &&
            std::strtoul(line.c_str(), nullptr, 10) ==

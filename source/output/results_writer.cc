@@ -101,7 +101,7 @@ namespace Biface
   void
   ResultsWriter::write_step(const StepReport &report, const State &state)
   {
-    // the history last: of the steps that it names, all files are there
+    // the history last: all files of the steps that it lists exist
     for (auto file = files.rbegin(); file != files.rend(); ++file)
       if ((*file)->is_wanted())
         (*file)->write_step(report, state);

@@ -82,8 +82,8 @@ namespace Biface
     patches.set_flags(flags);
 
     // the pieces of all ranks between the head of the file, from the first
-    // one, and its end, from the last. MPI's parallel files would do it, too,
-    // but do not tell of a full disk
+    // rank, and its end, from the last. Parallel files of MPI would also work,
+    // but do not report a full disk
     std::ostringstream stream;
     patches.write_vtu(stream);
     std::string       text    = stream.str();

@@ -20,14 +20,13 @@ namespace Biface
                       Patterns::Bool());
     prm.add_parameter("Every steps",
                       every_steps,
-                      "Number of steps from a checkpoint to the next; 0: "
-                      "steps do not count. One is always written at the end.",
+                      "Number of converged steps between checkpoints; 0: not "
+                      "used. A checkpoint is always written at the end.",
                       Patterns::Integer(0));
     prm.add_parameter("Every minutes",
                       every_minutes,
-                      "Time from a checkpoint to the next, which is written "
-                      "after the current step; 0: time does not count. Unit: "
-                      "minutes.",
+                      "Wall time between checkpoints, checked after each "
+                      "step; 0: not used. Unit: minutes.",
                       Patterns::Double(0));
   }
 
@@ -57,7 +56,7 @@ namespace Biface
   CheckpointWriter::write_if_due(RunRecord &record)
   {
     const unsigned int n_steps = simulation.get_progress().n_steps - last_step;
-    // the clock of one rank counts
+    // use the clock of one rank
     const double minutes =
       Utilities::MPI::broadcast(simulation.get_equations().mesh.communicator,
                                 since_last.wall_time() / 60);
@@ -74,7 +73,7 @@ namespace Biface
     if (!parameters.write || (any_written && last_step == progress.n_steps))
       return;
 
-    // a restart finds at least what the checkpoint says
+    // a restart finds at least the files of the checkpoint
     results.sync();
     record.progress = progress;
     record.written  = results.get_written();

@@ -19,8 +19,8 @@ namespace Biface
       {"version", no_argument, nullptr, 'v'},
       {"help", no_argument, nullptr, 'h'},
       {nullptr, 0, nullptr, 0}};
-    opterr = 0; // errors are ours to tell
-    optind = 0; // begin anew, also on a second call
+    opterr = 0; // errors are reported below
+    optind = 0; // start again, also on a second call
 
     int found;
     while ((found = getopt_long_only(argc, argv, ":", options, nullptr)) != -1)
@@ -68,10 +68,12 @@ namespace Biface
     if (optind < argc)
       file_name = argv[optind++];
     if (optind < argc)
-      throw InputError("the command line names '" + file_name + "' and '" +
-                       argv[optind] + "', but one parameter file is allowed.");
+      throw InputError("the command line has the files '" + file_name +
+                       "' and '" + argv[optind] +
+                       "', but only one parameter file is "
+                       "allowed.");
     if (file_name.empty() && (action == Action::run || action == Action::check))
-      throw InputError("the command line names no parameter file; see --help.");
+      throw InputError("the command line has no parameter file; see --help.");
   }
 
 
@@ -84,20 +86,18 @@ namespace Biface
            "a parameter\nfile.\n"
            "\n"
            "  --set \"Section/Entry=value\"  override the file (repeatable)\n"
-           "  --output DIR                 where the results go\n"
-           "  --restart                    continue the run whose results are "
-           "there\n"
+           "  --output DIR                 directory of the results\n"
+           "  --restart                    continue the run in this directory\n"
            "  --print-parameters[=json]    print all entries with their "
            "documentation\n"
-           "  --check                      read and check the file, do not "
-           "run\n"
+           "  --check                      check the file, do not run\n"
            "  --quiet                      print errors only; run.log has "
            "the rest\n"
            "  --version                    print the version\n"
            "  --help                       print this text\n"
            "\n"
-           "Exit codes: 0 done, 1 wrong input, 2 no convergence (what was "
-           "reached is kept),\n3 results cannot be written, or internal "
+           "Exit codes: 0 success, 1 invalid input, 2 no convergence "
+           "(converged steps are\nkept), 3 results cannot be written, or internal "
            "error, 130 and 143 stopped by SIGINT and SIGTERM.\n";
   }
 } // namespace Biface

@@ -48,8 +48,7 @@ namespace Biface
     }
 
 
-    /** The words and numbers of a value, without regard to blanks that say
-     * nothing. */
+    /** The words and numbers of a value, ignoring insignificant blanks. */
     std::vector<std::string>
     words_of(const std::string &value)
     {
@@ -78,11 +77,11 @@ namespace Biface
     }
 
 
-    /** Whether an entry may be another one when a run goes on. */
+    /** Whether an entry may change when a run is continued. */
     bool
     may_change(const std::string &entry, const Progress &progress)
     {
-      // compared by what the files hold
+      // the contents of the files are compared
       if (entry == "Surface/Spline/File" || entry == "Laminate/Tables")
         return true;
       if (entry == "Mesh/Distribution" || entry == "Number of stages")
@@ -138,18 +137,18 @@ namespace Biface
             std::stoul(entry.second) <= progress.stage)
           throw InputError(entry.first,
                            entry.second,
-                           "the run that is to go on has come to stage " +
+                           "the run to be continued has reached stage " +
                              std::to_string(progress.stage + 1));
         if (may_change(entry.first, progress))
           continue;
         if (old == values.end())
           throw InputError("the entry " + in_quotes(entry.first) + " is " +
                            in_quotes(entry.second) +
-                           ", but the run that is to go on had no such entry.");
+                           ", but the run to be continued had no such entry.");
         if (!same_value(entry.second, old->second))
           throw InputError("the entry " + in_quotes(entry.first) + " is " +
                            in_quotes(entry.second) +
-                           ", but the run that is to go on had " +
+                           ", but the run to be continued had " +
                            in_quotes(old->second) + ".");
       }
 
@@ -158,12 +157,12 @@ namespace Biface
         const auto old = files_before.find(file.first);
         if (old == files_before.end() || old->second != file.second)
           throw InputError("the file of the entry " + in_quotes(file.first) +
-                           " is not the one of the run that is to go on.");
+                           " differs from that of the run to be continued.");
       }
     for (const auto &file : files_before)
       if (files_now.count(file.first) == 0)
         throw InputError("the entry " + in_quotes(file.first) +
-                         " names no file, but the run that is to go on had "
+                         " names no file, but the run to be continued had "
                          "one.");
   }
 } // namespace Biface

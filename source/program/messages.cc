@@ -30,16 +30,16 @@ namespace Biface
         << "BLAS: " << blas << '\n';
     if (blas.find("openblas") == std::string::npos &&
         blas.find("mkl") == std::string::npos)
-      out << "  (not OpenBLAS: linear solves may take several times as long; "
+      out << "  (not OpenBLAS: linear solves may take several times longer; "
              "on Debian, install libopenblas0-pthread)\n";
 
     const std::vector<std::string> motions = free_rigid_motions(mesh);
     if (!motions.empty())
       {
-        out << "The supports do not prevent rigid motions: ";
+        out << "The supports do not prevent these rigid motions: ";
         for (unsigned int i = 0; i < motions.size(); ++i)
           out << (i > 0 ? ", " : "") << motions[i];
-        out << ". Only loads or contact can.\n";
+        out << ". Only loads or contact can prevent them.\n";
       }
     out << std::endl;
   }
@@ -147,7 +147,7 @@ namespace Biface
         out << line;
       }
 
-    // as far as Linux tells
+    // as reported by Linux
     Utilities::System::MemoryStats stats{};
     Utilities::System::get_memory_stats(stats);
     const double kilobytes =

@@ -31,8 +31,8 @@ namespace Biface
     prm.declare_entry("Materials",
                       names,
                       Patterns::Anything(),
-                      "Names of the materials, separated by commas. The "
-                      "section 'Material NAME' describes each.");
+                      "Names of the materials, separated by commas. Each has "
+                      "a section 'Material NAME'.");
     materials.resize(material_names.size());
     for (unsigned int i = 0; i < materials.size(); ++i)
       {
@@ -64,8 +64,9 @@ namespace Biface
     prm.declare_entry("Number of stages",
                       std::to_string(n_stages),
                       Patterns::Integer(1, 1000),
-                      "How many sections 'Stage 1', 'Stage 2', ... there are. "
-                      "Each goes on from the end of the one before it.");
+                      "Number of stages. Each has a section 'Stage 1', "
+                      "'Stage 2', ... and starts from the end of the "
+                      "previous one.");
     stages.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
       {
@@ -130,8 +131,8 @@ namespace Biface
     for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
       if (!supports.edges[static_cast<unsigned int>(edge)].empty())
         throw InputError(
-          "the section 'Supports' holds an edge of alpha_2, but the coordinate "
-          "is closed ('Mesh/Closed in alpha_2') and has no edge.");
+          "the section 'Supports' supports an edge of alpha_2, but the "
+          "coordinate is closed ('Mesh/Closed in alpha_2') and has no edges.");
     const std::string why = "the coordinate is closed and has no such edge";
     for (const EdgeForce &force : loads.edge_forces)
       if (is_closed(force.edge))
@@ -144,8 +145,7 @@ namespace Biface
 
   namespace
   {
-    /** Whether a support of an edge across alpha_2 is 'symmetry', however it is
-     * written. */
+    /** Whether a support of an edge of alpha_2 is equivalent to 'symmetry'. */
     bool
     is_symmetry(const std::vector<SupportCondition> &support)
     {
@@ -220,8 +220,8 @@ namespace Biface
         std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
           return stage.pressure.value_or(0) != 0;
         }))
-      sentences.push_back("No stage has a 'Pressure', which " +
-                          in_quotes(of_pressure) + " would describe.");
+      sentences.push_back("No stage has a 'Pressure', to which " +
+                          in_quotes(of_pressure) + " would apply.");
 
     if (!mesh.closed && is_symmetry(supports.edges[2]) &&
         is_symmetry(supports.edges[3]))

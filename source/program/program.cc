@@ -27,7 +27,7 @@ namespace Biface
 
   namespace
   {
-    /** The checkpoint to continue from, if that is asked for, and fits. */
+    /** The checkpoint to continue from, if requested and consistent. */
     std::unique_ptr<const Checkpoint>
     find_checkpoint(const Parameters &parameters,
                     const RunRecord  &record,
@@ -48,7 +48,7 @@ namespace Biface
     }
 
 
-    /** Print why a run ended early. */
+    /** Print the reason why a run ended early. */
     ExitCode
     explain_end(const LoadSteppingResult &result,
                 const unsigned int        n_steps,
@@ -72,7 +72,7 @@ namespace Biface
     }
 
 
-    /** Go through the stages and write the results.
+    /** Run the stages and write the results.
      * @param checkpoint from which the run continues; null for a new run. */
     ExitCode
     run_stages(const Parameters   &parameters,

@@ -44,7 +44,7 @@ namespace Biface
     /** A text of settings. */
     struct Source
     {
-      /** What error messages call it. */
+      /** Its name in error messages. */
       std::string name;
       std::string text;
     };
@@ -66,13 +66,13 @@ namespace Biface
         Utilities::split_string_list(setting.substr(0, equals), '/');
       if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
         throw InputError(option, value, form);
-      // what would end a line of a file, or go on with the next one
+      // characters that would end the line or continue it in the next one
       if (setting.find_first_of("\n\r#") != std::string::npos ||
           Utilities::trim(setting).back() == '\\')
         throw InputError(option,
                          value,
-                         "it must be one line without '#', and without a "
-                         "backslash at its end");
+                         "it must be a single line without '#' and without a "
+                         "backslash at the end");
 
       std::string text;
       for (unsigned int i = 0; i + 1 < path.size(); ++i)
@@ -84,7 +84,7 @@ namespace Biface
     }
 
 
-    /** Refuse sections of stages and materials that are not there. */
+    /** Refuse sections of stages and materials that do not exist. */
     void
     check_sections(const Source                   &source,
                    const std::vector<std::string> &materials,
@@ -126,9 +126,9 @@ namespace Biface
     }
 
 
-    /** Make names of files absolute, so that the parameters as written find
-     * the files, too.
-     * @param file_name whose folder they are relative to. */
+    /** Make names of files absolute, so that the written parameters find the
+     * files.
+     * @param file_name the file to whose folder they are relative. */
     void
     make_names_absolute(const std::string &file_name,
                         Parameters        &parameters,
@@ -140,7 +140,7 @@ namespace Biface
           std::filesystem::absolute(
             std::filesystem::path(file_name).parent_path() / name, error)
             .string();
-        // the reader of the file says what is wrong
+        // the reader of the file reports the error
         if (!error)
           name = result;
       };
@@ -166,7 +166,7 @@ namespace Biface
     }
 
 
-    /** Names that were in use before, and still work. */
+    /** Old names that still work. */
     std::vector<OldName>
     old_names()
     {
@@ -184,10 +184,9 @@ namespace Biface
     }
 
 
-    /** Read settings, later ones in place of earlier ones.
-     * @param file_name whose folder holds the files that the settings name.
-     * @return old names that the settings use.
-     */
+    /** Read settings; later ones replace earlier ones.
+     * @param file_name the file to whose folder names of files are relative.
+     * @return the old names in the settings. */
     std::vector<OldName>
     parse_sources(std::vector<Source> sources,
                   const std::string  &file_name,
@@ -195,7 +194,7 @@ namespace Biface
                   ParameterHandler   &prm)
     {
       std::vector<OldName> used_old_names;
-      // these decide which sections there are
+      // these determine which sections exist
       ParameterHandler         names_only;
       unsigned int             n_stages = 1;
       std::vector<std::string> materials{"cord"};
@@ -228,7 +227,8 @@ namespace Biface
             file_name + ": " +
             InputError("Materials",
                        materials[i].empty() ? "," : materials[i],
-                       "each name must be there once, without ':', '/', '@'")
+                       "names must be unique and must not contain ':', '/', "
+                       "'@'")
               .what());
 
       parameters.add_parameters(prm, materials, n_stages);

@@ -11,7 +11,7 @@ namespace Biface
 {
   namespace
   {
-    // the only type that a handler may change
+    // the only type that a handler may write to
     volatile std::sig_atomic_t noted = 0;
 
     extern "C" void

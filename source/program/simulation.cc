@@ -20,12 +20,12 @@ namespace Biface
 
   namespace
   {
-    /** Refuse a mesh that cannot fit, before the system stops the program
-     * without a word. */
+    /** Refuse a mesh that exceeds the memory, before the system kills the
+     * program. */
     void
     check_memory(const ChartGrid &grid, const MPI_Comm communicator)
     {
-      // the set-up alone takes more; solving it, several times as much
+      // the set-up alone takes more; the solution takes several times as much
       constexpr double bytes_per_node = 5000;
 
       MPI_Comm machine;
@@ -42,7 +42,7 @@ namespace Biface
       const double needed = n_nodes * bytes_per_node * n_copies;
       const double available =
         static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
-      // all ranks alike, also on different machines
+      // the same decision on all ranks, also on different machines
       if (Utilities::MPI::max(needed / available, communicator) <= 1)
         return;
       const double gigabyte = 1e9;
@@ -58,7 +58,7 @@ namespace Biface
     }
 
 
-    /** @param grid of the mesh; null for that of the parameters. */
+    /** @param grid the grid of the mesh; null for that of the parameters. */
     std::unique_ptr<const ShellMesh>
     make_shell_mesh(const Parameters &parameters,
                     const MPI_Comm    communicator,
@@ -132,8 +132,8 @@ namespace Biface
         if (coarser.lines == grid.lines)
           throw InputError("Mesh/Coarse meshes",
                            std::to_string(parameters.mesh.n_coarse),
-                           "the mesh has too few cells for that many coarser "
-                           "ones");
+                           "the mesh has too few cells for so many coarser "
+                           "meshes");
         grid = coarser;
       }
   }

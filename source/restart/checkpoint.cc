@@ -31,7 +31,7 @@ namespace Biface
     }
 
 
-    /** The distributed part of the shell's state, by names. */
+    /** The distributed part of the state of the shell, by name. */
     std::vector<CheckpointFile::Table>
     tables_of(const ShellEquations &equations,
               const State          &state,
@@ -148,8 +148,8 @@ namespace Biface
     const auto       vector = [&](const std::string &name) {
       return vector_from(reader->rows(name, nodes), mesh);
     };
-    // to be read at all nodes of this rank; a temporary would be moved, and
-    // bring along that it has the owned ones only
+    // with ghost entries; a temporary would be moved together with its
+    // partition, which has only the owned entries
     const auto ghosted = [&](const std::string &name) {
       const LA::Vector owned  = vector(name);
       LA::Vector       result = mesh.ghosted_vector();

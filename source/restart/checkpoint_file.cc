@@ -31,10 +31,10 @@ namespace Biface
       /** The first bytes of a file. */
       constexpr std::array<char, 8> magic{
         {'b', 'i', 'f', 'a', 'c', 'e', '\r', '\n'}};
-      /** Reads as another number on machines of another byte order. */
+      /** Read as a different number on machines with another byte order. */
       constexpr std::uint32_t byte_order = 0x01020304;
 
-      /** Numbers that pass through the first rank at once. */
+      /** The number of values that the first rank handles at once. */
       constexpr std::uint64_t piece = 1 << 20;
 
       /** CRC-64/XZ. */
@@ -46,7 +46,7 @@ namespace Biface
                                           true>;
 
 
-      /** Puts numbers into a file, and into its checksum. */
+      /** Writes numbers to a file and adds them to its checksum. */
       class Sink
       {
       public:
@@ -172,7 +172,7 @@ namespace Biface
           sink->put_number<std::uint64_t>(sink->checksum.checksum());
           AtomicFile &file = sink->file;
           file.sync();
-          // between the two changes of names, the older file is the newest
+          // between the two renames, the older file is the latest
           if (file.error().empty() &&
               std::rename(path.c_str(), previous.c_str()) != 0 &&
               errno != ENOENT)
@@ -222,8 +222,8 @@ namespace Biface
       };
 
 
-      /** What is wrong with a file, as the end of a sentence that starts with
-       * its name; empty if nothing is. */
+      /** The error in a file, as the end of a sentence that starts with its
+       * name; empty if there is none. */
       std::string
       damage(const std::string &path)
       {

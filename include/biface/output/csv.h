@@ -18,7 +18,7 @@ namespace Biface
    * of column names.
    *
    * Must be called on all ranks; the first one writes. Throws OutputError on
-   * all ranks where the file cannot be written.
+   * all ranks if the file cannot be written.
    *
    * @param header column names, separated by commas.
    */
@@ -35,7 +35,7 @@ namespace Biface
   /**
    * Append a text to a file, or replace the contents, on the first rank. On
    * failure the file is unchanged. Must be called on all ranks. Throws
-   * OutputError on all of them where the file cannot be written.
+   * OutputError on all ranks if the file cannot be written.
    */
   void
   write_text(const std::string &path,
@@ -47,7 +47,7 @@ namespace Biface
    * Write the texts of all ranks, in the order of the ranks, to one file. On
    * failure the file is unchanged. Must be called on all ranks; the first one
    * writes, and stores the text of one rank at a time. Throws OutputError on
-   * all of them where the file cannot be written.
+   * all ranks if the file cannot be written.
    */
   void
   write_texts_of_ranks(const std::string &path,

@@ -17,7 +17,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** Heights within each ply. */
+      /** Number of heights within each ply. */
       unsigned int points_per_ply = 3;
 
       void
@@ -29,7 +29,7 @@ namespace Biface
               ResultsDirectory      &directory,
               const ShellEquations  &equations);
 
-    /** Not where no point is named. */
+    /** Not if no point is named. */
     bool
     is_wanted() const override;
 

@@ -12,9 +12,9 @@ namespace Biface
 {
   /**
    * The plies of the deformed shell: one hexahedron per ply of every locally
-   * owned cell, between the ply's real surfaces. Data: the displacement, the
-   * unit vector along the fibers as deformed, the number of the ply (from 1 at
-   * the inner face), and ply_values().
+   * owned cell, between the two sides of the ply. Data: the displacement, the
+   * unit vector along the deformed fibers, the number of the ply (from 1 at the
+   * inner face), and ply_values().
    */
   class PlyPatches : public VertexPatches<3>
   {

@@ -14,7 +14,7 @@
 
 namespace Biface
 {
-  /** The criteria whose failure indices are asked for. */
+  /** The requested failure criteria. */
   struct FailureCriteria
   {
     bool maximum_stress = false;
@@ -23,8 +23,8 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Which materials lack the strengths that the criteria need: a sentence
-     * each. */
+    /** A sentence for each material without the strengths that the criteria
+     * need. */
     std::vector<std::string>
     warnings(const Layup &layup) const;
   };
@@ -39,10 +39,10 @@ namespace Biface
     dealii::SymmetricTensor<2, 3> stress;
 
     /**
-     * @param laminate at the point.
-     * @param ply position in it.
-     * @param fraction of the ply's thickness at which the point lies.
-     * @param E the strains of the faces there, see Resultants.
+     * @param laminate the laminate at the point.
+     * @param ply the position of the ply in it.
+     * @param fraction the position in the ply as a fraction of its thickness.
+     * @param E the strains of the faces at the point, see Resultants.
      */
     PlyState(const Laminate           &laminate,
              const unsigned int        ply,
@@ -51,17 +51,17 @@ namespace Biface
   };
 
 
-  /** Names of what ply_values() returns. */
+  /** The names of the values returned by ply_values(). */
   std::vector<std::string>
   ply_value_names(const FailureCriteria &criteria);
 
   /**
-   * What is reported of a point within a ply: strains and stresses in the
-   * frame of the shell, then in the axes of the ply, then the failure indices
-   * asked for. Shear strains are engineering ones, twice the components. Where
-   * the ply has no strengths, its indices are not numbers.
+   * The results at a point within a ply: strains and stresses in the frame of
+   * the shell, then in the axes of the ply, then the requested failure indices.
+   * Shear strains are engineering strains, twice the components. Without
+   * strengths of the ply, the indices are NaN.
    *
-   * @param angle of the ply, radians.
+   * @param angle the angle of the ply in radians.
    */
   std::vector<double>
   ply_values(const PlyState        &state,

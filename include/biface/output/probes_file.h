@@ -19,22 +19,22 @@ namespace Biface
   };
 
 
-  /** The displacements at a named point, on all ranks, of which all must call
-   * this. */
+  /** The displacements at a named point, on all ranks. Must be called on all
+   * ranks. */
   PointDisplacement
   displacement_at(const NamedPoint &point,
                   const LA::Vector &displacement,
                   const ShellMesh  &mesh);
 
 
-  /** probes.csv: displacements of both faces, and of the middle, at the named
-   * points. */
+  /** probes.csv: displacements of both faces and of the middle surface at the
+   * named points. */
   class ProbesFile : public StepTable
   {
   public:
     ProbesFile(ResultsDirectory &directory, const ShellEquations &equations);
 
-    /** Not where no point is named. */
+    /** Not if no point is named. */
     bool
     is_wanted() const override;
 

@@ -15,7 +15,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** Of the line; the nearest one of the grid is taken. */
+      /** The coordinate of the line; the nearest grid line is used. */
       double alpha_2 = 0;
 
       void

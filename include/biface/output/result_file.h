@@ -15,20 +15,20 @@
 
 namespace Biface
 {
-  /** Where the files of results are. All functions must be called on all
+  /** The directory of the files of results. All functions must be called on all
    * ranks. */
   class ResultsDirectory
   {
   public:
-    /** Make the directory, if need be. Throws InputError where that is not
-     * possible. */
+    /** Create the directory if it does not exist. Throws InputError if that
+     * fails. */
     ResultsDirectory(const std::string &name, const MPI_Comm communicator);
 
-    /** The path of a file of the directory that is about to be written. */
+    /** The path of a file in the directory, which is about to be written. */
     std::string
     path(const std::string &file);
 
-    /** Bring the files of all paths given out since the last call to the disk.
+    /** Flush the files of all paths requested since the last call to the disk.
      * Throws OutputError. */
     void
     sync();
@@ -42,9 +42,9 @@ namespace Biface
 
 
   /**
-   * A file of results, or a series of them with one per step; see
-   * doc/output.md for those there are. It knows which steps it holds, so that a
-   * restart can continue it. All functions must be called on all ranks.
+   * A file of results, or a series with one file per step; see doc/output.md
+   * for a list. It records which steps it contains, so that a restart can
+   * continue it. All functions must be called on all ranks.
    */
   class ResultFile
   {
@@ -56,25 +56,25 @@ namespace Biface
 
     virtual ~ResultFile() = default;
 
-    /** Such as "history.csv", or "contact-*.csv" with the number of the step in
-     * place of the star. Checkpoints know the file by it. */
+    /** Such as "history.csv", or "contact-*.csv" with a star instead of the
+     * number of the step. Checkpoints identify the file by it. */
     const std::string name;
 
-    /** The name as told to the user, with what the file is for. */
+    /** The name and the purpose of the file, for the user. */
     virtual std::string
     description() const
     {
       return name;
     }
 
-    /** Whether it is asked for, and there is something to write. */
+    /** Whether it is requested and there is something to write. */
     virtual bool
     is_wanted() const
     {
       return true;
     }
 
-    /** What is asked for and cannot be given: a sentence each. */
+    /** A sentence for each requested result that is not available. */
     virtual std::vector<std::string>
     warnings() const
     {
@@ -86,8 +86,8 @@ namespace Biface
     start()
     {}
 
-    /** Continue the file of an earlier run after the given steps: what it holds
-     * beyond is cut off. Throws InputError where it holds less. */
+    /** Continue the file of an earlier run after the given steps; later ones
+     * are removed. Throws InputError if some of them are missing. */
     void
     resume(const std::vector<unsigned int> &steps);
 
@@ -95,7 +95,7 @@ namespace Biface
     void
     write_step(const StepReport &report, const State &state);
 
-    /** The steps that the file holds. */
+    /** The steps in the file. */
     const std::vector<unsigned int> &
     get_steps() const
     {
@@ -103,8 +103,8 @@ namespace Biface
     }
 
   protected:
-    /** Cut off what the file holds beyond get_steps(). A series of files has
-     * nothing to cut: later steps replace theirs. */
+    /** Remove what the file contains beyond get_steps(). In a series of files,
+     * later steps replace the old files. */
     virtual void
     cut_back()
     {}
@@ -113,7 +113,7 @@ namespace Biface
     virtual void
     write(const StepReport &report, const State &state) = 0;
 
-    /** The path of the file, with the number of a step for the star. */
+    /** The path of the file, with the number of a step instead of the star. */
     std::string
     path(const unsigned int step = 0) const;
 
@@ -126,12 +126,12 @@ namespace Biface
   };
 
 
-  /** A file of results that is one table, to which each step appends the same
-   * number of lines. Its first column is the step. */
+  /** A file of results that is a single table, to which each step appends the
+   * same number of lines. The first column is the step. */
   class StepTable : public ResultFile
   {
   public:
-    /** @param header names of the columns, separated by commas. */
+    /** @param header the names of the columns, separated by commas. */
     StepTable(const std::string    &name,
               const std::string    &header,
               const unsigned int    lines_per_step,
@@ -145,7 +145,7 @@ namespace Biface
     void
     cut_back() override;
 
-    /** @param lines each with its end. */
+    /** @param lines complete lines, including line ends. */
     void
     append(const std::string &lines) const;
 
@@ -155,8 +155,8 @@ namespace Biface
   };
 
 
-  /** A node's coordinate as a person writes it: degrees for an angle. Free of
-   * round-off, so that nodes of one coordinate line agree in it. */
+  /** The coordinate of a node in the user's unit: degrees for an angle.
+   * Rounded, so that all nodes of a coordinate line have the same value. */
   double
   chart_coordinate(const ReferenceSurface &surface,
                    const Node             &node,

@@ -39,39 +39,40 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** The steps that each file holds, by ResultFile::name. */
+    /** The steps in each file, by ResultFile::name. */
     using Written = std::map<std::string, std::vector<unsigned int>>;
 
     /**
-     * Make the directory, if need be, and start the files. Throws InputError
-     * where that is not possible.
+     * Create the directory if it does not exist, and start the files. Throws
+     * InputError if that fails.
      *
-     * @param continued what an earlier run has written, to continue its files:
-     * what they hold beyond is cut off. Throws InputError where they hold less.
+     * @param continued the steps written by an earlier run, to continue its
+     * files; later ones are removed. Throws InputError if some of them are
+     * missing.
      */
     ResultsWriter(const Parameters             &parameters,
                   const ShellEquations         &equations,
                   const std::optional<Written> &continued = {});
 
-    /** What is asked for and cannot be given: a sentence each. */
+    /** A sentence for each requested result that is not available. */
     std::vector<std::string>
     warnings() const;
 
-    /** The names of the files, with what they are for. */
+    /** The names and purposes of the files. */
     std::vector<std::string>
     list() const;
 
-    /** Write the parameters as used. A comment in the first line names the
-     * program's version and the file that they were read from.
-     * @param text of a parameter file. */
+    /** Write the parameters as used. A comment in the first line gives the
+     * version of the program and the file that was read.
+     * @param text the text of a parameter file. */
     void
     write_parameters(const std::string &text, const std::string &file_name);
 
-    /** Write everything about a converged step. Throws OutputError. */
+    /** Write all results of a converged step. Throws OutputError. */
     void
     write_step(const StepReport &report, const State &state);
 
-    /** Bring all that was written to the disk. Throws OutputError. */
+    /** Flush all files to the disk. Throws OutputError. */
     void
     sync()
     {

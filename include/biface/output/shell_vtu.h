@@ -12,7 +12,7 @@ namespace Biface
   /**
    * Both faces of the deformed shell: one quadrilateral per face of every
    * locally owned cell. Data: the displacement, the contact pressure, the
-   * active set, which face it is, and the resultants.
+   * active set, the face, and the resultants.
    */
   class FacePatches : public VertexPatches<2>
   {

@@ -21,11 +21,11 @@ namespace Biface
     add(const StepReport &report, const State &state, const ShellMesh &mesh);
 
     /**
-     * Print the load factor and the pressure if they differ from 0, the contact
-     * zone of steps with contact, and of named points the component of the
-     * displacement that is the largest in the end; as many points as there is
-     * room for. Nothing without steps.
-     * @param points those of the mesh.
+     * Print the load factor and the pressure if not zero, the contact zone of
+     * steps with contact, and for each named point the component of the
+     * displacement that is largest at the end, for as many points as fit.
+     * Nothing without steps.
+     * @param points the named points of the mesh.
      */
     void
     print(const std::vector<NamedPoint> &points, std::ostream &out) const;
@@ -44,7 +44,8 @@ namespace Biface
       double         factor, pressure, approach;
       bool           in_contact;
       ContactSummary contact;
-      /** Of the middle at the named points, Cartesian, one after the other. */
+      /** Cartesian displacements of the middle surface at the named points, one
+       * after the other. */
       std::vector<double> displacements;
 
       template <class Archive>

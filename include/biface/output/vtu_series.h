@@ -18,15 +18,15 @@ namespace Biface
   class VertexPatches : public dealii::DataOutInterface<dim, 3>
   {
   public:
-    /** @param names of the data; the three components of a vector have the same
-     * one. */
+    /** @param names the names of the data; the three components of a vector
+     * have the same name. */
     explicit VertexPatches(const std::vector<std::string> &names) : names(names)
     {}
 
   protected:
     using Patch = dealii::DataOutBase::Patch<dim, 3>;
 
-    /** A patch with its number, and with room for data. */
+    /** A patch with its number and space for the data. */
     Patch
     new_patch() const;
 
@@ -56,7 +56,8 @@ namespace Biface
   };
 
 
-  /** A VTU file per step, and NAME.pvd, which names them all for ParaView. */
+  /** A VTU file per step, and NAME.pvd, which lists all of them for
+   * ParaView. */
   class VtuSeries : public ResultFile
   {
   public:
@@ -87,7 +88,7 @@ namespace Biface
     write_patches(VertexPatches<dim> &patches, const unsigned int step) const;
 
   private:
-    /** The file that names those of all steps. */
+    /** Write the list of the files of all steps. */
     void
     write_record() const;
 

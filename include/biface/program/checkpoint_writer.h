@@ -30,7 +30,7 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where a value is not usable. */
+      /** Throws InputError if a value is invalid. */
       void
       check() const;
     };

@@ -10,7 +10,7 @@
 
 namespace Biface
 {
-  /** What the command line asks for. */
+  /** The command line. */
   struct CommandLine
   {
     enum class Action
@@ -27,13 +27,13 @@ namespace Biface
     std::vector<Override> overrides;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
-    /** Whether to print nothing on the screen but errors. */
+    /** Whether to print only errors to the screen. */
     bool quiet = false;
 
-    /** Parameters are printed for programs, not for people. */
+    /** Whether to print parameters as JSON. */
     bool json = false;
 
-    /** Throws InputError where the words make no sense. */
+    /** Throws InputError if the command line is invalid. */
     CommandLine(int argc, char **argv);
 
     static std::string

@@ -14,16 +14,16 @@
 namespace Biface
 {
   /**
-   * Check that a run can go on with changed parameters: those that describe the
-   * shell, its loads, and the stages that are done must be the same, see
-   * doc/restart.md. Numbers may be written in another way.
+   * Check that a run can be continued with changed parameters: those of the
+   * shell, its loads, and the completed stages must be unchanged, see
+   * doc/restart.md. Numbers may be written differently.
    *
    * Throws InputError that names the entry and both values.
    *
    * @param before, now all entries as the text of a parameter file.
-   * @param files_before, files_now see Parameters::named_pairs(); the names of
-   * files do not matter, their contents do.
-   * @param progress of the run.
+   * @param files_before, files_now see Parameters::named_pairs(); only the
+   * contents of files matter, not their names.
+   * @param progress the progress of the run.
    */
   void
   check_continuation(const std::string  &before,

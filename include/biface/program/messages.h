@@ -17,27 +17,27 @@
 
 namespace Biface
 {
-  /** Version, ranks, size of the mesh, BLAS, and rigid motions left free. */
+  /** Version, ranks, size of the mesh, BLAS, and free rigid motions. */
   void
   print_header(const Simulation &simulation, dealii::ConditionalOStream &out);
 
 
-  /** How far a run has come: for a line after every step. */
+  /** The progress of a run, for a line after every step. */
   class StepCounter
   {
   public:
-    /** @param stages of the run, which are kept by reference.
-     * @param progress with which it starts. */
+    /** @param stages the stages of the run, kept by reference.
+     * @param progress the progress at the start. */
     StepCounter(const std::vector<Stage> &stages, const Progress &progress);
 
-    /** "step 3 of 21: ...; 2.1 s so far, about 12 s left". How many steps
-     * there will be, and the time, are told where each step is a given part of
-     * its stage. */
+    /** "step 3 of 21: ...; 2.1 s so far, about 12 s left". The total number of
+     * steps and the remaining time are given if each step is a given fraction
+     * of its stage. */
     std::string
     line(const StepReport &report, const Progress &progress) const;
 
   private:
-    /** Steps done of those that the stages plan, with parts of one. */
+    /** Completed steps of those planned by the stages, including fractions. */
     double
     done(const Progress &progress) const;
 
@@ -49,19 +49,19 @@ namespace Biface
   };
 
 
-  /** Times of the parts of the run, and the peak of the memory of all ranks
-   * together. Must be called on all ranks. */
+  /** Times of the parts of the run, and the peak memory of all ranks. Must be
+   * called on all ranks. */
   void
   print_costs(Simulation &simulation, dealii::ConditionalOStream &out);
 
-  /** Where the results are. @param files see ResultsWriter::list(). */
+  /** The location of the results. @param files see ResultsWriter::list(). */
   void
   print_files(const std::string              &directory,
               const std::vector<std::string> &files,
               dealii::ConditionalOStream     &out);
 
-  /** What the failure of a step means, what may help, and how far the run
-   * came: indented lines. */
+  /** The meaning of the failure of a step, possible remedies, and the progress
+   * of the run, as indented lines. */
   std::string
   failure_paragraph(const LoadSteppingResult &result);
 } // namespace Biface

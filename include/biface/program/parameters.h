@@ -27,13 +27,13 @@
 
 namespace Biface
 {
-  /** The contents of files of pairs, by the entries that name them. */
+  /** The contents of files of pairs, by entry. */
   using PairsByEntry = std::map<std::string, std::vector<dealii::Point<2>>>;
 
 
   /**
    * All parameters of a run. Each part is declared by the class that uses it;
-   * here they are put together in reading order.
+   * here they are collected in reading order.
    */
   struct Parameters
   {
@@ -60,23 +60,23 @@ namespace Biface
                    const std::vector<std::string> &material_names,
                    const unsigned int              n_stages);
 
-    /** Check all that needs no mesh: values, and whether the names of points,
-     * edges, materials and tables that entries use are there. Throws
+    /** Check everything that does not need a mesh: values, and whether the
+     * points, edges, materials and tables named by entries exist. Throws
      * InputError. */
     void
     check() const;
 
-    /** Sentences about what is allowed, but hardly meant: loads that no stage
-     * applies, and symmetry where angle plies have none. */
+    /** Warnings about input that is valid but probably unintended: loads that
+     * no stage applies, and symmetry supports with angle plies. */
     std::vector<std::string>
     warnings() const;
 
-    /** The pairs of the files that entries name, by these entries. */
+    /** The pairs of the files named by entries, by entry. */
     PairsByEntry
     named_pairs() const;
 
   private:
-    /** Throws InputError where the edges of a closed coordinate are held or
+    /** Throws InputError if the edges of a closed coordinate are supported or
      * loaded. */
     void
     check_edges() const;
@@ -94,7 +94,7 @@ namespace Biface
     Override(const char *setting) : Override(std::string(setting))
     {}
 
-    /** @param source what error messages call it. */
+    /** @param source its name in error messages. */
     Override(const std::string &setting, const std::string &source)
       : setting(setting), source(source)
     {}
@@ -107,7 +107,7 @@ namespace Biface
   /**
    * Parse a parameter file, which the first rank reads for all.
    *
-   * Throws InputError, on all ranks, where it cannot be read, holds an unknown
+   * Throws InputError on all ranks if it cannot be read, or contains an unknown
    * entry or a value that cannot be parsed; the sentence names file, line,
    * entry, value, and what is allowed.
    *
@@ -115,9 +115,9 @@ namespace Biface
    * @param overrides settings that take precedence over the file.
    * @param communicator the ranks.
    * @param parameters the result.
-   * @param prm gets the declared entries and their values.
+   * @param prm receives the declared entries and their values.
    *
-   * @return sentences about old names that are used.
+   * @return sentences about old names in use.
    */
   std::vector<std::string>
   parse_parameters(const std::string           &file_name,
@@ -126,8 +126,8 @@ namespace Biface
                    Parameters                  &parameters,
                    dealii::ParameterHandler    &prm);
 
-  /** The same, with Parameters::check(), and with the files that entries name,
-   * read by the first rank for all: what an analysis can start from. */
+  /** The same, including Parameters::check() and the files named by entries,
+   * which the first rank reads for all: everything an analysis needs. */
   std::vector<std::string>
   read_parameters(const std::string           &file_name,
                   const std::vector<Override> &overrides,

@@ -9,16 +9,16 @@
 
 namespace Biface
 {
-  /** What the program `biface` returns to its caller. */
+  /** The exit codes of the program `biface`. */
   enum ExitCode : int
   {
     done           = 0,
     wrong_input    = 1,
     no_convergence = 2,
-    /** Or results cannot be written; what was reached is kept. */
+    /** Or results cannot be written; converged steps are kept. */
     internal_error = 3,
-    /** Stopped by SIGINT or SIGTERM; what was reached is kept. The numbers are
-     * those a shell gives to processes that end by these signals. */
+    /** Stopped by SIGINT or SIGTERM; converged steps are kept. The numbers are
+     * those of shells for processes ended by these signals. */
     interrupted = 130,
     terminated  = 143
   };
@@ -28,11 +28,11 @@ namespace Biface
    *
    * @param argc, argv the command line.
    * @param communicator the ranks.
-   * @param out where the first rank prints its progress.
-   * @param err where the first rank prints what went wrong.
+   * @param out stream to which the first rank prints its progress.
+   * @param err stream to which the first rank prints errors.
    *
-   * Wrong input is found on all ranks alike and answered on the first. Other
-   * exceptions are left to the caller.
+   * Invalid input is detected on all ranks and reported by the first. Other
+   * exceptions are passed to the caller.
    */
   ExitCode
   run_program(int            argc,

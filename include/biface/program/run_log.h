@@ -11,8 +11,8 @@
 namespace Biface
 {
   /**
-   * What a run prints: to the screen, unless it is to be quiet, and to a file.
-   * Only the first rank prints.
+   * The output of a run, to the screen unless it is quiet, and to a file. Only
+   * the first rank prints.
    */
   class RunLog : private std::streambuf
   {
@@ -20,7 +20,7 @@ namespace Biface
     /** The screen is kept by reference. */
     RunLog(std::ostream &screen, const bool quiet, const bool is_first_rank);
 
-    /** Where to print. */
+    /** The stream to print to. */
     std::ostream &
     stream()
     {
@@ -28,8 +28,9 @@ namespace Biface
     }
 
     /**
-     * Print to a file, too; what was printed before is at its head. A file that
-     * cannot be opened does not end the run: a line on the screen says so.
+     * Also print to a file, starting with everything printed before. If the
+     * file cannot be opened, a line on the screen says so, and the run
+     * continues.
      * @param append whether to continue the file of an earlier run.
      */
     void
@@ -53,7 +54,7 @@ namespace Biface
     const bool    on_screen;
     const bool    is_first_rank;
     std::ofstream file;
-    /** What was printed before open(). */
+    /** The output before open(). */
     std::string  waiting;
     bool         opened = false;
     std::ostream out;

@@ -13,10 +13,10 @@ namespace Biface
 {
   /**
    * During the life of an object, SIGTERM and SIGINT are recorded instead of
-   * ending the process, and a file that exceeds the limit of the process is a
-   * failure to write instead of the end (SIGXFSZ). A second signal of the same
-   * kind has its previous effect. Signals belong to the process: only one
-   * object at a time.
+   * ending the process, and exceeding the file size limit is a write error
+   * instead of ending the process (SIGXFSZ). A second signal of the same kind
+   * has its previous effect. Signals belong to the process: only one object at
+   * a time.
    */
   class SignalWatch
   {

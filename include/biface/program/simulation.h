@@ -21,9 +21,9 @@
 namespace Biface
 {
   /**
-   * One analysis, from its parameters to its results. It holds no global
-   * state: any number of simulations can live in one program, each on a
-   * communicator of its own.
+   * An analysis, from its parameters to its results. There is no global state:
+   * a program can contain any number of simulations, each on its own
+   * communicator.
    */
   class Simulation
   {
@@ -31,18 +31,17 @@ namespace Biface
     /**
      * Set up the mesh and the equations.
      *
-     * @param parameters checked; see Parameters::check().
+     * @param parameters valid parameters, see Parameters::check().
      * @param communicator the ranks that share the work.
-     * @param stream what the first rank prints.
+     * @param stream the output of the first rank.
      *
-     * Throws InputError where the parameters do not go together.
+     * Throws InputError if the parameters are inconsistent.
      */
     Simulation(const Parameters &parameters,
                const MPI_Comm    communicator,
                std::ostream     &stream);
 
-    /** Run all stages, or what is left of them, and pass each converged step to
-     * @p observer.
+    /** Run all remaining stages and pass each converged step to @p observer.
      * @param stop see Newton. */
     LoadSteppingResult
     run(const LoadStepping::Observer &observer, const Newton::Stop &stop = {});
@@ -59,7 +58,8 @@ namespace Biface
       return contact;
     }
 
-    /** As of the last converged step; while the observer is called, too. */
+    /** The state of the last converged step, also while the observer is
+     * called. */
     const State &
     get_state() const
     {
@@ -73,7 +73,7 @@ namespace Biface
     }
 
     /** Continue another run of the same shell.
-     * @param stages_before those of that run, see check_continuation(). */
+     * @param stages_before the stages of that run, see check_continuation(). */
     void
     restore(const Checkpoint         &checkpoint,
             const std::vector<Stage> &stages_before);
@@ -85,7 +85,7 @@ namespace Biface
       return timer;
     }
 
-    /** Seconds that factorizations and solutions on coarser meshes took. */
+    /** Seconds spent in factorizations and solutions on coarser meshes. */
     double
     get_coarse_solver_seconds() const
     {
@@ -105,7 +105,8 @@ namespace Biface
                std::ostream                    &stream,
                std::unique_ptr<const ShellMesh> mesh);
 
-    /** Every second line of a grid, and those of points and ends of plies. */
+    /** Every second line of a grid and the lines of points and ends of
+     * plies. */
     ChartGrid
     coarser_grid(const ChartGrid &grid) const;
 

@@ -23,14 +23,13 @@ namespace Biface
    * doc/restart.md. */
   struct RunRecord
   {
-    /** Of the program that wrote it. */
+    /** The version of the program that wrote it. */
     std::string version;
     /** All parameters of the run, as the text of a parameter file. */
     std::string parameters;
     /** Its stages. */
     std::vector<Stage> stages;
-    /** The pairs in other files that were read, by the entries that name
-     * them. */
+    /** The pairs in other files that were read, by entry. */
     std::map<std::string, std::vector<dealii::Point<2>>> files;
 
     Progress               progress;
@@ -48,9 +47,10 @@ namespace Biface
   };
 
 
-  /** Write a checkpoint into a directory, two generations of them. Must be
+  /** Write a checkpoint into a directory, keeping the previous one. Must be
    * called on all ranks. Throws OutputError.
-   * @param equations, state with record.progress, where the run is. */
+   * @param equations, state the state of the run, together with
+   * record.progress. */
   void
   write_checkpoint(const std::string    &directory,
                    const RunRecord      &record,
@@ -69,19 +69,19 @@ namespace Biface
   {
   public:
     /**
-     * Read the newest checkpoint of a directory that is not damaged. Throws
-     * InputError where there is none.
+     * Read the latest valid checkpoint of a directory. Throws InputError if
+     * there is none.
      */
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 
-    /** A sentence if the newest checkpoint could not be used. */
+    /** A sentence if the latest checkpoint could not be used. */
     const std::string &
     get_warning() const
     {
       return warning;
     }
 
-    /** Remove the newest checkpoint if it could not be used, so that it never
+    /** Remove the latest checkpoint if it could not be used, so that it never
      * becomes the previous one. */
     void
     remove_unusable() const;

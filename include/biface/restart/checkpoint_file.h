@@ -16,13 +16,12 @@
 namespace Biface
 {
   /**
-   * The format of checkpoints: a binary file with a header, whose contents do
-   * not matter here, tables of rows by the numbers of nodes and cells, and a
-   * checksum (CRC-64) over everything. It does not depend on the number of
-   * ranks. The first rank writes and reads it in pieces, so that it never
-   * stores a whole table.
+   * The format of checkpoints: a binary file with an arbitrary header, tables
+   * with rows by node or cell number, and a checksum (CRC-64) of the whole
+   * file. It does not depend on the number of ranks. The first rank writes and
+   * reads it in pieces, so that it never stores a whole table.
    *
-   * Numbers are binary; machines of another byte order refuse the file.
+   * Numbers are binary; machines with another byte order refuse the file.
    */
   namespace CheckpointFile
   {
@@ -45,8 +44,8 @@ namespace Biface
     class Reader
     {
     public:
-      /** Check the file, and read its header. Throws InputError where it
-       * cannot be used. All functions must be called on all ranks. */
+      /** Check the file and read its header. Throws InputError if it cannot be
+       * used. All functions must be called on all ranks. */
       Reader(const std::string &path, const MPI_Comm communicator);
 
       const std::string &

@@ -14,13 +14,13 @@
 namespace Biface
 {
   /**
-   * Numbers of nodes or of cells, a row each, with the number that the node or
-   * cell has on any number of ranks (Node::number, Cell::number). Each rank has
-   * the rows of its own.
+   * A table with one row per node or cell, identified by a number that does not
+   * depend on the number of ranks (Node::number, Cell::number). Each rank has
+   * the rows of its own nodes or cells.
    */
   struct NumberedRows
   {
-    /** Length of a row, and how many rows all ranks have. */
+    /** Length of a row, and the number of rows on all ranks. */
     unsigned int  width  = 0;
     std::uint64_t n_rows = 0;
 
@@ -47,7 +47,7 @@ namespace Biface
   rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
           const ShellMesh                         &mesh);
 
-  /** Which rows the following functions need. */
+  /** The rows needed by the functions below. */
   std::vector<std::uint64_t>
   numbers_of_owned_nodes(const ShellMesh &mesh);
 
