@@ -100,8 +100,8 @@ namespace Biface
       }
     };
 
-    /** Check the entries of the stage. Throws InputError.
-     * @param section the section of the stage, for error messages. */
+    /** Check the entries of the stage. Throws InputError that names its section
+     * and the entry. */
     virtual void
     check(const std::string & /*section*/, const KnownStart & /*start*/) const
     {}
