@@ -32,8 +32,11 @@ main(int argc, char *argv[])
       }
 
   const auto history = read_table(directory + "/history.csv");
-  const auto factor  = [&](const unsigned int step) {
-    return std::stod(history[step].back());
+  const auto column =
+    std::find(history[0].begin(), history[0].end(), "load_factor") -
+    history[0].begin();
+  const auto factor = [&](const unsigned int step) {
+    return std::stod(history[step].at(column));
   };
   unsigned int rising = 0, falling = 0, wrong = 0;
   // a step across a limit point tells of both sides
