@@ -32,7 +32,7 @@ namespace Biface
 
       std::error_code error;
       if (std::filesystem::is_directory(file_name, error))
-        return "cannot be read (it is a directory)";
+        return "cannot be read (it is a directory), but must be a readable file";
       errno = 0;
       const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
         std::fopen(file_name.c_str(), "rb"), &std::fclose);
@@ -47,7 +47,8 @@ namespace Biface
         }
       if (!file || std::ferror(file.get()))
         return std::string("cannot be read (") +
-               (errno != 0 ? std::strerror(errno) : "unknown reason") + ")";
+               (errno != 0 ? std::strerror(errno) : "unknown reason") +
+               "), but must be a readable file";
       if (text.size() > limit)
         return "exceeds the limit of 64 MiB";
       const auto nul = text.find('\0');

@@ -393,8 +393,7 @@ namespace
     if (!names_part && !names_file && !names_section &&
         !holds(value.substr(0, 100)))
       return "does not name the value";
-    // of a file that cannot be read, the system's reason says it
-    if (!holds(", but ") && !holds("' cannot be read ("))
+    if (!holds(", but "))
       return "does not say what is allowed";
     for (const char *word : {"[", "MAX", "xception", "pattern", "Pattern"})
       if (holds(word))
