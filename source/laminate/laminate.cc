@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/numbers.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <utility>
 
+#include <biface/laminate/face_moments.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
 
@@ -10,15 +10,51 @@ namespace Biface
 {
   using namespace dealii;
 
-  Laminate::Laminate(std::vector<Ply>   plies,
-                     const ThicknessLaw law,
-                     const double       reference_height)
-    : plies(std::move(plies)), law(law), reference_height(reference_height)
+  namespace
   {
-    for (const Ply &ply : this->plies)
-      rotated.push_back(rotate_about_normal(ply.stiffness, ply.angle));
-    thickness_row = stiffness()[Resultants::thickness];
-  }
+    std::vector<SymmetricTensor<4, 3>>
+    rotated_stiffnesses(const std::vector<Ply> &plies)
+    {
+      std::vector<SymmetricTensor<4, 3>> stiffnesses;
+      for (const Ply &ply : plies)
+        stiffnesses.push_back(rotate_about_normal(ply.stiffness, ply.angle));
+      return stiffnesses;
+    }
+
+
+    std::vector<double>
+    thicknesses(const std::vector<Ply> &plies)
+    {
+      std::vector<double> values;
+      for (const Ply &ply : plies)
+        values.push_back(ply.thickness);
+      return values;
+    }
+
+
+    TransverseShear::FaceStrains
+    transverse_strains(const Resultants::Vector &E)
+    {
+      TransverseShear::FaceStrains strains;
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          strains[face][a] = E[Resultants::transverse(a, face)];
+      return strains;
+    }
+  } // namespace
+
+
+  Laminate::Laminate(std::vector<Ply>          plies,
+                     const ThicknessLaw        law,
+                     const double              reference_height,
+                     const TransverseShearLaw &shear_law)
+    : plies(std::move(plies))
+    , rotated(rotated_stiffnesses(this->plies))
+    , law(law)
+    , reference_height(reference_height)
+    , transverse_shear(shear_law, thicknesses(this->plies), rotated)
+    , D(integrate_stiffness())
+  {}
 
 
   double
@@ -45,40 +81,8 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    /** @f$\int_{z_0}^{z_1} N^p N^q\,dz@f$ and @f$\int N^p\,dz@f$ over a ply of
-     * a shell whose thickness runs from 0 to h. */
-    struct FaceMoments
-    {
-      std::array<double, 2>                first{};
-      std::array<std::array<double, 2>, 2> second{};
-
-      FaceMoments(const double z_0, const double z_1, const double h)
-      {
-        const QGauss<1> quadrature(2);
-        for (unsigned int i = 0; i < quadrature.size(); ++i)
-          {
-            const double z = z_0 + (z_1 - z_0) * quadrature.point(i)[0];
-            const std::array<double, 2> N{{1 - z / h, z / h}};
-            for (unsigned int p = 0; p < 2; ++p)
-              {
-                first[p] += quadrature.weight(i) * (z_1 - z_0) * N[p];
-                for (unsigned int q = 0; q < 2; ++q)
-                  second[p][q] +=
-                    quadrature.weight(i) * (z_1 - z_0) * N[p] * N[q];
-              }
-          }
-      }
-    };
-
-    // indices of the tensor components 11, 22, 12
-    constexpr unsigned int tangential_pairs[3][2] = {{0, 0}, {1, 1}, {0, 1}};
-  } // namespace
-
-
   Resultants::Matrix
-  Laminate::stiffness() const
+  Laminate::integrate_stiffness() const
   {
     using namespace Resultants;
 
@@ -127,17 +131,17 @@ namespace Biface
               }
           }
 
-        for (unsigned int a = 0; a < 2; ++a)
-          for (unsigned int c = 0; c < 2; ++c)
-            for (unsigned int p = 0; p < 2; ++p)
-              for (unsigned int q = 0; q < 2; ++q)
-                D[transverse(a, p)][transverse(c, q)] +=
-                  b[a][2][c][2] * N.second[p][q];
-
         if (law != ThicknessLaw::symmetric)
           D[Resultants::thickness][Resultants::thickness] +=
             b_3333 * ply.thickness;
       }
+
+    for (unsigned int p = 0; p < 2; ++p)
+      for (unsigned int q = 0; q < 2; ++q)
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            D[transverse(a, p)][transverse(c, q)] =
+              transverse_shear.stiffness(p, q)[a][c];
 
     if (law == ThicknessLaw::symmetric)
       {
@@ -202,14 +206,16 @@ namespace Biface
         strain[0][0] += N[p] * E[tangential(0, p)];
         strain[1][1] += N[p] * E[tangential(1, p)];
         strain[0][1] += N[p] * E[tangential(2, p)] / 2;
-        strain[0][2] += N[p] * E[transverse(0, p)] / 2;
-        strain[1][2] += N[p] * E[transverse(1, p)] / 2;
       }
+    const Tensor<1, 2> shear =
+      transverse_shear.strain(transverse_strains(E), ply, z);
+    for (unsigned int a = 0; a < 2; ++a)
+      strain[a][2] = shear[a] / 2;
     if (law == ThicknessLaw::symmetric)
       {
         const SymmetricTensor<4, 3> &b = rotated[ply];
-        strain[2][2] =
-          (thickness_row * E / h - (b * strain)[2][2]) / b[2][2][2][2];
+        strain[2][2] = (D[Resultants::thickness] * E / h - (b * strain)[2][2]) /
+                       b[2][2][2][2];
       }
     else
       strain[2][2] = E[Resultants::thickness];
@@ -224,14 +230,28 @@ namespace Biface
   {
     const SymmetricTensor<4, 3> &b      = rotated[ply];
     SymmetricTensor<2, 3>        e      = strain(E, ply, z);
-    const SymmetricTensor<2, 3>  stress = b * e;
-    if (law != ThicknessLaw::asymmetric)
-      return stress;
+    SymmetricTensor<2, 3>        stress = b * e;
+    if (law == ThicknessLaw::asymmetric)
+      {
+        // tangential stresses of plane stress, the others of the full law
+        const double S_33 = stress[2][2];
+        e[2][2] -= S_33 / b[2][2][2][2];
+        stress       = b * e;
+        stress[2][2] = S_33;
+      }
+    const Tensor<1, 2> shear =
+      transverse_shear.stress(transverse_strains(E), ply, z);
+    for (unsigned int a = 0; a < 2; ++a)
+      stress[a][2] = shear[a];
+    return stress;
+  }
 
-    // tangential stresses of plane stress, the others of the full law
-    e[2][2] -= stress[2][2] / b[2][2][2][2];
-    SymmetricTensor<2, 3> plane_stress = b * e;
-    plane_stress[2][2]                 = stress[2][2];
-    return plane_stress;
+
+  Tensor<1, 2>
+  Laminate::interlaminar_stress(const Resultants::Vector &E,
+                                const unsigned int        ply,
+                                const double              z) const
+  {
+    return transverse_shear.equilibrium_stress(transverse_strains(E), ply, z);
   }
 } // namespace Biface

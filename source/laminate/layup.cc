@@ -87,6 +87,20 @@ namespace Biface
                "or 'full' (three-dimensional law; locks in bending).");
     add_parsed(prm,
                "Laminate/",
+               "Transverse shear",
+               "constant strain",
+               shear_law,
+               parse_transverse_shear,
+               "How the transverse shear strains of the faces enter the "
+               "stiffness: 'constant strain' (the paper's law; too stiff, by "
+               "1/5 for a homogeneous shell and more for thick laminates), "
+               "'equilibrium' (the stiffness of the shear stresses in "
+               "equilibrium with the bending stresses of the plies; 5/6 of "
+               "'constant strain' for a homogeneous shell), or a factor, a "
+               "number or formula above 0 and at most 1 such as 5/6, by which "
+               "'constant strain' is multiplied.");
+    add_parsed(prm,
+               "Laminate/",
                "Reference surface",
                "inner",
                reference,
@@ -300,6 +314,7 @@ namespace Biface
   Layup::Layup(const Parameters                        &parameters,
                const std::vector<Material::Parameters> &materials)
     : law(parameters.law)
+    , shear_law(parameters.shear_law)
     , reference(parameters.reference)
     , initial_resultants(parameters.initial_resultants)
   {
@@ -399,6 +414,6 @@ namespace Biface
         "no ply of the entry 'Laminate/Plies' covers alpha_1 = " +
         number_to_string(within) + ".");
     const double reference_height = height(reference, present);
-    return Laminate(std::move(present), law, reference_height);
+    return Laminate(std::move(present), law, reference_height, shear_law);
   }
 } // namespace Biface

@@ -2,7 +2,7 @@
 
 // The stresses within the plies, weighted with the shape functions of the two
 // faces and integrated over the thickness, are the resultants of the stiffness,
-// for every thickness law.
+// for every thickness law and every law of transverse shear.
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -61,14 +61,17 @@ main()
     {"symmetric", ThicknessLaw::symmetric},
     {"asymmetric", ThicknessLaw::asymmetric},
     {"full", ThicknessLaw::full}};
+  using Kind = TransverseShearLaw::Kind;
+  const std::vector<TransverseShearLaw> shear_laws{
+    {Kind::constant_strain, 1}, {Kind::factor, 0.6}, {Kind::equilibrium, 1}};
   for (const auto &law : laws)
     {
-      const Laminate laminate(stack(), law.second, 1.1);
-      const double   h = laminate.thickness();
-
       double deviation = 0, thickness_strain = 0, constancy = 0, size = 0;
-      for (unsigned int n = 0; n < 20; ++n)
+      for (unsigned int n = 0; n < 30; ++n)
         {
+          const Laminate laminate(stack(), law.second, 1.1, shear_laws[n % 3]);
+          const double   h = laminate.thickness();
+
           Resultants::Vector E;
           for (unsigned int i = 0; i < Resultants::n; ++i)
             E[i] = random(generator);

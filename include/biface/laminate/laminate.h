@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/laminate/resultants.h>
+#include <biface/laminate/transverse_shear.h>
 
 namespace Biface
 {
@@ -64,9 +65,10 @@ namespace Biface
   public:
     /** @param reference_height the height of the reference surface above the
      * inner face. Unit: length. */
-    Laminate(std::vector<Ply>   plies,
-             const ThicknessLaw law,
-             const double       reference_height);
+    Laminate(std::vector<Ply>          plies,
+             const ThicknessLaw        law,
+             const double              reference_height,
+             const TransverseShearLaw &shear_law = TransverseShearLaw());
 
     const std::vector<Ply> &
     get_plies() const
@@ -89,8 +91,11 @@ namespace Biface
      * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,
      * eq. (9), in the order of Resultants. Unit: force/length.
      */
-    Resultants::Matrix
-    stiffness() const;
+    const Resultants::Matrix &
+    stiffness() const
+    {
+      return D;
+    }
 
     /**
      * The resultants @f$\mathbf H_0@f$ of the initial ply stresses,
@@ -121,18 +126,32 @@ namespace Biface
            const unsigned int        ply,
            const double              z) const;
 
+    /**
+     * The transverse shear stresses @f$\sigma_{13},\sigma_{23}@f$ in
+     * equilibrium with the shear forces, see
+     * TransverseShear::equilibrium_stress(): zero at both faces, and continuous
+     * between plies. Unit: force/area.
+     */
+    dealii::Tensor<1, 2>
+    interlaminar_stress(const Resultants::Vector &E,
+                        const unsigned int        ply,
+                        const double              z) const;
+
     /** Whether stiffness() is symmetric. */
     bool
     is_symmetric() const;
 
   private:
+    Resultants::Matrix
+    integrate_stiffness() const;
+
     std::vector<Ply> plies;
     /** Stiffness of the plies in the frame of the shell. */
     std::vector<dealii::SymmetricTensor<4, 3>> rotated;
     ThicknessLaw                               law;
-    /** The row of stiffness() that gives the thickness resultant. */
-    Resultants::Vector thickness_row;
-    double             reference_height;
+    double                                     reference_height;
+    TransverseShear                            transverse_shear;
+    Resultants::Matrix                         D;
   };
 } // namespace Biface
 

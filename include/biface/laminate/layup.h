@@ -130,6 +130,7 @@ namespace Biface
       /** Added to those of the initial stresses. */
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
+      TransverseShearLaw            shear_law;
       ThicknessPosition             reference;
 
       void
@@ -180,6 +181,7 @@ namespace Biface
   private:
     std::vector<PlyDescription>   plies;
     ThicknessLaw                  law;
+    TransverseShearLaw            shear_law;
     ThicknessPosition             reference;
     std::vector<InitialResultant> initial_resultants;
   };

@@ -37,6 +37,10 @@ namespace Biface
       return 2 * ab + face;
     }
 
+    /** The components of a tensor that a tangential strain stands for, by
+     * @p ab. */
+    constexpr unsigned int tangential_pairs[3][2] = {{0, 0}, {1, 1}, {0, 1}};
+
     /** Index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
     constexpr unsigned int
     transverse(const unsigned int a, const unsigned int face)

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <biface/base/errors.h>
+#include <biface/input/formula.h>
+#include <biface/laminate/face_moments.h>
+#include <biface/laminate/resultants.h>
+#include <biface/laminate/transverse_shear.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  TransverseShearLaw
+  parse_transverse_shear(const std::string &entry, const std::string &text)
+  {
+    using Kind = TransverseShearLaw::Kind;
+    if (text == "constant strain")
+      return {Kind::constant_strain, 1};
+    if (text == "equilibrium")
+      return {Kind::equilibrium, 1};
+
+    const InputError error(entry,
+                           text,
+                           "it must be 'constant strain', 'equilibrium' or a "
+                           "factor above 0 and at most 1, such as 5/6");
+    double           factor = 0;
+    try
+      {
+        factor = Formula(entry, text, {})({});
+      }
+    catch (const InputError &)
+      {
+        throw error;
+      }
+    if (!(factor > 0 && factor <= 1))
+      throw error;
+    return {Kind::factor, factor};
+  }
+
+
+  TransverseShear::TransverseShear(
+    const TransverseShearLaw                 &law,
+    const std::vector<double>                &thicknesses,
+    const std::vector<SymmetricTensor<4, 3>> &stiffnesses)
+    : law(law), thickness(0)
+  {
+    for (unsigned int k = 0; k < thicknesses.size(); ++k)
+      {
+        const SymmetricTensor<4, 3> &b = stiffnesses[k];
+        Ply                          ply;
+        ply.begin = thickness;
+        thickness += thicknesses[k];
+        ply.end = thickness;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              const auto &ab = Resultants::tangential_pairs[i];
+              const auto &cd = Resultants::tangential_pairs[j];
+              ply.plane_stress[i][j] =
+                b[ab[0]][ab[1]][cd[0]][cd[1]] -
+                b[ab[0]][ab[1]][2][2] * b[2][2][cd[0]][cd[1]] / b[2][2][2][2];
+            }
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            ply.shear[a][c] = b[a][2][c][2];
+        plies.push_back(ply);
+      }
+
+    for (const Ply &ply : plies)
+      {
+        const FaceMoments N(ply.begin, ply.end, thickness);
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int q = 0; q < 2; ++q)
+            D[p][q] += law.factor * N.second[p][q] * ply.shear;
+      }
+    set_distribution();
+    if (law.kind == TransverseShearLaw::Kind::equilibrium)
+      set_equilibrium_stiffness();
+  }
+
+
+  void
+  TransverseShear::set_distribution()
+  {
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        // Only the strains cc and 12 of the two faces have gradients along
+        // alpha_c. The gradients of the membrane forces vanish, that of the
+        // bending moment cc is the shear force, that of the twisting moment is
+        // zero.
+        const std::array<unsigned int, 2> strains{{c, 2}};
+        FullMatrix<double>                matrix(4);
+        for (const Ply &ply : plies)
+          {
+            const FaceMoments N(ply.begin, ply.end, thickness);
+            for (unsigned int i = 0; i < 2; ++i)
+              for (unsigned int j = 0; j < 2; ++j)
+                for (unsigned int p = 0; p < 2; ++p)
+                  for (unsigned int q = 0; q < 2; ++q)
+                    matrix(2 * i + p, 2 * j + q) +=
+                      ply.plane_stress[strains[i]][strains[j]] * N.second[p][q];
+          }
+        matrix.gauss_jordan();
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int i = 0; i < 2; ++i)
+            gradient[c][p][strains[i]] =
+              (matrix(2 * i + p, 1) - matrix(2 * i + p, 0)) / thickness;
+      }
+
+    Tensor<2, 2> F;
+    for (Ply &ply : plies)
+      {
+        ply.F = F;
+        F     = distribution(&ply - plies.data(), ply.end);
+      }
+  }
+
+
+  Tensor<2, 2>
+  TransverseShear::distribution(const unsigned int ply, const double z) const
+  {
+    const Ply        &at = plies[ply];
+    const FaceMoments N(at.begin, z, thickness);
+    Tensor<2, 2>      F = at.F;
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int p = 0; p < 2; ++p)
+        {
+          const Tensor<1, 3> stresses =
+            N.first[p] * (at.plane_stress * gradient[c][p]);
+          // the stresses whose gradients along alpha_c enter the equilibrium
+          // along alpha_1 and alpha_2
+          F[c][c] -= stresses[c];
+          F[1 - c][c] -= stresses[2];
+        }
+    return F;
+  }
+
+
+  void
+  TransverseShear::set_equilibrium_stiffness()
+  {
+    // G^p, the compliance of the shear forces, and the integrals of b_a3c3,
+    // s b_a3c3 and s^2 b_a3c3
+    std::array<Tensor<2, 2>, 2> G;
+    Tensor<2, 2>                compliance;
+    std::array<Tensor<2, 2>, 3> b;
+
+    const QGauss<1> quadrature(3);
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      for (unsigned int i = 0; i < quadrature.size(); ++i)
+        {
+          const Ply   &ply    = plies[k];
+          const double weight = quadrature.weight(i) * (ply.end - ply.begin);
+          const double z =
+            ply.begin + quadrature.point(i)[0] * (ply.end - ply.begin);
+          const double       s = 2 * z / thickness - 1;
+          const Tensor<2, 2> F = distribution(k, z);
+          for (unsigned int p = 0; p < 2; ++p)
+            G[p] += weight * (p == 0 ? 1 - s : 1 + s) / 2 * F;
+          compliance += weight * transpose(F) * invert(ply.shear) * F;
+          b[0] += weight * ply.shear;
+          b[1] += weight * s * ply.shear;
+          b[2] += weight * s * s * ply.shear;
+        }
+
+    s_0                         = invert(b[0]) * b[1];
+    const Tensor<2, 2> residual = b[2] - b[1] * s_0;
+    const Tensor<2, 2> K        = invert(compliance);
+    for (unsigned int p = 0; p < 2; ++p)
+      for (unsigned int q = 0; q < 2; ++q)
+        D[p][q] =
+          G[p] * K * transpose(G[q]) + (p == q ? 0.25 : -0.25) * residual;
+  }
+
+
+  Tensor<1, 2>
+  TransverseShear::shear_force(const FaceStrains &strains) const
+  {
+    Tensor<1, 2> Q;
+    for (unsigned int p = 0; p < 2; ++p)
+      for (unsigned int q = 0; q < 2; ++q)
+        Q += D[p][q] * strains[q];
+    return Q;
+  }
+
+
+  Tensor<1, 2>
+  TransverseShear::stress(const FaceStrains &strains,
+                          const unsigned int ply,
+                          const double       z) const
+  {
+    const Tensor<2, 2> &b = plies[ply].shear;
+    const double        s = 2 * z / thickness - 1;
+    if (law.kind != TransverseShearLaw::Kind::equilibrium)
+      return law.factor * b *
+             ((1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1]);
+
+    const Tensor<1, 2> difference = (strains[1] - strains[0]) / 2;
+    return equilibrium_stress(strains, ply, z) +
+           b * (s * difference - s_0 * difference);
+  }
+
+
+  Tensor<1, 2>
+  TransverseShear::strain(const FaceStrains &strains,
+                          const unsigned int ply,
+                          const double       z) const
+  {
+    return invert(plies[ply].shear) * stress(strains, ply, z) / law.factor;
+  }
+} // namespace Biface
