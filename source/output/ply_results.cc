@@ -31,6 +31,19 @@ namespace Biface
   }
 
 
+  std::vector<FailureCriterion>
+  FailureCriteria::requested() const
+  {
+    std::vector<FailureCriterion> criteria;
+    if (maximum_stress)
+      criteria.push_back(
+        {"maximum stress", "maximum_stress", &maximum_stress_index});
+    if (tsai_wu)
+      criteria.push_back({"Tsai-Wu", "tsai_wu", &tsai_wu_index});
+    return criteria;
+  }
+
+
   std::vector<std::string>
   FailureCriteria::warnings(const Layup &layup) const
   {
@@ -59,6 +72,7 @@ namespace Biface
     strain = laminate.strain(E, ply, z);
     stress = laminate.stress(E, ply, z) +
              rotate_about_normal(plies[ply].initial_stress, plies[ply].angle);
+    interlaminar = laminate.interlaminar_stress(E, ply, z);
   }
 
 
@@ -69,10 +83,10 @@ namespace Biface
       "e_11", "e_22", "e_33", "g_23", "g_13", "g_12", "s_11", "s_22",
       "s_33", "t_23", "t_13", "t_12", "e_L",  "e_T",  "e_N",  "g_TN",
       "g_LN", "g_LT", "s_L",  "s_T",  "s_N",  "t_TN", "t_LN", "t_LT"};
-    if (criteria.maximum_stress)
-      names.push_back("maximum_stress_index");
-    if (criteria.tsai_wu)
-      names.push_back("tsai_wu_index");
+    for (const FailureCriterion &criterion : criteria.requested())
+      names.push_back(criterion.column + "_index");
+    names.push_back("interlaminar_t_23");
+    names.push_back("interlaminar_t_13");
     return names;
   }
 
@@ -99,13 +113,12 @@ namespace Biface
     append(rotate_about_normal(state.strain, -angle), 2);
     append(stress, 1);
 
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    if (criteria.maximum_stress)
-      values.push_back(
-        ply.strengths ? maximum_stress_index(stress, *ply.strengths) : none);
-    if (criteria.tsai_wu)
-      values.push_back(ply.strengths ? tsai_wu_index(stress, *ply.strengths)
-                                     : none);
+    for (const FailureCriterion &criterion : criteria.requested())
+      values.push_back(ply.strengths
+                         ? criterion.index(stress, *ply.strengths)
+                         : std::numeric_limits<double>::quiet_NaN());
+    values.push_back(state.interlaminar[1]);
+    values.push_back(state.interlaminar[0]);
     return values;
   }
 } // namespace Biface

@@ -14,6 +14,19 @@
 
 namespace Biface
 {
+  /** A failure criterion. */
+  struct FailureCriterion
+  {
+    /** Its name, as in the parameter file. */
+    std::string name;
+    /** The name of its index in files. */
+    std::string column;
+    /** The index for stresses in the axes of the ply. */
+    double (*index)(const dealii::SymmetricTensor<2, 3> &stress,
+                    const Strengths                     &strengths);
+  };
+
+
   /** The requested failure criteria. */
   struct FailureCriteria
   {
@@ -22,6 +35,10 @@ namespace Biface
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /** The requested ones, in the order of the files. */
+    std::vector<FailureCriterion>
+    requested() const;
 
     /** A sentence for each material without the strengths that the criteria
      * need. */
@@ -37,6 +54,8 @@ namespace Biface
     dealii::SymmetricTensor<2, 3> strain;
     /** Unit: force/area. */
     dealii::SymmetricTensor<2, 3> stress;
+    /** See Laminate::interlaminar_stress(). Unit: force/area. */
+    dealii::Tensor<1, 2> interlaminar;
 
     /**
      * @param laminate the laminate at the point.
@@ -57,9 +76,9 @@ namespace Biface
 
   /**
    * The results at a point within a ply: strains and stresses in the frame of
-   * the shell, then in the axes of the ply, then the requested failure indices.
-   * Shear strains are engineering strains, twice the components. Without
-   * strengths of the ply, the indices are NaN.
+   * the shell, then in the axes of the ply, then the requested failure indices,
+   * then the interlaminar stresses. Shear strains are engineering strains,
+   * twice the components. Without strengths of the ply, the indices are NaN.
    *
    * @param angle the angle of the ply in radians.
    */
