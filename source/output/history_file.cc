@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
 #include <sstream>
 
 #include <biface/output/csv.h>
@@ -7,16 +8,37 @@
 
 namespace Biface
 {
-  HistoryFile::HistoryFile(ResultsDirectory     &directory,
-                           const ShellEquations &equations)
-    : StepTable("history.csv",
-                "step,stage,approach,force,contact_nodes,contact_area,"
-                "max_pressure,iterations,seconds,pressure,load_factor,"
-                "strain_energy",
-                1,
-                directory,
-                equations)
+  namespace
+  {
+    std::string
+    history_header(const FailureCriteria &criteria)
+    {
+      std::string header =
+        "step,stage,approach,force,contact_nodes,contact_area,"
+        "max_pressure,iterations,seconds,pressure,load_factor,"
+        "strain_energy";
+      for (const FailureCriterion &criterion : criteria.requested())
+        for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
+          header += ',' + criterion.column + '_' + what;
+      return header;
+    }
+  } // namespace
+
+
+  HistoryFile::HistoryFile(const FailureCriteria &criteria,
+                           ResultsDirectory      &directory,
+                           const ShellEquations  &equations)
+    : StepTable(
+        "history.csv", history_header(criteria), 1, directory, equations)
+    , criteria(criteria)
   {}
+
+
+  std::vector<std::string>
+  HistoryFile::warnings() const
+  {
+    return criteria.warnings(equations.mesh.layup);
+  }
 
 
   void
@@ -31,8 +53,16 @@ namespace Biface
          << ',' << csv_number(report.seconds) << ','
          << csv_number(report.loads.pressure) << ','
          << csv_number(report.loads.factor) << ','
-         << csv_number(equations.internal_forces().strain_energy(state))
-         << '\n';
+         << csv_number(equations.internal_forces().strain_energy(state));
+    failure_maxima = find_failure_maxima(equations, state, criteria);
+    for (const FailureMaximum &maximum : failure_maxima)
+      if (std::isnan(maximum.index))
+        line << ",,,,";
+      else
+        line << ',' << csv_number(maximum.index) << ','
+             << csv_number(maximum.alpha[0]) << ','
+             << csv_number(maximum.alpha[1]) << ',' << maximum.ply;
+    line << '\n';
     append(line.str());
   }
 } // namespace Biface

@@ -6,7 +6,6 @@
 #include <biface/base/version.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
-#include <biface/output/history_file.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/results_writer.h>
 
@@ -36,7 +35,10 @@ namespace Biface
     : directory(parameters.directory, equations.mesh.communicator)
   {
     const auto add = [this](auto file) { files.push_back(std::move(file)); };
-    add(std::make_unique<HistoryFile>(directory, equations));
+    auto       history_file =
+      std::make_unique<HistoryFile>(parameters.criteria, directory, equations);
+    history = history_file.get();
+    add(std::move(history_file));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));

@@ -15,9 +15,10 @@ namespace Biface
   using namespace dealii;
 
   void
-  SummaryTable::add(const StepReport &report,
-                    const State      &state,
-                    const ShellMesh  &mesh)
+  SummaryTable::add(const StepReport                  &report,
+                    const State                       &state,
+                    const ShellMesh                   &mesh,
+                    const std::vector<FailureMaximum> &failure_maxima)
   {
     Line line{report.step,
               report.loads.factor,
@@ -25,7 +26,8 @@ namespace Biface
               report.approach,
               report.in_contact,
               report.contact,
-              {}};
+              {},
+              failure_maxima};
     for (const NamedPoint &point : mesh.points)
       {
         const PointDisplacement u =
@@ -92,6 +94,16 @@ namespace Biface
           return number(line.contact.max_pressure);
         });
       }
+    for (unsigned int i = 0; i < lines.back().failure_maxima.size(); ++i)
+      add(lines.back().failure_maxima[i].name + " index",
+          [&](const Line &line) {
+            const FailureMaximum &maximum = line.failure_maxima[i];
+            if (std::isnan(maximum.index))
+              return std::string("-");
+            return number(maximum.index) + " at (" + number(maximum.alpha[0]) +
+                   ", " + number(maximum.alpha[1]) + "), ply " +
+                   std::to_string(maximum.ply);
+          });
     for (unsigned int p = 0; p < points.size() && n_columns < max_columns; ++p)
       {
         const std::vector<double> &last    = lines.back().displacements;

@@ -84,6 +84,9 @@ namespace Biface
       // the contents of the files are compared
       if (entry == "Surface/Spline/File" || entry == "Laminate/Tables")
         return true;
+      // columns of history.csv
+      if (entry == "Output/Failure criteria")
+        return false;
       if (entry == "Mesh/Distribution" || entry == "Number of stages")
         return true;
       for (const std::string section : {"Linear solver/",

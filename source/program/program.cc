@@ -125,7 +125,8 @@ namespace Biface
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
           out << counter.line(report, progress) << std::endl;
           results.write_step(report, state);
-          record.summary.add(report, state, equations.mesh);
+          record.summary.add(
+            report, state, equations.mesh, results.get_failure_maxima());
           checkpoints.write_if_due(record);
         },
         [&]() { return signals.caught(communicator) != 0; });

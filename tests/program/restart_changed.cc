@@ -46,6 +46,7 @@ main(int argc, char *argv[])
   check("Named points=equator: 0 0");
   check("Stage 1/Pressure=0.16");
   check("Stage 2/Strain theory=linear");
+  check("Output/Failure criteria=Tsai-Wu");
   check("Number of stages=1");
 
   // the same, written otherwise

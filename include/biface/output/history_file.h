@@ -3,20 +3,38 @@
 #ifndef biface_output_history_file_h
 #define biface_output_history_file_h
 
+#include <vector>
+
+#include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 
 namespace Biface
 {
-  /** history.csv: a line per step with its loads, its contact zone and
-   * its strain energy. */
+  /** history.csv: a line per step with its loads, its contact zone, its strain
+   * energy, and the maxima of the requested failure indices. */
   class HistoryFile : public StepTable
   {
   public:
-    HistoryFile(ResultsDirectory &directory, const ShellEquations &equations);
+    HistoryFile(const FailureCriteria &criteria,
+                ResultsDirectory      &directory,
+                const ShellEquations  &equations);
+
+    std::vector<std::string>
+    warnings() const override;
+
+    /** Those of the last step written. */
+    const std::vector<FailureMaximum> &
+    get_failure_maxima() const
+    {
+      return failure_maxima;
+    }
 
   private:
     void
     write(const StepReport &report, const State &state) override;
+
+    const FailureCriteria       criteria;
+    std::vector<FailureMaximum> failure_maxima;
   };
 } // namespace Biface
 

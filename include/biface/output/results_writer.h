@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/output/history_file.h>
 #include <biface/output/plies_file.h>
 #include <biface/output/plies_vtu.h>
 #include <biface/output/profile_file.h>
@@ -72,6 +73,13 @@ namespace Biface
     void
     write_step(const StepReport &report, const State &state);
 
+    /** The maxima of the failure indices in the last step written. */
+    const std::vector<FailureMaximum> &
+    get_failure_maxima() const
+    {
+      return history->get_failure_maxima();
+    }
+
     /** Flush all files to the disk. Throws OutputError. */
     void
     sync()
@@ -86,6 +94,8 @@ namespace Biface
     ResultsDirectory directory;
     /** In the order of list(). */
     std::vector<std::unique_ptr<ResultFile>> files;
+    /** One of them. */
+    const HistoryFile *history;
   };
 } // namespace Biface
 

@@ -8,6 +8,7 @@
 
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
+#include <biface/output/failure_maxima.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -18,13 +19,16 @@ namespace Biface
   public:
     /** Must be called on all ranks. */
     void
-    add(const StepReport &report, const State &state, const ShellMesh &mesh);
+    add(const StepReport                  &report,
+        const State                       &state,
+        const ShellMesh                   &mesh,
+        const std::vector<FailureMaximum> &failure_maxima);
 
     /**
      * Print the load factor and the pressure if not zero, the contact zone of
-     * steps with contact, and for each named point the component of the
-     * displacement that is largest at the end, for as many points as fit.
-     * Nothing without steps.
+     * steps with contact, the maxima of failure indices, and for each named
+     * point the component of the displacement that is largest at the end, for
+     * as many points as fit. Nothing without steps.
      * @param points the named points of the mesh.
      */
     void
@@ -46,7 +50,8 @@ namespace Biface
       ContactSummary contact;
       /** Cartesian displacements of the middle surface at the named points, one
        * after the other. */
-      std::vector<double> displacements;
+      std::vector<double>         displacements;
+      std::vector<FailureMaximum> failure_maxima;
 
       template <class Archive>
       void
@@ -54,7 +59,7 @@ namespace Biface
       {
         archive &step &factor &pressure &approach &in_contact &contact.force;
         archive &contact.n_nodes &contact.area &contact.max_pressure;
-        archive                                &displacements;
+        archive &displacements                 &failure_maxima;
       }
     };
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <functional>
+
+#include <biface/laminate/material.h>
+#include <biface/output/failure_maxima.h>
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Call a function with each corner of a cell, ply with strengths, and
+     * stress in the axes of the ply at one of its sides. */
+    void
+    for_stresses_of_cell(
+      const ShellEquations                                           &equations,
+      const State                                                    &state,
+      const unsigned int                                              c,
+      const std::function<void(const unsigned int vertex,
+                               const PlyDescription &,
+                               const unsigned int           ply_number,
+                               const SymmetricTensor<2, 3> &stress)> &function)
+    {
+      const ShellMesh &mesh = equations.mesh;
+      const auto       E =
+        Modes::at_vertices(equations.internal_forces().total_strains(state, c));
+      for (unsigned int v = 0; v < 4; ++v)
+        {
+          const Laminate &laminate =
+            mesh.strips[mesh.cells[c].strip].at_lines[v & 1];
+          for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
+            {
+              const Ply            &ply = laminate.get_plies()[p];
+              const PlyDescription &description =
+                mesh.layup.get_plies()[ply.number];
+              if (description.strengths)
+                for (unsigned int side = 0; side < 2; ++side)
+                  function(
+                    v,
+                    description,
+                    ply.number,
+                    rotate_about_normal(
+                      PlyState(laminate, p, side, E[v]).stress, -ply.angle));
+            }
+        }
+    }
+  } // namespace
+
+
+  std::vector<FailureMaximum>
+  find_failure_maxima(const ShellEquations  &equations,
+                      const State           &state,
+                      const FailureCriteria &failure_criteria)
+  {
+    // well above the round-off of a solution, below what matters
+    constexpr double tolerance = 1e-6;
+    constexpr double none      = -1;
+
+    const ShellMesh                    &mesh     = equations.mesh;
+    const std::vector<FailureCriterion> criteria = failure_criteria.requested();
+    if (criteria.empty())
+      return {};
+
+    std::vector<std::vector<double>> of_cells(
+      criteria.size(), std::vector<double>(mesh.cells.size(), none));
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for_stresses_of_cell(equations,
+                           state,
+                           c,
+                           [&](const unsigned int,
+                               const PlyDescription &ply,
+                               const unsigned int,
+                               const SymmetricTensor<2, 3> &stress) {
+                             for (unsigned int i = 0; i < criteria.size(); ++i)
+                               of_cells[i][c] = std::max(
+                                 of_cells[i][c],
+                                 criteria[i].index(stress, *ply.strengths));
+                           });
+
+    std::vector<FailureMaximum> maxima(criteria.size());
+    for (unsigned int i = 0; i < criteria.size(); ++i)
+      {
+        FailureMaximum &maximum = maxima[i];
+        maximum.name            = criteria[i].name;
+        double greatest         = none;
+        for (const double value : of_cells[i])
+          greatest = std::max(greatest, value);
+        greatest = Utilities::MPI::max(greatest, mesh.communicator);
+        if (greatest == none)
+          continue;
+        maximum.index = greatest;
+
+        const double             bound = (1 - tolerance) * greatest;
+        types::global_cell_index first =
+          std::numeric_limits<types::global_cell_index>::max();
+        unsigned int owned = numbers::invalid_unsigned_int;
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          if (of_cells[i][c] >= bound && mesh.cells[c].number < first)
+            {
+              first = mesh.cells[c].number;
+              owned = c;
+            }
+        // place and ply, of the rank that owns the cell
+        std::vector<double> place(3);
+        if (Utilities::MPI::min(first, mesh.communicator) == first &&
+            owned != numbers::invalid_unsigned_int)
+          for_stresses_of_cell(
+            equations,
+            state,
+            owned,
+            [&](const unsigned int           v,
+                const PlyDescription        &ply,
+                const unsigned int           number,
+                const SymmetricTensor<2, 3> &stress) {
+              if (place[2] != 0 ||
+                  criteria[i].index(stress, *ply.strengths) < bound)
+                return;
+              const Node &node = mesh.nodes[mesh.cells[owned].nodes[v]];
+              place            = {chart_coordinate(mesh.get_surface(), node, 0),
+                                  chart_coordinate(mesh.get_surface(), node, 1),
+                                  number + 1.};
+            });
+        Utilities::MPI::sum(place, mesh.communicator, place);
+        maximum.alpha = {{place[0], place[1]}};
+        maximum.ply   = static_cast<unsigned int>(place[2]);
+      }
+    return maxima;
+  }
+} // namespace Biface
