@@ -27,8 +27,7 @@ namespace Biface
           }
         const Tensor<1, 3> force =
           weight(q) * cross_product_3d(tangents[q][0], tangents[q][1]);
-        for (unsigned int i = 0; i < 3; ++i)
-          nodal_force[MixedElement::dof(q, i, face)] = force[i];
+        MixedElement::add_face_force(force, q, face, nodal_force);
       }
   }
 
@@ -41,14 +40,6 @@ namespace Biface
       {
         const ElementGeometry::Vertex &vertex = geometry.vertices[q];
 
-        const auto add = [&](const unsigned int  node,
-                             const unsigned int  j,
-                             const Tensor<1, 3> &change) {
-          for (unsigned int i = 0; i < 3; ++i)
-            K[MixedElement::dof(q, i, face)]
-             [MixedElement::dof(node, j, face)] +=
-              factor * weight(q) * change[i];
-        };
         // the derivative of t_1 x t_2 is that of one of the two tangents
         const auto change_of_cross_product = [&](const unsigned int  a,
                                                  const Tensor<1, 3> &dt) {
@@ -56,17 +47,29 @@ namespace Biface
                         : cross_product_3d(tangents[q][0], dt);
         };
 
+        Tensor<2, 3> own;
         for (unsigned int a = 0; a < 2; ++a)
-          for (unsigned int j = 0; j < 3; ++j)
-            {
-              Tensor<1, 3> unit;
-              unit[j] = vertex.slope[a];
-              add(q,
-                  j,
-                  change_of_cross_product(
-                    a, unit + vertex.connection[a] * unit / vertex.slope[a]));
-              add(q ^ (1 << a), j, change_of_cross_product(a, -unit));
-            }
+          {
+            Tensor<2, 3> neighbor;
+            for (unsigned int j = 0; j < 3; ++j)
+              {
+                Tensor<1, 3> unit;
+                unit[j]                   = vertex.slope[a];
+                const Tensor<1, 3> by_own = change_of_cross_product(
+                  a, unit + vertex.connection[a] * unit / vertex.slope[a]);
+                const Tensor<1, 3> by_neighbor =
+                  change_of_cross_product(a, -unit);
+                for (unsigned int i = 0; i < 3; ++i)
+                  {
+                    own[i][j] += by_own[i];
+                    neighbor[i][j] = by_neighbor[i];
+                  }
+              }
+            MixedElement::add_face_stiffness(
+              factor * weight(q) * neighbor, q, face, q ^ (1 << a), face, K);
+          }
+        MixedElement::add_face_stiffness(
+          factor * weight(q) * own, q, face, q, face, K);
       }
   }
 

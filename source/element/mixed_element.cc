@@ -8,14 +8,15 @@ namespace Biface
 
   namespace
   {
+    /** One of the two vectors of unknowns at a vertex. */
     Tensor<1, 3>
-    nodal_displacement(const MixedElement::NodalVector &V,
-                       const unsigned int               vertex,
-                       const unsigned int               face)
+    nodal_value(const MixedElement::NodalVector &V,
+                const unsigned int               vertex,
+                const MixedElement::Part         part)
     {
       Tensor<1, 3> v;
       for (unsigned int i = 0; i < 3; ++i)
-        v[i] = V[MixedElement::dof(vertex, i, face)];
+        v[i] = V[MixedElement::dof(vertex, i, part)];
       return v;
     }
   } // namespace
@@ -29,14 +30,21 @@ namespace Biface
     const ElementGeometry::Vertex &vertex = geometry.vertices[q];
 
     DisplacementGradient u;
-    for (unsigned int face = 0; face < 2; ++face)
+    for (const auto part : {MixedElement::mean, MixedElement::half_difference})
       {
-        const Tensor<1, 3> v = nodal_displacement(V, q, face);
+        const Tensor<1, 3> v = nodal_value(V, q, part);
         for (unsigned int a = 0; a < 2; ++a)
-          u.g[face][a] =
-            vertex.slope[a] * (v - nodal_displacement(V, q ^ (1 << a), face)) +
-            vertex.connection[a] * v;
-        u.beta += MixedElement::beta_sign[face] / vertex.thickness * v;
+          {
+            const Tensor<1, 3> g =
+              vertex.slope[a] * (v - nodal_value(V, q ^ (1 << a), part)) +
+              vertex.connection[a] * v;
+            for (unsigned int face = 0; face < 2; ++face)
+              u.g[face][a] += part == MixedElement::mean
+                                ? g
+                                : MixedElement::face_sign[face] * g;
+          }
+        if (part == MixedElement::half_difference)
+          u.beta = 2 / vertex.thickness * v;
       }
     for (unsigned int face = 0; face < 2; ++face)
       for (unsigned int a = 0; a < 2; ++a)
@@ -61,20 +69,24 @@ namespace Biface
         for (unsigned int a = 0; a < 2; ++a)
           conjugate_beta -= vertex.face_slope[face][a] * conjugate.g[face][a];
 
-      for (unsigned int face = 0; face < 2; ++face)
+      for (const auto part :
+           {MixedElement::mean, MixedElement::half_difference})
         {
-          Tensor<1, 3> f =
-            MixedElement::beta_sign[face] / vertex.thickness * conjugate_beta;
+          Tensor<1, 3> f;
+          if (part == MixedElement::half_difference)
+            f = 2 / vertex.thickness * conjugate_beta;
           for (unsigned int a = 0; a < 2; ++a)
             {
-              const Tensor<1, 3> &p = conjugate.g[face][a];
+              const Tensor<1, 3> p = part == MixedElement::mean
+                                       ? conjugate.g[1][a] + conjugate.g[0][a]
+                                       : conjugate.g[1][a] - conjugate.g[0][a];
               f += vertex.slope[a] * p + p * vertex.connection[a];
               for (unsigned int i = 0; i < 3; ++i)
-                force[MixedElement::dof(q ^ (1 << a), i, face)] -=
+                force[MixedElement::dof(q ^ (1 << a), i, part)] -=
                   vertex.slope[a] * p[i];
             }
           for (unsigned int i = 0; i < 3; ++i)
-            force[MixedElement::dof(q, i, face)] += f[i];
+            force[MixedElement::dof(q, i, part)] += f[i];
         }
     }
 
@@ -199,10 +211,8 @@ namespace Biface
         const auto add_beta = [&](const unsigned int  strain,
                                   const Tensor<1, 3> &p) {
           for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int face = 0; face < 2; ++face)
-              add_to_modes(strain,
-                           dof(q, i, face),
-                           beta_sign[face] / vertex.thickness * p[i]);
+            add_to_modes(
+              strain, dof(q, i, half_difference), 2 / vertex.thickness * p[i]);
         };
 
         // d(strain) = p . d(g_a)
@@ -212,11 +222,16 @@ namespace Biface
                                const Tensor<1, 3> &p) {
           const Tensor<1, 3> own =
             vertex.slope[a] * p + p * vertex.connection[a];
-          for (unsigned int i = 0; i < 3; ++i)
+          for (const auto part : {mean, half_difference})
             {
-              add_to_modes(strain, dof(q, i, face), own[i]);
-              add_to_modes(
-                strain, dof(q ^ (1 << a), i, face), -vertex.slope[a] * p[i]);
+              const double sign = (part == mean ? 1. : face_sign[face]);
+              for (unsigned int i = 0; i < 3; ++i)
+                {
+                  add_to_modes(strain, dof(q, i, part), sign * own[i]);
+                  add_to_modes(strain,
+                               dof(q ^ (1 << a), i, part),
+                               -sign * vertex.slope[a] * p[i]);
+                }
             }
           if (vertex.face_slope[face][a] != 0)
             add_beta(strain, -vertex.face_slope[face][a] * p);
@@ -269,35 +284,34 @@ namespace Biface
             .along_faces(vertex.face_slope);
 
         const auto add = [&](const unsigned int  node_i,
-                             const unsigned int  face_i,
+                             const Part          part_i,
                              const unsigned int  node_j,
-                             const unsigned int  face_j,
+                             const Part          part_j,
                              const Tensor<2, 3> &block) {
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)
-              K[dof(node_i, i, face_i)][dof(node_j, j, face_j)] += block[i][j];
+              K[dof(node_i, i, part_i)][dof(node_j, j, part_j)] += block[i][j];
         };
         const auto add_with_transpose = [&](const unsigned int  node_i,
-                                            const unsigned int  face_i,
+                                            const Part          part_i,
                                             const unsigned int  node_j,
-                                            const unsigned int  face_j,
+                                            const Part          part_j,
                                             const Tensor<2, 3> &block) {
-          add(node_i, face_i, node_j, face_j, block);
-          add(node_j, face_j, node_i, face_i, transpose(block));
+          add(node_i, part_i, node_j, part_j, block);
+          add(node_j, part_j, node_i, part_i, transpose(block));
         };
         const auto add_scalar = [&](const unsigned int node_i,
-                                    const unsigned int face_i,
+                                    const Part         part_i,
                                     const unsigned int node_j,
-                                    const unsigned int face_j,
+                                    const Part         part_j,
                                     const double       value) {
           for (unsigned int i = 0; i < 3; ++i)
-            K[dof(node_i, i, face_i)][dof(node_j, i, face_j)] += value;
+            K[dof(node_i, i, part_i)][dof(node_j, i, part_j)] += value;
         };
 
         const std::array<unsigned int, 2> neighbor{{q ^ 1, q ^ 2}};
-        const std::array<double, 2>      &slope = vertex.slope;
-        const std::array<double, 2>       d_beta{
-          {beta_sign[0] / vertex.thickness, beta_sign[1] / vertex.thickness}};
+        const std::array<double, 2>      &slope  = vertex.slope;
+        const double                      d_beta = 2 / vertex.thickness;
 
         // g_a = own_a v_q - slope_a v_neighbor
         std::array<Tensor<2, 3>, 2> own;
@@ -308,52 +322,62 @@ namespace Biface
               own[a][i][i] += slope[a];
           }
 
-        for (unsigned int face = 0; face < 2; ++face)
+        // equal parts are coupled by the sum over the faces, different parts by
+        // the difference
+        for (const bool equal : {true, false})
           {
-            const auto &gg = coupling.gg[face];
+            const double          sign = (equal ? 1. : -1.);
+            std::array<double, 3> gg;
+            for (unsigned int k = 0; k < 3; ++k)
+              gg[k] = coupling.gg[1][k] + sign * coupling.gg[0][k];
+            std::array<double, 2> gb;
+            for (unsigned int a = 0; a < 2; ++a)
+              gb[a] = coupling.gb[1][a] + sign * coupling.gb[0][a];
 
             // coupled[a] = sum_c gg_ac own_c
             const std::array<Tensor<2, 3>, 2> coupled{
               {gg[0] * own[0] + gg[2] * own[1],
                gg[1] * own[1] + gg[2] * own[0]}};
+            const Tensor<2, 3> diagonal =
+              transpose(own[0]) * coupled[0] + transpose(own[1]) * coupled[1];
 
-            add(q,
-                face,
-                q,
-                face,
-                transpose(own[0]) * coupled[0] +
-                  transpose(own[1]) * coupled[1]);
-            for (unsigned int a = 0; a < 2; ++a)
+            for (const auto part : {mean, half_difference})
               {
-                add_with_transpose(
-                  neighbor[a], face, q, face, -slope[a] * coupled[a]);
-                for (unsigned int c = 0; c < 2; ++c)
-                  add_scalar(neighbor[a],
-                             face,
-                             neighbor[c],
-                             face,
-                             slope[a] * slope[c] * gg[a == c ? a : 2]);
-              }
-
-            const Tensor<2, 3> own_beta =
-              coupling.gb[face][0] * own[0] + coupling.gb[face][1] * own[1];
-            for (unsigned int other = 0; other < 2; ++other)
-              {
-                add_with_transpose(q, other, q, face, d_beta[other] * own_beta);
+                const Part other =
+                  (part == mean) == equal ? mean : half_difference;
+                add(q, part, q, other, diagonal);
                 for (unsigned int a = 0; a < 2; ++a)
                   {
-                    const double value =
-                      -slope[a] * d_beta[other] * coupling.gb[face][a];
-                    add_scalar(q, other, neighbor[a], face, value);
-                    add_scalar(neighbor[a], face, q, other, value);
+                    add_with_transpose(
+                      neighbor[a], part, q, other, -slope[a] * coupled[a]);
+                    for (unsigned int c = 0; c < 2; ++c)
+                      add_scalar(neighbor[a],
+                                 part,
+                                 neighbor[c],
+                                 other,
+                                 slope[a] * slope[c] * gg[a == c ? a : 2]);
                   }
-                add_scalar(q,
-                           face,
-                           q,
-                           other,
-                           d_beta[face] * d_beta[other] * coupling.bb);
+              }
+
+            // the director depends on the half difference alone
+            const Part part = (equal ? mean : half_difference);
+            add_with_transpose(q,
+                               half_difference,
+                               q,
+                               part,
+                               d_beta * (gb[0] * own[0] + gb[1] * own[1]));
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                const double value = -slope[a] * d_beta * gb[a];
+                add_scalar(q, half_difference, neighbor[a], part, value);
+                add_scalar(neighbor[a], part, q, half_difference, value);
               }
           }
+        add_scalar(q,
+                   half_difference,
+                   q,
+                   half_difference,
+                   d_beta * d_beta * coupling.bb);
       }
   }
 

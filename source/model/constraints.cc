@@ -20,11 +20,18 @@ namespace Biface
 
   namespace
   {
-    /** Equations @f$c^-v^- + c^+v^+ = \bar v@f$ for one component at one
-     * node, in reduced form. */
-    struct FaceEquations
+    /** Equations @f$\bar c\bar v + \tilde c\tilde v = v_0@f$ for the two
+     * unknowns of one component at one node, in reduced form. */
+    struct NodalEquations
     {
       std::vector<std::array<double, 3>> rows;
+
+      /** The unknown that an equation determines: the mean if possible. */
+      static unsigned int
+      pivot_of(const std::array<double, 3> &row)
+      {
+        return std::abs(row[0]) >= std::abs(row[1]) ? 0 : 1;
+      }
 
       /** Add an equation. @return whether it is consistent with the others up
        * to round-off. */
@@ -34,9 +41,8 @@ namespace Biface
         double scale = std::abs(row[2]);
         for (const auto &old : rows)
           {
-            const unsigned int pivot =
-              (std::abs(old[1]) >= std::abs(old[0]) ? 1 : 0);
-            const double factor = row[pivot] / old[pivot];
+            const unsigned int pivot  = pivot_of(old);
+            const double       factor = row[pivot] / old[pivot];
             for (unsigned int i = 0; i < 3; ++i)
               row[i] -= factor * old[i];
             row[pivot] = 0;
@@ -58,14 +64,16 @@ namespace Biface
                    std::vector<PrescribedDisplacement> &prescribed)
   {
     // equations for the components of the nodes
-    std::map<std::pair<unsigned int, unsigned int>, FaceEquations> equations;
+    std::map<std::pair<unsigned int, unsigned int>, NodalEquations> equations;
     bool       contradiction = false;
     const auto add           = [&](const unsigned int                   node,
                          const std::vector<SupportCondition> &conditions) {
       for (const SupportCondition &condition : conditions)
         if (!equations[{node, condition.component}].add(
-              {{condition.coefficients[0],
-                condition.coefficients[1],
+              {{condition.coefficients[Resultants::outer] +
+                  condition.coefficients[Resultants::inner],
+                condition.coefficients[Resultants::outer] -
+                  condition.coefficients[Resultants::inner],
                 condition.value}}))
           contradiction = true;
     };
@@ -98,28 +106,28 @@ namespace Biface
         const auto        &rows = item.second.rows;
 
         const std::array<types::global_dof_index, 2> dofs{
-          {node.dofs[2 * i], node.dofs[2 * i + 1]}};
-        const auto prescribe = [&](const unsigned int face,
+          {node.dof(i, MixedElement::mean),
+           node.dof(i, MixedElement::half_difference)}};
+        const auto prescribe = [&](const unsigned int part,
                                    const double       factor,
                                    const double       value) {
-          constraints.add_line(dofs[face]);
+          constraints.add_line(dofs[part]);
           if (factor != 0)
-            constraints.add_entry(dofs[face], dofs[1 - face], factor);
+            constraints.add_entry(dofs[part], dofs[1 - part], factor);
           if (value != 0)
             prescribed.push_back(
-              {dofs[face],
-               factor != 0 ? dofs[1 - face] : numbers::invalid_dof_index,
+              {dofs[part],
+               factor != 0 ? dofs[1 - part] : numbers::invalid_dof_index,
                factor,
                value});
         };
 
         if (rows.size() == 1)
           {
-            const unsigned int face =
-              (std::abs(rows[0][1]) >= std::abs(rows[0][0]) ? 1 : 0);
-            prescribe(face,
-                      -rows[0][1 - face] / rows[0][face],
-                      rows[0][2] / rows[0][face]);
+            const unsigned int part = NodalEquations::pivot_of(rows[0]);
+            prescribe(part,
+                      -rows[0][1 - part] / rows[0][part],
+                      rows[0][2] / rows[0][part]);
           }
         else
           {

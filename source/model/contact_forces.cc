@@ -42,18 +42,25 @@ namespace Biface
           columns[j] = traction.stiffness * frame(s)[j];
 
         for (unsigned int r = 0; r < 4; ++r)
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              const unsigned int row =
-                MixedElement::dof(r, i, Resultants::outer);
-              const double force = M[r][s] * (frame(r)[i] * traction.value);
-              forces.force[row] += force;
-              forces.square += force * force;
-              for (unsigned int j = 0; j < 3; ++j)
-                forces
-                  .tangent[row][MixedElement::dof(s, j, Resultants::outer)] +=
-                  M[r][s] * (frame(r)[i] * columns[j]);
-            }
+          {
+            Tensor<1, 3> force;
+            Tensor<2, 3> stiffness;
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                force[i] = M[r][s] * (frame(r)[i] * traction.value);
+                for (unsigned int j = 0; j < 3; ++j)
+                  stiffness[i][j] = M[r][s] * (frame(r)[i] * columns[j]);
+              }
+            MixedElement::add_face_force(
+              force, r, Resultants::outer, forces.force);
+            forces.square += 2 * force.norm_square();
+            MixedElement::add_face_stiffness(stiffness,
+                                             r,
+                                             Resultants::outer,
+                                             s,
+                                             Resultants::outer,
+                                             forces.tangent);
+          }
       }
   }
 
@@ -83,9 +90,8 @@ namespace Biface
           {
             const Tensor<1, 3> m =
               mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
-            for (unsigned int i = 0; i < 3; ++i)
-              force[MixedElement::dof(r, i, Resultants::outer)] +=
-                M[r][s] * m[i];
+            MixedElement::add_face_force(
+              M[r][s] * m, r, Resultants::outer, force);
           }
       }
   }

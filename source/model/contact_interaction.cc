@@ -191,9 +191,8 @@ namespace Biface
             per_travel += area * (per_motion * d);
             const Tensor<1, 3> m =
               mesh.nodes[node].surface.to_frame(per_motion);
-            for (unsigned int i = 0; i < 3; ++i)
-              per_displacement[MixedElement::dof(v, i, Resultants::outer)] +=
-                area * m[i];
+            MixedElement::add_face_force(
+              area * m, v, Resultants::outer, per_displacement);
           }
         mesh.add_nodal_forces(cell, per_displacement, gradient);
       }

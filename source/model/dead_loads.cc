@@ -205,12 +205,14 @@ namespace Biface
       const Tensor<1, 3> f =
         (force.local ? force.components
                      : node.surface.to_frame(force.components));
+      const double inner = share * force.faces[Resultants::inner];
+      const double outer = share * force.faces[Resultants::outer];
       for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int face = 0; face < 2; ++face)
-          mesh.constraints.distribute_local_to_global(
-            Vector<double>({share * force.faces[face] * f[i]}),
-            {node.dofs[2 * i + face]},
-            nodal_forces);
+        mesh.constraints.distribute_local_to_global(
+          Vector<double>({(outer + inner) * f[i], (outer - inner) * f[i]}),
+          {node.dof(i, MixedElement::mean),
+           node.dof(i, MixedElement::half_difference)},
+          nodal_forces);
     }
 
 
@@ -335,13 +337,12 @@ namespace Biface
         director[2] = cell.geometry.vertices[moment.vertex].thickness;
         const FollowerCouple      couple(moment.moment, moment.axis, director);
         MixedElement::NodalVector force;
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            force[MixedElement::dof(moment.vertex, i, Resultants::outer)] =
-              couple.force[i];
-            force[MixedElement::dof(moment.vertex, i, Resultants::inner)] =
-              -couple.force[i];
-          }
+        for (const auto face : {Resultants::inner, Resultants::outer})
+          MixedElement::add_face_force(MixedElement::face_sign[face] *
+                                         couple.force,
+                                       moment.vertex,
+                                       face,
+                                       force);
         mesh.add_nodal_forces(cell, force, nodal_forces);
       }
 

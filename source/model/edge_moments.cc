@@ -103,9 +103,8 @@ namespace Biface
   {
     Tensor<1, 3> director;
     for (unsigned int i = 0; i < 3; ++i)
-      director[i] =
-        at.V[MixedElement::dof(moment.vertex, i, Resultants::outer)] -
-        at.V[MixedElement::dof(moment.vertex, i, Resultants::inner)];
+      director[i] = 2 * at.V[MixedElement::dof(
+                          moment.vertex, i, MixedElement::half_difference)];
     director[2] += at.cell.geometry.vertices[moment.vertex].thickness;
     return FollowerCouple(moment.moment, moment.axis, director);
   }
@@ -117,22 +116,18 @@ namespace Biface
     for (const VertexMoment &moment : moments.at(at.index))
       {
         const FollowerCouple couple = this->couple(at, moment);
-        const auto dof = [&](const unsigned int i, const unsigned int face) {
-          return MixedElement::dof(moment.vertex, i, face);
+        const auto           dof    = [&](const unsigned int i) {
+          return MixedElement::dof(
+            moment.vertex, i, MixedElement::half_difference);
         };
+        // opposite forces on the faces do work on the half difference alone
         for (unsigned int i = 0; i < 3; ++i)
-          for (const auto face : {Resultants::inner, Resultants::outer})
-            {
-              const double factor =
-                (face == Resultants::outer ? 1 : -1) * at.loads.factor;
-              forces.load[dof(i, face)] += factor * couple.force[i];
-              for (unsigned int j = 0; j < 3; ++j)
-                {
-                  const double k = factor * couple.derivative[i][j];
-                  forces.tangent[dof(i, face)][dof(j, Resultants::outer)] -= k;
-                  forces.tangent[dof(i, face)][dof(j, Resultants::inner)] += k;
-                }
-            }
+          {
+            forces.load[dof(i)] += 2 * at.loads.factor * couple.force[i];
+            for (unsigned int j = 0; j < 3; ++j)
+              forces.tangent[dof(i)][dof(j)] -=
+                4 * at.loads.factor * couple.derivative[i][j];
+          }
       }
   }
 
@@ -145,11 +140,12 @@ namespace Biface
     for (const VertexMoment &moment : moments.at(at.index))
       {
         const FollowerCouple couple = this->couple(at, moment);
-        for (unsigned int i = 0; i < 3; ++i)
-          for (const auto face : {Resultants::inner, Resultants::outer})
-            force[MixedElement::dof(moment.vertex, i, face)] +=
-              (face == Resultants::outer ? 1 : -1) * rates.factor *
-              couple.force[i];
+        for (const auto face : {Resultants::inner, Resultants::outer})
+          MixedElement::add_face_force(MixedElement::face_sign[face] *
+                                         rates.factor * couple.force,
+                                       moment.vertex,
+                                       face,
+                                       force);
       }
   }
 } // namespace Biface

@@ -205,9 +205,8 @@ namespace Biface
       {
         const Node &node = mesh.nodes[n];
         for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int face = 0; face < 2; ++face)
-            functional(node.dofs[2 * i + face]) =
-              node.surface.frame[i][component] / 2;
+          functional(node.dof(i, MixedElement::mean)) =
+            node.surface.frame[i][component];
       }
     functional.compress(VectorOperation::insert);
     return functional;

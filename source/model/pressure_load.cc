@@ -85,9 +85,12 @@ namespace Biface
                     .force();
         else
           for (unsigned int v = 0; v < 4; ++v)
-            force[MixedElement::dof(v, 2, face)] =
-              (face == Resultants::inner ? 1 : -1) * p_v[v] *
-              vertex_area(cell, v, area, face);
+            {
+              Tensor<1, 3> normal_force;
+              normal_force[2] = (face == Resultants::inner ? 1 : -1) * p_v[v] *
+                                vertex_area(cell, v, area, face);
+              MixedElement::add_face_force(normal_force, v, face, force);
+            }
         mesh.add_nodal_forces(cell, force, nodal_forces);
       }
     nodal_forces.compress(VectorOperation::add);

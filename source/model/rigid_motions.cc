@@ -50,8 +50,8 @@ namespace Biface
     }
 
 
-    /** The displacement of a node by a motion, for each degree of freedom of
-     * the node. */
+    /** The value of an unknown of a node for a motion, see
+     * MixedElement::dof(). */
     double
     nodal_value(const ShellMesh   &mesh,
                 const Node        &node,
@@ -59,11 +59,23 @@ namespace Biface
                 const unsigned int motion,
                 const unsigned int dof)
     {
+      const auto &heights = node.face_heights;
+      const auto &frame   = node.surface.frame;
+
+      // a motion is linear in the position, but for the translation
+      if (dof % 2 == MixedElement::half_difference)
+        return motion < 3 ? 0.
+                          : displacement(motion,
+                                         (heights[Resultants::outer] -
+                                          heights[Resultants::inner]) /
+                                           (2 * mesh.size()) * frame[2]) *
+                              frame[dof / 2];
       const Tensor<1, 3> x =
         (node.surface.position - center +
-         node.face_heights[dof % 2] * node.surface.frame[2]) /
+         (heights[Resultants::outer] + heights[Resultants::inner]) / 2 *
+           frame[2]) /
         mesh.size();
-      return displacement(motion, x) * node.surface.frame[dof / 2];
+      return displacement(motion, x) * frame[dof / 2];
     }
 
 
@@ -86,7 +98,7 @@ namespace Biface
                 return nodal_value(mesh, node, center, motion, dof);
               };
 
-              // supports couple only the two faces of a node
+              // supports couple only the unknowns of a node
               Combination violation;
               for (unsigned int m = 0; m < n_motions; ++m)
                 {
@@ -97,9 +109,18 @@ namespace Biface
                       if (node.dofs[other] == entry.first)
                         violation[m] -= entry.second * value(m, other);
                 }
+              // a support of the director counts by its rotation, however thin
+              // the shell
+              const double scale =
+                (d % 2 == MixedElement::half_difference
+                   ? 2 * mesh.size() /
+                       (node.face_heights[Resultants::outer] -
+                        node.face_heights[Resultants::inner])
+                   : 1.);
               for (unsigned int i = 0; i < n_motions; ++i)
                 for (unsigned int j = 0; j < n_motions; ++j)
-                  squares[n_motions * i + j] += violation[i] * violation[j];
+                  squares[n_motions * i + j] +=
+                    scale * violation[i] * scale * violation[j];
             }
       Utilities::MPI::sum(squares, mesh.communicator, squares);
 

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -183,14 +185,22 @@ namespace Biface
   {
     if (force_scale == 0)
       return 0;
-    double square = 0;
-    for (const auto dof : mesh.locally_owned)
-      if (!mesh.constraints.is_constrained(dof))
-        {
-          const double force =
-            matrix.get().diag_element(dof) * state.displacement(dof);
-          square += force * force;
-        }
+    const Epetra_CrsMatrix &epetra = matrix.get().trilinos_matrix();
+    double                  square = 0;
+    for (int row = 0; row < epetra.NumMyRows(); ++row)
+      {
+        if (mesh.constraints.is_constrained(epetra.GRID(row)))
+          continue;
+        int     n_entries;
+        double *values;
+        int    *columns;
+        epetra.ExtractMyRowView(row, n_entries, values, columns);
+        double force = 0;
+        for (int k = 0; k < n_entries; ++k)
+          force +=
+            std::abs(values[k] * state.displacement(epetra.GCID(columns[k])));
+        square += force * force;
+      }
     return std::numeric_limits<double>::epsilon() *
            std::sqrt(Utilities::MPI::sum(square, mesh.communicator)) /
            force_scale;

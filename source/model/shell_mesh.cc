@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <biface/base/errors.h>
@@ -182,18 +183,30 @@ namespace Biface
     }
 
 
-    /** Whether any displacement of the outer face is free. A displacement that
-     * is coupled to another one is free, too. */
+    /** Whether any displacement of the outer face, the sum of the two unknowns
+     * of a component, is free. */
     bool
     outer_face_is_free(const Node                      &node,
                        const AffineConstraints<double> &constraints)
     {
       for (unsigned int i = 0; i < 3; ++i)
         {
-          const auto dof = node.dofs[2 * i + Resultants::outer];
-          if (!constraints.is_constrained(dof) ||
-              !constraints.get_constraint_entries(dof)->empty())
-            return true;
+          // the derivative of the sum by each unknown
+          std::map<types::global_dof_index, double> change;
+          for (const auto part :
+               {MixedElement::mean, MixedElement::half_difference})
+            {
+              const auto dof = node.dof(i, part);
+              if (!constraints.is_constrained(dof))
+                change[dof] += 1;
+              else
+                for (const auto &entry :
+                     *constraints.get_constraint_entries(dof))
+                  change[entry.first] += entry.second;
+            }
+          for (const auto &entry : change)
+            if (std::abs(entry.second) > 1e-12)
+              return true;
         }
       return false;
     }
@@ -361,7 +374,9 @@ namespace Biface
   {
     Tensor<1, 3> v;
     for (unsigned int i = 0; i < 3; ++i)
-      v[i] = V(node.dofs[2 * i + face]);
+      v[i] = V(node.dof(i, MixedElement::mean)) +
+             MixedElement::face_sign[face] *
+               V(node.dof(i, MixedElement::half_difference));
     return v;
   }
 

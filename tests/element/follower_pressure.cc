@@ -39,13 +39,11 @@ main()
               cell.points[v].position +
               (face == 0 ? -0.1 : 0.1) * cell.points[v].frame[2];
             const Tensor<1, 3> u = F * X - X;
-            for (unsigned int i = 0; i < 3; ++i)
-              V[MixedElement::dof(v, i, face)] = u[i];
+            add_face_displacement(u, v, face, V);
           }
       const auto nodal = FollowerPressure(cell.geometry, V).force();
       for (unsigned int v = 0; v < 4; ++v)
-        for (unsigned int i = 0; i < 3; ++i)
-          force[i] += nodal[MixedElement::dof(v, i, Resultants::inner)];
+        force += MixedElement::face_force(nodal, v, Resultants::inner);
     }
 
   const Tensor<1, 3> expected = 3 * 1.5 * 2 * (R * Tensor<1, 3>({0, 0, 1}));

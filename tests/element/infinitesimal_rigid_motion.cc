@@ -41,8 +41,7 @@ namespace
                 point.position + laminate.face_heights()[face] * point.frame[2];
               const Tensor<1, 3> u =
                 point.to_frame(translation + cross_product_3d(rotation, x));
-              for (unsigned int i = 0; i < 3; ++i)
-                V[MixedElement::dof(v, i, face)] = u[i];
+              add_face_displacement(u, v, face, V);
             }
         const Modes::Vector E =
           MixedElement(cell.geometry, MixedElement::NodalVector())

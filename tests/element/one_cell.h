@@ -36,6 +36,22 @@ struct TestCell
 };
 
 
+/** Add a displacement of a face at a vertex. */
+inline void
+add_face_displacement(const dealii::Tensor<1, 3>        &u,
+                      const unsigned int                 vertex,
+                      const unsigned int                 face,
+                      Biface::MixedElement::NodalVector &V)
+{
+  // unknowns are the mean and half the difference
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      V[6 * vertex + 2 * i] += u[i] / 2;
+      V[6 * vertex + 2 * i + 1] += (face == 0 ? -1 : 1) * u[i] / 2;
+    }
+}
+
+
 /** Biface::Laminate::face_heights() as a function of the first coordinate. */
 using FaceHeights = std::function<std::array<double, 2>(const double alpha_1)>;
 

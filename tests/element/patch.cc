@@ -69,8 +69,7 @@ namespace
             {
               Point<3> x = cell.points[v].position;
               x[2]       = laminate.face_heights()[face];
-              for (unsigned int i = 0; i < 3; ++i)
-                V[MixedElement::dof(v, i, face)] = displacement(x)[i];
+              add_face_displacement(displacement(x), v, face, V);
             }
 
         const MixedElement at_rest(cell.geometry, MixedElement::NodalVector());
@@ -87,9 +86,8 @@ namespace
           {
             ++n_cells[cell.vertices[v]];
             for (unsigned int face = 0; face < 2; ++face)
-              for (unsigned int i = 0; i < 3; ++i)
-                forces[cell.vertices[v]][face][i] +=
-                  force[MixedElement::dof(v, i, face)];
+              forces[cell.vertices[v]][face] +=
+                MixedElement::face_force(force, v, face);
           }
       }
 

@@ -47,8 +47,7 @@ namespace
                 point.position +
                 faces(point.position[0])[face] * point.frame[2];
               const Tensor<1, 3> u = point.to_frame(F * x - x);
-              for (unsigned int i = 0; i < 3; ++i)
-                V[MixedElement::dof(v, i, face)] = u[i];
+              add_face_displacement(u, v, face, V);
             }
         result = std::max(
           result,

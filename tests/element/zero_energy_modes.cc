@@ -60,8 +60,7 @@ main()
             const Tensor<1, 3>  x =
               point.position + laminate.face_heights()[face] * point.frame[2];
             const Tensor<1, 3> u = translation + cross_product_3d(rotation, x);
-            for (unsigned int i = 0; i < 3; ++i)
-              V[MixedElement::dof(v, i, face)] = u[i];
+            add_face_displacement(u, v, face, V);
           }
       double mode_energy = 0;
       for (unsigned int i = 0; i < n; ++i)

@@ -61,10 +61,8 @@ namespace
     for (const Node &node : mesh->nodes)
       if (node.locally_owned)
         {
-          const Tensor<1, 3> force =
-            node.surface.from_frame(Tensor<1, 3>({forces(node.dofs[1]),
-                                                  forces(node.dofs[3]),
-                                                  forces(node.dofs[5])}));
+          const Tensor<1, 3> force = node.surface.from_frame(
+            mesh->force(forces, node, Resultants::outer));
           sum += force;
           moment +=
             cross_product_3d(mesh->deformed_position(

@@ -41,8 +41,8 @@ namespace
     LA::Vector               w = mesh.owned_vector();
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
-        for (unsigned int face = 0; face < 2; ++face)
-          w(node.dofs[4 + face]) = a * node.alpha[0] + b * node.alpha[1];
+        w(node.dof(2, MixedElement::mean)) =
+          a * node.alpha[0] + b * node.alpha[1];
     w.compress(VectorOperation::insert);
     state.displacement = w;
     equations.assemble(state, Loads());

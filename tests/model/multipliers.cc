@@ -87,8 +87,7 @@ namespace
                 const Tensor<1, 3> f =
                   cell.geometry.weight / 4 *
                   mesh->nodes[cell.nodes[r]].surface.to_frame(N(r) * t);
-                for (unsigned int i = 0; i < 3; ++i)
-                  on_cell[MixedElement::dof(r, i, Resultants::outer)] += f[i];
+                MixedElement::add_face_force(f, r, Resultants::outer, on_cell);
               }
           }
         mesh->add_nodal_forces(cell, on_cell, forces);

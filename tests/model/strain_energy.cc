@@ -60,7 +60,9 @@ namespace
     for (const Cell &cell : mesh->cells)
       for (unsigned int v = 0; v < 4; ++v)
         pressure_work += cell.geometry.weight / 4 *
-                         ghosted(cell.dofs[MixedElement::dof(v, 2, 0)]);
+                         mesh->displacement(ghosted,
+                                            mesh->nodes[cell.nodes[v]],
+                                            Resultants::inner)[2];
     pressure_work = Utilities::MPI::sum(pressure_work, MPI_COMM_WORLD);
     Loads loads;
     loads.pressure = 0.7;

@@ -33,18 +33,16 @@ main(int argc, char *argv[])
   const double turn = 0.7;
   for (const Node &node : shell->nodes)
     if (node.locally_owned)
-      for (unsigned int face = 0; face < 2; ++face)
-        {
-          const Point<3> &x = node.surface.position;
-          const double    s = 1.5 * x[0];
-          // the frame of a plate is that of space
-          const Tensor<1, 3> u(
-            {s * std::cos(turn) - x[1] * std::sin(turn) - x[0],
-             s * std::sin(turn) + x[1] * std::cos(turn) - x[1],
-             0});
-          for (unsigned int i = 0; i < 3; ++i)
-            V(node.dofs[2 * i + face]) = u[i];
-        }
+      {
+        const Point<3> &x = node.surface.position;
+        const double    s = 1.5 * x[0];
+        // the frame of a plate is that of space
+        const Tensor<1, 3> u({s * std::cos(turn) - x[1] * std::sin(turn) - x[0],
+                              s * std::sin(turn) + x[1] * std::cos(turn) - x[1],
+                              0});
+        for (unsigned int i = 0; i < 3; ++i)
+          V(node.dof(i, MixedElement::mean)) = u[i];
+      }
   V.compress(VectorOperation::insert);
   state.displacement = V;
 

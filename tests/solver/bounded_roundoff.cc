@@ -29,8 +29,10 @@ main(int argc, char *argv[])
   ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
   State                    state(*mesh);
   LA::Vector               distance = mesh->owned_vector();
-  distance                          = 1e8;
-  state.displacement                = distance;
+  for (const Node &node : mesh->nodes)
+    for (unsigned int i = 0; i < 3; ++i)
+      distance(node.dof(i, MixedElement::mean)) = 1e8;
+  state.displacement = distance;
 
   ParametrizedLoads loads;
   loads.at = [](const double) {

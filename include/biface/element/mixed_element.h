@@ -32,24 +32,102 @@ namespace Biface
   public:
     static constexpr unsigned int n_dofs = 24;
 
-    /** Index of a nodal displacement: vertex by vertex, in the order
-     * @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
+    /**
+     * The two unknowns per component at a node: the mean of the displacements
+     * of the faces, @f$\bar v=\frac12(v^-+v^+)@f$, and half their difference,
+     * @f$\tilde v=\frac12(v^+-v^-)@f$, so that @f$v^\pm=\bar
+     * v\pm\tilde v@f$.
+     *
+     * In the displacements of the faces themselves, the stiffness
+     * @f$E/h@f$ against a change of thickness would be added to that against
+     * bending, @f$Eh^3@f$, which is lost in round-off if the shell is thin
+     * @cite WallGeeRamm2000.
+     */
+    enum Part : unsigned int
+    {
+      mean,
+      half_difference
+    };
+
+    /** Index of a nodal unknown: vertex by vertex, in the order @f$\bar
+     * v_1,\tilde v_1,\bar v_2,\tilde v_2,\bar v_3,\tilde v_3@f$. */
     static constexpr unsigned int
     dof(const unsigned int vertex,
         const unsigned int component,
-        const unsigned int face)
+        const Part         part)
     {
-      return 6 * vertex + 2 * component + face;
+      return 6 * vertex + 2 * component + part;
     }
 
-    /** @f$h\,\partial\beta/\partial v^\mp@f$: the contribution of each face to
-     * the change of the director. */
-    static constexpr std::array<double, 2> beta_sign{{-1, 1}};
+    /** @f$\partial v^\mp/\partial\tilde v@f$: the sign of a face. */
+    static constexpr std::array<double, 2> face_sign{{-1, 1}};
 
+    /** Vertex by vertex, see dof(). Forces are conjugate to the unknowns:
+     * @f$\bar f=f^-+f^+@f$ and @f$\tilde f=f^+-f^-@f$. */
     using NodalVector = dealii::Tensor<1, n_dofs>;
 
     /** `K[i][j]`, row by row. */
     using NodalMatrix = std::array<std::array<double, n_dofs>, n_dofs>;
+
+    /** The displacement of a face at a vertex. */
+    static dealii::Tensor<1, 3>
+    face_displacement(const NodalVector &V,
+                      const unsigned int vertex,
+                      const unsigned int face)
+    {
+      dealii::Tensor<1, 3> v;
+      for (unsigned int i = 0; i < 3; ++i)
+        v[i] = V[dof(vertex, i, mean)] +
+               face_sign[face] * V[dof(vertex, i, half_difference)];
+      return v;
+    }
+
+    /** The force on a face at a vertex. */
+    static dealii::Tensor<1, 3>
+    face_force(const NodalVector &forces,
+               const unsigned int vertex,
+               const unsigned int face)
+    {
+      return face_displacement(forces, vertex, face) / 2;
+    }
+
+    /** Add a force on a face at a vertex. */
+    static void
+    add_face_force(const dealii::Tensor<1, 3> &force,
+                   const unsigned int          vertex,
+                   const unsigned int          face,
+                   NodalVector                &forces)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          forces[dof(vertex, i, mean)] += force[i];
+          forces[dof(vertex, i, half_difference)] += face_sign[face] * force[i];
+        }
+    }
+
+    /** Add the derivative of the force on a face at vertex @p r by the
+     * displacement of a face at vertex @p s. */
+    static void
+    add_face_stiffness(const dealii::Tensor<2, 3> &stiffness,
+                       const unsigned int          r,
+                       const unsigned int          face_r,
+                       const unsigned int          s,
+                       const unsigned int          face_s,
+                       NodalMatrix                &K)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            const double k = stiffness[i][j];
+            K[dof(r, i, mean)][dof(s, j, mean)] += k;
+            K[dof(r, i, mean)][dof(s, j, half_difference)] +=
+              face_sign[face_s] * k;
+            K[dof(r, i, half_difference)][dof(s, j, mean)] +=
+              face_sign[face_r] * k;
+            K[dof(r, i, half_difference)][dof(s, j, half_difference)] +=
+              face_sign[face_r] * face_sign[face_s] * k;
+          }
+    }
 
     /** The element keeps a reference to @p geometry. */
     MixedElement(const ElementGeometry &geometry, const NodalVector &V);

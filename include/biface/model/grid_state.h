@@ -31,7 +31,7 @@ namespace Biface
     /** Must be called on all ranks. */
     GridState(const ShellMesh &mesh, const State &state);
 
-    /** The displacements @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$ at a
+    /** The unknowns of a node, in the order of MixedElement::dof(), at a
      * position within the grid. Unit: length. */
     dealii::Tensor<1, 6>
     displacement(const dealii::Point<2> &alpha) const;

@@ -45,8 +45,15 @@ namespace Biface
     /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(). Unit: length. */
     std::array<double, 2> face_heights;
 
-    /** Global indices of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. */
+    /** Global indices of the unknowns, in the order of dof(). */
     std::array<dealii::types::global_dof_index, 6> dofs;
+
+    /** See MixedElement::dof(). */
+    dealii::types::global_dof_index
+    dof(const unsigned int component, const MixedElement::Part part) const
+    {
+      return dofs[MixedElement::dof(0, component, part)];
+    }
 
     /** Whether the node belongs to this rank. */
     bool locally_owned;
@@ -174,7 +181,7 @@ namespace Biface
       return diameter;
     }
 
-    /** The number of displacements not determined by supports. */
+    /** The number of unknowns not determined by supports. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
@@ -208,6 +215,16 @@ namespace Biface
     displacement(const LA::Vector  &V,
                  const Node        &node,
                  const unsigned int face) const;
+
+    /** Of nodal forces, the force on a face at a node, in the frame of the
+     * node. */
+    dealii::Tensor<1, 3>
+    force(const LA::Vector  &nodal_forces,
+          const Node        &node,
+          const unsigned int face) const
+    {
+      return displacement(nodal_forces, node, face) / 2;
+    }
 
     /** Position of a face at a node in the deformed shell. */
     dealii::Point<3>

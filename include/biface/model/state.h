@@ -28,7 +28,8 @@ namespace Biface
     /** The unloaded shell. */
     explicit State(const ShellMesh &mesh);
 
-    /** Nodal displacements, readable at all nodes of this rank. */
+    /** The nodal unknowns, see MixedElement::Part, readable at all nodes of
+     * this rank. */
     LA::Vector displacement;
 
     /** The resultants @f$\mathbf H@f$ of each locally owned cell, an unknown

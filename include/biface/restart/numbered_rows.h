@@ -30,7 +30,7 @@ namespace Biface
   };
 
 
-  /** A row of six displacements per node. */
+  /** A row of the six unknowns per node, see MixedElement::dof(). */
   NumberedRows
   rows_of(const LA::Vector &displacement, const ShellMesh &mesh);
 

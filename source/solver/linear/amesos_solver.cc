@@ -76,12 +76,17 @@ namespace Biface
   {
     Assert(solver, ExcNotInitialized());
     TimerOutput::Scope scope(timer, "Linear solver: solution");
-    x = 0;
-    problem->SetLHS(&x.trilinos_vector());
-    problem->SetRHS(const_cast<Epetra_MultiVector *>(
-      static_cast<const Epetra_MultiVector *>(&b.trilinos_vector())));
-    if (const int status = solver->Solve(); status != 0)
-      return failure("solution", status);
-    return check_solution(*matrix, x, b);
+    return solve_with_refinement(
+      *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
+        x = 0;
+        problem->SetLHS(&x.trilinos_vector());
+        problem->SetRHS(const_cast<Epetra_MultiVector *>(
+          static_cast<const Epetra_MultiVector *>(&b.trilinos_vector())));
+        if (const int status = solver->Solve(); status != 0)
+          return failure("solution", status);
+        LinearSolverResult result;
+        result.success = true;
+        return result;
+      });
   }
 } // namespace Biface

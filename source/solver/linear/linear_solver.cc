@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <biface/input/parameter_tools.h>
@@ -55,28 +56,50 @@ namespace Biface
 
 
   LinearSolverResult
-  check_solution(const LA::SparseMatrix &A,
-                 const LA::Vector       &x,
-                 const LA::Vector       &b)
+  solve_with_refinement(
+    const LA::SparseMatrix &A,
+    LA::Vector             &x,
+    const LA::Vector       &b,
+    const std::function<LinearSolverResult(LA::Vector &, const LA::Vector &)>
+      &solve)
   {
-    LA::Vector   residual(b);
-    const double norm_r = A.residual(residual, x, b);
-    const double norm_b = b.l2_norm();
-    const double norm_x = x.l2_norm();
+    constexpr double       tolerance     = 1e-10;
+    constexpr double       contraction   = 1e-3;
+    constexpr unsigned int n_refinements = 3;
 
-    // Round-off causes a residual of order eps |A| |x|, which for a thin shell
-    // is much larger than eps |b|. For a singular matrix it is of order |b|.
-    LinearSolverResult result;
-    const double       relative = (norm_b > 0 ? norm_r / norm_b : norm_r);
-    const double backward_error = norm_r / (A.linfty_norm() * norm_x + norm_b);
-    result.success =
-      std::isfinite(norm_x) &&
-      (norm_r == 0 || (relative <= 1e-3 && backward_error <= 1e-10));
+    LinearSolverResult result = solve(x, b);
+    if (!result.success)
+      return result;
+
+    const double norm_b = b.l2_norm();
+    LA::Vector   residual(b), correction(b);
+    // what remains of the solution's error, by its last correction
+    double error = std::numeric_limits<double>::infinity();
+    double relative;
+    for (unsigned int k = 0;; ++k)
+      {
+        const double norm = A.residual(residual, x, b);
+        relative          = (norm_b > 0 ? norm / norm_b : norm);
+        if (relative <= tolerance || error <= tolerance)
+          return result;
+        if (k == n_refinements || !std::isfinite(relative))
+          break;
+        result = solve(correction, residual);
+        if (!result.success)
+          return result;
+        const double last = error;
+        error             = correction.linfty_norm() / x.linfty_norm();
+        if (!(error < last / 2))
+          break;
+        x += correction;
+      }
+
+    result.success = (error <= contraction);
     if (!result.success)
       {
         std::ostringstream message;
         message << "the linear system was not solved (relative residual "
-                << relative << ", norm of the solution " << norm_x
+                << relative << ", norm of the solution " << x.l2_norm()
                 << "): the tangent is singular or nearly so";
         result.message = message.str();
       }

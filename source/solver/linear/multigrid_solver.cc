@@ -40,101 +40,11 @@ namespace Biface
   MultigridSolver::MultigridSolver(const Parameters &parameters,
                                    const ShellMesh  &mesh,
                                    TimerOutput      &timer)
-    : parameters(parameters), mesh(mesh), timer(timer)
+    : parameters(parameters), timer(timer)
   {
-    const auto is_free = [&](const types::global_dof_index dof) {
-      return !mesh.constraints.is_constrained(dof);
-    };
-    for (const Node &node : mesh.nodes)
-      if (node.locally_owned)
-        for (unsigned int i = 0; i < 6; i += 2)
-          if (is_free(node.dofs[i]) && is_free(node.dofs[i + 1]))
-            {
-              Assert(node.dofs[i + 1] == node.dofs[i] + 1, ExcInternalError());
-              pairs.push_back(
-                mesh.locally_owned.index_within_set(node.dofs[i]));
-            }
-
-    for (std::vector<double> motion : rigid_motions(mesh))
-      {
-        for (const unsigned int p : pairs)
-          {
-            const double inner = motion[p], outer = motion[p + 1];
-            motion[p]     = (inner + outer) / 2;
-            motion[p + 1] = (outer - inner) / 2;
-          }
-        near_null_space.insert(
-          near_null_space.end(), motion.begin(), motion.end());
-      }
-  }
-
-
-  void
-  MultigridSolver::transform_matrix()
-  {
-    const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-    int                    *starts;
-    int                    *columns;
-    double                 *values;
-    const int error = epetra.ExtractCrsDataPointers(starts, columns, values);
-    AssertThrow(error == 0,
-                ExcMessage("The matrix is not stored "
-                           "contiguously."));
-
-    // columns: A <- A T, for the pairs whose two columns are adjacent
-    std::vector<bool> paired_column(epetra.ColMap().NumMyElements(), false);
-    for (int j = 0; j + 1 < epetra.ColMap().NumMyElements(); ++j)
-      {
-        const types::global_dof_index dof = epetra.GCID(j);
-        paired_column[j]                  = dof % 2 == 0 &&
-                           !mesh.constraints.is_constrained(dof) &&
-                           !mesh.constraints.is_constrained(dof + 1);
-      }
-    for (int k = 0; k < starts[epetra.NumMyRows()]; ++k)
-      if (paired_column[columns[k]])
-        {
-          Assert(epetra.GCID(columns[k + 1]) == epetra.GCID(columns[k]) + 1,
-                 ExcInternalError());
-          const double inner = values[k], outer = values[k + 1];
-          values[k]     = outer + inner;
-          values[k + 1] = outer - inner;
-          ++k;
-        }
-    // rows: A <- T^T A; both rows of a pair have the same columns
-    for (const unsigned int p : pairs)
-      for (int k = starts[p], l = starts[p + 1]; k < starts[p + 1]; ++k, ++l)
-        {
-          Assert(columns[k] == columns[l], ExcInternalError());
-          const double inner = values[k], outer = values[l];
-          values[k] = outer + inner;
-          values[l] = outer - inner;
-        }
-  }
-
-
-  void
-  MultigridSolver::to_means_and_differences(LA::Vector &forces) const
-  {
-    double *f = forces.begin();
-    for (const unsigned int p : pairs)
-      {
-        const double inner = f[p], outer = f[p + 1];
-        f[p]     = outer + inner;
-        f[p + 1] = outer - inner;
-      }
-  }
-
-
-  void
-  MultigridSolver::to_faces(LA::Vector &displacements) const
-  {
-    double *v = displacements.begin();
-    for (const unsigned int p : pairs)
-      {
-        const double mean = v[p], difference = v[p + 1];
-        v[p]     = mean - difference;
-        v[p + 1] = mean + difference;
-      }
+    for (const std::vector<double> &motion : rigid_motions(mesh))
+      near_null_space.insert(
+        near_null_space.end(), motion.begin(), motion.end());
   }
 
 
@@ -144,10 +54,7 @@ namespace Biface
   {
     TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
     preconditioner.clear();
-    if (matrix.n_nonzero_elements() != A.n_nonzero_elements())
-      matrix.reinit(A);
-    matrix.copy_from(A);
-    transform_matrix();
+    matrix = &A;
 
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
@@ -164,7 +71,7 @@ namespace Biface
     LinearSolverResult result;
     try
       {
-        preconditioner.initialize(matrix, list);
+        preconditioner.initialize(A, list);
         result.success = true;
       }
     catch (const ExceptionBase &)
@@ -183,8 +90,7 @@ namespace Biface
   {
     TimerOutput::Scope scope(timer, "Linear solver: multigrid iterations");
 
-    LA::Vector rhs(b);
-    to_means_and_differences(rhs);
+    Assert(matrix != nullptr, ExcNotInitialized());
     x = 0;
 
     // left preconditioning, so that the tolerance refers to the preconditioned
@@ -196,7 +102,7 @@ namespace Biface
     try
       {
         SolverGMRES<LA::Vector>(control, vectors)
-          .solve(matrix, x, rhs, preconditioner);
+          .solve(*matrix, x, b, preconditioner);
         result.success = true;
       }
     catch (const SolverControl::NoConvergence &)
@@ -210,7 +116,6 @@ namespace Biface
         result.message = message.str();
         result.cause   = FailureCause::linear_iterations;
       }
-    to_faces(x);
     return result;
   }
 } // namespace Biface

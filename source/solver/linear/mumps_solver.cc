@@ -287,8 +287,13 @@ namespace Biface
   {
     Assert(matrix != nullptr, ExcNotInitialized());
     TimerOutput::Scope scope(timer, "Linear solver: solution");
-    if (const int status = instance->solve(x, b); status < 0)
-      return mumps_failure("solution", status);
-    return check_solution(*matrix, x, b);
+    return solve_with_refinement(
+      *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
+        if (const int status = instance->solve(x, b); status < 0)
+          return mumps_failure("solution", status);
+        LinearSolverResult result;
+        result.success = true;
+        return result;
+      });
   }
 } // namespace Biface

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,16 +98,22 @@ namespace Biface
 
 
   /**
-   * Check the residual of a solution, since a direct solver may return numbers
-   * even for a singular matrix.
+   * Solve @f$A x = b@f$ by a direct solver and improve the solution by
+   * iterative refinement if its residual exceeds 1e-10 of the right hand side,
+   * as it does if a shell is very thin.
    *
-   * @return success if the solution is finite and its residual is at most 1e-3
-   * of the right hand side and at most 1e-10 of @f$|A|_\infty|x| + |b|@f$.
+   * A direct solver may return numbers even for a singular matrix. The
+   * refinement tells: its corrections are as large as the solution.
+   *
+   * @param solve computes a solution for a given right hand side.
    */
   LinearSolverResult
-  check_solution(const LA::SparseMatrix &A,
-                 const LA::Vector       &x,
-                 const LA::Vector       &b);
+  solve_with_refinement(
+    const LA::SparseMatrix &A,
+    LA::Vector             &x,
+    const LA::Vector       &b,
+    const std::function<LinearSolverResult(LA::Vector &, const LA::Vector &)>
+      &solve);
 } // namespace Biface
 
 #endif

@@ -23,10 +23,10 @@ namespace Biface
    * error. In the residual itself, the stiffness of the contact and of the
    * thickness dominate.
    *
-   * Two measures make multigrid work for a shell with two faces. The unknowns
-   * are transformed to the mean and half the difference of the two faces; the
-   * smoother alone handles the stiff difference. The six rigid motions, in the
-   * frames of the nodes, are the near null space.
+   * The unknowns of a node are the mean and half the difference of the
+   * displacements of the faces, see MixedElement::Part; the smoother alone
+   * handles the stiff difference. The six rigid motions, in the frames of the
+   * nodes, are the near null space.
    *
    * It needs less memory than a factorization, but more time if the
    * factorization fits into memory. Failure to converge is an ordinary result.
@@ -48,28 +48,13 @@ namespace Biface
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
   private:
-    /** Transform the copy of the matrix to the unknowns mean and half
-     * difference. */
-    void
-    transform_matrix();
-
-    /** @f$T^T b@f$ and @f$T x@f$ for @f$v^\pm = m \pm d@f$. */
-    void
-    to_means_and_differences(LA::Vector &forces) const;
-    void
-    to_faces(LA::Vector &displacements) const;
-
     const Parameters     parameters;
-    const ShellMesh     &mesh;
     dealii::TimerOutput &timer;
 
-    LA::SparseMatrix                          matrix;
+    const LA::SparseMatrix                   *matrix = nullptr;
     dealii::TrilinosWrappers::PreconditionAMG preconditioner;
-    /** The rigid motions in the transformed unknowns, one after the other. */
+    /** The rigid motions, one after the other. */
     std::vector<double> near_null_space;
-    /** Local indices of the degrees of freedom of the inner face that form a
-     * free pair with the next index, that of the outer face. */
-    std::vector<unsigned int> pairs;
   };
 } // namespace Biface
 
