@@ -20,40 +20,139 @@ namespace Biface
 
   namespace
   {
-    /** Equations @f$\bar c\bar v + \tilde c\tilde v = v_0@f$ for the two
-     * unknowns of one component at one node, in reduced form. */
-    struct NodalEquations
+    constexpr unsigned int n_unknowns = 6;
+
+    /** Relative size of what remains of an equation that follows from others.
+     */
+    constexpr double roundoff = 1e-10;
+
+
+    /** A linear equation for the unknowns of a node. */
+    struct Equation
     {
-      std::vector<std::array<double, 3>> rows;
+      Tensor<1, n_unknowns> coefficients;
+      double                value;
+    };
 
-      /** The unknown that an equation determines: the mean if possible. */
-      static unsigned int
-      pivot_of(const std::array<double, 3> &row)
-      {
-        return std::abs(row[0]) >= std::abs(row[1]) ? 0 : 1;
-      }
 
-      /** Add an equation. @return whether it is consistent with the others up
-       * to round-off. */
-      bool
-      add(std::array<double, 3> row)
-      {
-        double scale = std::abs(row[2]);
-        for (const auto &old : rows)
+    /** An equation for the displacements of the faces as one for the unknowns
+     * of a node, in the order of Node::dofs. */
+    Equation
+    for_unknowns(const SupportEquation &equation)
+    {
+      Equation result{{}, equation.value};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
           {
-            const unsigned int pivot  = pivot_of(old);
-            const double       factor = row[pivot] / old[pivot];
-            for (unsigned int i = 0; i < 3; ++i)
-              row[i] -= factor * old[i];
-            row[pivot] = 0;
-            scale      = std::max(scale, std::abs(factor * old[2]));
+            const double c = equation.coefficients[2 * i + face];
+            result.coefficients[MixedElement::dof(0, i, MixedElement::mean)] +=
+              c;
+            result.coefficients[MixedElement::dof(
+              0, i, MixedElement::half_difference)] +=
+              MixedElement::face_sign[face] * c;
           }
-        if (std::abs(row[0]) < 1e-12 && std::abs(row[1]) < 1e-12)
-          return std::abs(row[2]) <= 1e-12 * scale;
-        rows.push_back(row);
+      return result;
+    }
+
+
+    /** The equations of all supports at a node. */
+    class NodalEquations
+    {
+    public:
+      /** Add an equation unless it follows from the others. @return whether it
+       * is consistent with them. */
+      bool
+      add(const SupportEquation &equation)
+      {
+        Equation     remainder = for_unknowns(equation);
+        const double norm      = remainder.coefficients.norm();
+        double       scale     = std::abs(remainder.value);
+        // twice, since the first pass leaves round-off of what it removes
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          for (const Equation &other : orthonormal)
+            {
+              const double part = remainder.coefficients * other.coefficients;
+              remainder.coefficients -= part * other.coefficients;
+              remainder.value -= part * other.value;
+              scale = std::max(scale, std::abs(part * other.value));
+            }
+        const double left = remainder.coefficients.norm();
+        if (left <= roundoff * norm)
+          return std::abs(remainder.value) <= roundoff * scale;
+
+        orthonormal.push_back(
+          {remainder.coefficients / left, remainder.value / left});
+        independent.push_back(equation);
         return true;
       }
+
+      const std::vector<SupportEquation> &
+      equations() const
+      {
+        return independent;
+      }
+
+      /** The equations solved for one unknown each: its coefficient is 1 and
+       * vanishes in the others. @return with the positions of the unknowns. */
+      std::vector<std::pair<unsigned int, Equation>>
+      solved() const
+      {
+        std::vector<Equation> rows;
+        for (const SupportEquation &equation : independent)
+          rows.push_back(for_unknowns(equation));
+
+        std::vector<std::pair<unsigned int, Equation>> result;
+        while (!rows.empty())
+          {
+            // of equal coefficients up to round-off, the last one
+            auto         pivot_row = rows.begin();
+            unsigned int pivot     = 0;
+            double       greatest  = 0;
+            for (auto row = rows.begin(); row != rows.end(); ++row)
+              for (unsigned int i = n_unknowns; i-- > 0;)
+                if (std::abs(row->coefficients[i]) > (1 + roundoff) * greatest)
+                  {
+                    greatest  = std::abs(row->coefficients[i]);
+                    pivot_row = row;
+                    pivot     = i;
+                  }
+            Equation solution = *pivot_row;
+            rows.erase(pivot_row);
+            const double factor = solution.coefficients[pivot];
+            solution.coefficients /= factor;
+            solution.value /= factor;
+
+            const auto eliminate = [&](Equation &row) {
+              const double part = row.coefficients[pivot];
+              row.coefficients -= part * solution.coefficients;
+              row.value -= part * solution.value;
+              row.coefficients[pivot] = 0;
+            };
+            for (Equation &row : rows)
+              eliminate(row);
+            for (auto &other : result)
+              eliminate(other.second);
+            result.emplace_back(pivot, solution);
+          }
+        return result;
+      }
+
+    private:
+      std::vector<SupportEquation> independent;
+      /** The same equations, orthonormal. */
+      std::vector<Equation> orthonormal;
     };
+
+
+    SupportEquation
+    equation_of(const SupportCondition &condition, const unsigned int body)
+    {
+      SupportEquation equation{{}, condition.value, body};
+      for (unsigned int face = 0; face < 2; ++face)
+        equation.coefficients[2 * condition.component + face] =
+          condition.coefficients[face];
+      return equation;
+    }
   } // namespace
 
 
@@ -61,37 +160,37 @@ namespace Biface
   make_constraints(const Supports                      &supports,
                    const ShellMesh                     &mesh,
                    AffineConstraints<double>           &constraints,
-                   std::vector<PrescribedDisplacement> &prescribed)
+                   std::vector<PrescribedDisplacement> &prescribed,
+                   SupportedNodes                      &supported)
   {
-    // equations for the components of the nodes
-    std::map<std::pair<unsigned int, unsigned int>, NodalEquations> equations;
-    bool       contradiction = false;
-    const auto add           = [&](const unsigned int                   node,
+    std::map<unsigned int, NodalEquations> equations;
+    bool                                   contradiction = false;
+    const auto                             add = [&](const unsigned int                   node,
                          const std::vector<SupportCondition> &conditions) {
       for (const SupportCondition &condition : conditions)
-        if (!equations[{node, condition.component}].add(
-              {{condition.coefficients[Resultants::outer] +
-                  condition.coefficients[Resultants::inner],
-                condition.coefficients[Resultants::outer] -
-                  condition.coefficients[Resultants::inner],
-                condition.value}}))
+        if (!equations[node].add(
+              equation_of(condition, supported.bodies.size() - 1)))
           contradiction = true;
     };
 
-    for (unsigned int edge = 0; edge < 4; ++edge)
-      {
-        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-          if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
-                                static_cast<Edge>(edge)))
-            add(n, supports.edges[edge]);
-      }
+    supported = SupportedNodes();
     for (const auto &item : supports.points)
       {
+        supported.bodies.push_back("point " + item.point);
         const unsigned int node =
           node_of_point(mesh, "Supports/Point supports", item.point);
         if (node != numbers::invalid_unsigned_int)
           add(node, item.conditions);
       }
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      if (!supports.edges[edge].empty())
+        {
+          supported.bodies.push_back(edge_names[edge]);
+          for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+            if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
+                                  static_cast<Edge>(edge)))
+              add(n, supports.edges[edge]);
+        }
     if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
                             mesh.communicator) > 0)
       throw InputError("the section 'Supports' prescribes contradictory "
@@ -101,46 +200,19 @@ namespace Biface
     prescribed.clear();
     for (const auto &item : equations)
       {
-        const Node        &node = mesh.nodes[item.first.first];
-        const unsigned int i    = item.first.second;
-        const auto        &rows = item.second.rows;
-
-        const std::array<types::global_dof_index, 2> dofs{
-          {node.dof(i, MixedElement::mean),
-           node.dof(i, MixedElement::half_difference)}};
-        const auto prescribe = [&](const unsigned int part,
-                                   const double       factor,
-                                   const double       value) {
-          constraints.add_line(dofs[part]);
-          if (factor != 0)
-            constraints.add_entry(dofs[part], dofs[1 - part], factor);
-          if (value != 0)
-            prescribed.push_back(
-              {dofs[part],
-               factor != 0 ? dofs[1 - part] : numbers::invalid_dof_index,
-               factor,
-               value});
-        };
-
-        if (rows.size() == 1)
+        const Node &node = mesh.nodes[item.first];
+        supported.items.push_back({item.first, item.second.equations()});
+        for (const auto &row : item.second.solved())
           {
-            const unsigned int part = NodalEquations::pivot_of(rows[0]);
-            prescribe(part,
-                      -rows[0][1 - part] / rows[0][part],
-                      rows[0][2] / rows[0][part]);
-          }
-        else
-          {
-            const double determinant =
-              rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-            prescribe(0,
-                      0,
-                      (rows[0][2] * rows[1][1] - rows[0][1] * rows[1][2]) /
-                        determinant);
-            prescribe(1,
-                      0,
-                      (rows[0][0] * rows[1][2] - rows[0][2] * rows[1][0]) /
-                        determinant);
+            const auto dof = node.dofs[row.first];
+            constraints.add_line(dof);
+            for (unsigned int i = 0; i < n_unknowns; ++i)
+              if (i != row.first &&
+                  std::abs(row.second.coefficients[i]) > roundoff)
+                constraints.add_entry(
+                  dof, node.dofs[i], -row.second.coefficients[i]);
+            if (row.second.value != 0)
+              prescribed.push_back({dof, row.second.value});
           }
       }
     constraints.close();

@@ -197,6 +197,7 @@ namespace Biface
         mesh.add_nodal_forces(cell, per_displacement, gradient);
       }
     gradient.compress(VectorOperation::add);
+    mesh.condense(gradient);
     const MPI_Comm communicator = mesh.communicator;
     return {Utilities::MPI::sum(value, communicator),
             gradient,

@@ -196,8 +196,7 @@ namespace Biface
   {
     /** Add a fraction of a force to the nodal forces. */
     void
-    add_nodal_force(const ShellMesh &mesh,
-                    const Node      &node,
+    add_nodal_force(const Node      &node,
                     const DeadForce &force,
                     const double     share,
                     LA::Vector      &nodal_forces)
@@ -208,11 +207,11 @@ namespace Biface
       const double inner = share * force.faces[Resultants::inner];
       const double outer = share * force.faces[Resultants::outer];
       for (unsigned int i = 0; i < 3; ++i)
-        mesh.constraints.distribute_local_to_global(
-          Vector<double>({(outer + inner) * f[i], (outer - inner) * f[i]}),
-          {node.dof(i, MixedElement::mean),
-           node.dof(i, MixedElement::half_difference)},
-          nodal_forces);
+        nodal_forces.add(std::vector<types::global_dof_index>(
+                           {node.dof(i, MixedElement::mean),
+                            node.dof(i, MixedElement::half_difference)}),
+                         std::vector<double>(
+                           {(outer + inner) * f[i], (outer - inner) * f[i]}));
     }
 
 
@@ -265,7 +264,7 @@ namespace Biface
                 (force.true_length ? 1 + node.surface.curvature[along] * height
                                    : 1.);
               add_nodal_force(
-                mesh, node, shared, stretch * segment.length / 2, nodal_forces);
+                node, shared, stretch * segment.length / 2, nodal_forces);
             }
       if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
         throw InputError(
@@ -282,7 +281,7 @@ namespace Biface
       for (const Cell &cell : mesh.cells)
         for (const unsigned int n : cell.nodes)
           add_nodal_force(
-            mesh, mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
+            mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
     }
 
 
@@ -304,8 +303,7 @@ namespace Biface
           {
             for (unsigned int i = 0; i < 3; ++i)
               force.components[i] = values[cell.nodes[v]][i];
-            add_nodal_force(mesh,
-                            mesh.nodes[cell.nodes[v]],
+            add_nodal_force(mesh.nodes[cell.nodes[v]],
                             force,
                             vertex_area(cell, v, area, face),
                             nodal_forces);
@@ -324,7 +322,7 @@ namespace Biface
         const unsigned int n =
           node_of_point(mesh, "Loads/Point forces", item.point);
         if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
-          add_nodal_force(mesh, mesh.nodes[n], item.force, 1, nodal_forces);
+          add_nodal_force(mesh.nodes[n], item.force, 1, nodal_forces);
       }
 
     for (const EdgeForce &item : edge_forces)

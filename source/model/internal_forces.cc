@@ -39,13 +39,24 @@ namespace Biface
   {
     const MixedElement  element(at.cell.geometry, at.V);
     const Modes::Vector H = stiffness_of(at.cell).resultants(element.strain());
-    element.add_tangent(stiffness_of(at.cell),
-                        total_resultants(at.state, at.index),
-                        forces.tangent);
+    if (forces.with_tangent)
+      element.add_tangent(stiffness_of(at.cell),
+                          total_resultants(at.state, at.index),
+                          forces.tangent);
     const MixedElement::NodalVector force =
       element.internal_force(H, history.initial_resultants[at.index]);
     forces.force -= force;
     forces.square += force.norm_square();
+  }
+
+
+  MixedElement::NodalVector
+  InternalForces::initial_forces(const unsigned int c) const
+  {
+    const MixedElement undeformed(mesh.cells[c].geometry,
+                                  MixedElement::NodalVector());
+    return undeformed.internal_force(history.initial_resultants[c],
+                                     Modes::Vector());
   }
 
 

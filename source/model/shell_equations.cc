@@ -55,27 +55,27 @@ namespace Biface
 
 
   void
-  ShellEquations::sum_forces(const unsigned int     c,
+  ShellEquations::add_forces(const unsigned int     begin,
+                             const unsigned int     end,
+                             const unsigned int     c,
                              const State           &state,
                              const Loads           &loads,
                              ForceTerm::CellForces &forces) const
   {
-    forces.clear();
     const Cell &cell = mesh.cells[c];
-    const auto  add  = [&](const unsigned int               begin,
-                         const unsigned int               end,
-                         const State                     &state,
+    const auto  add  = [&](const State                     &state,
                          const MixedElement::NodalVector &V) {
       for (unsigned int t = begin; t < end; ++t)
         if (terms[t]->acts_on(c, state, loads))
           terms[t]->add({c, cell, V, state, loads}, forces);
     };
 
-    const auto V = mesh.cell_values(state.displacement, cell);
-    if (const auto &base = internal.linearization_point())
+    const auto  V    = mesh.cell_values(state.displacement, cell);
+    const auto &base = internal.linearization_point();
+    if (base && begin < n_linearized)
       {
         const auto V_0 = mesh.cell_values(base->displacement, cell);
-        add(0, n_linearized, *base, V_0);
+        add(*base, V_0);
         const auto dV = V - V_0;
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
@@ -83,8 +83,19 @@ namespace Biface
         forces.square = forces.force.norm_square();
       }
     else
-      add(0, n_linearized, state, V);
-    add(n_linearized, terms.size(), state, V);
+      add(state, V);
+  }
+
+
+  void
+  ShellEquations::sum_forces(const unsigned int     c,
+                             const State           &state,
+                             const Loads           &loads,
+                             ForceTerm::CellForces &forces) const
+  {
+    forces.clear();
+    add_forces(0, n_linearized, c, state, loads, forces);
+    add_forces(n_linearized, terms.size(), c, state, loads, forces);
   }
 
 
@@ -112,6 +123,7 @@ namespace Biface
     matrix.compress();
     rhs.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
+    mesh.condense(load);
 
     rhs += load;
     force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
@@ -149,7 +161,33 @@ namespace Biface
           mesh.add_nodal_forces(cell, force, direction);
       }
     direction.compress(VectorOperation::add);
+    mesh.condense(direction);
     return direction;
+  }
+
+
+  std::vector<LA::Vector>
+  ShellEquations::nodal_forces(const State &state, const Loads &loads) const
+  {
+    std::vector<LA::Vector> result;
+    ForceTerm::CellForces   forces;
+    forces.with_tangent = internal.linearization_point().has_value();
+    for (unsigned int t = 0; t < terms.size(); ++t)
+      {
+        result.push_back(mesh.owned_vector());
+        terms[t]->add_dead_forces({loads.pressure, loads.factor, 0},
+                                  result.back());
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          {
+            forces.clear();
+            add_forces(t, t + 1, c, state, loads, forces);
+            const MixedElement::NodalVector force = forces.force + forces.load;
+            if (force.norm_square() > 0)
+              mesh.add_nodal_forces(mesh.cells[c], force, result.back());
+          }
+        result.back().compress(VectorOperation::add);
+      }
+    return result;
   }
 
 
@@ -160,8 +198,8 @@ namespace Biface
     for (const PrescribedDisplacement &p : mesh.prescribed)
       {
         double missing = loads.factor * p.value - state.displacement(p.dof);
-        if (p.other != numbers::invalid_dof_index)
-          missing += p.factor * state.displacement(p.other);
+        for (const auto &entry : *constraints.get_constraint_entries(p.dof))
+          missing += entry.second * state.displacement(entry.first);
         constraints.set_inhomogeneity(p.dof, missing);
         violation = std::max(violation, std::abs(missing));
       }

@@ -243,7 +243,7 @@ namespace Biface
 
     collect_cells_and_nodes(face_heights);
     nodes_of_points = find_nodes(this->points, *this);
-    make_constraints(supports, *this, constraints, prescribed);
+    make_constraints(supports, *this, constraints, prescribed, supported);
 
     for (Node &node : nodes)
       node.outer_face_free = outer_face_is_free(node, constraints);
@@ -397,12 +397,43 @@ namespace Biface
                               const MixedElement::NodalVector &force,
                               LA::Vector &nodal_forces) const
   {
-    Vector<double>                       local(MixedElement::n_dofs);
-    std::vector<types::global_dof_index> dofs(cell.dofs.begin(),
-                                              cell.dofs.end());
-    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-      local[i] = force[i];
-    constraints.distribute_local_to_global(local, dofs, nodal_forces);
+    nodal_forces.add(MixedElement::n_dofs, cell.dofs.data(), force.begin_raw());
+  }
+
+
+  void
+  ShellMesh::condense(LA::Vector &nodal_forces) const
+  {
+    for (const auto &line : constraints.get_lines())
+      if (locally_owned.is_element(line.index))
+        {
+          const double force = nodal_forces(line.index);
+          for (const auto &entry : line.entries)
+            {
+              const double part = entry.second * force;
+              nodal_forces.add(1, &entry.first, &part);
+            }
+        }
+    nodal_forces.compress(VectorOperation::add);
+    for (const auto &line : constraints.get_lines())
+      if (locally_owned.is_element(line.index))
+        nodal_forces(line.index) = 0;
+    nodal_forces.compress(VectorOperation::insert);
+  }
+
+
+  Tensor<1, 3>
+  ShellMesh::force_on_face(const LA::Vector  &nodal_forces,
+                           const Node        &node,
+                           const unsigned int face) const
+  {
+    Tensor<1, 3> force;
+    for (unsigned int i = 0; i < 3; ++i)
+      force[i] = (nodal_forces(node.dof(i, MixedElement::mean)) +
+                  MixedElement::face_sign[face] *
+                    nodal_forces(node.dof(i, MixedElement::half_difference))) /
+                 2;
+    return force;
   }
 
 

@@ -21,6 +21,7 @@ namespace Biface
                       "Directory of the results. It is created if it does not "
                       "exist; files of an earlier run are replaced.",
                       Patterns::Anything());
+    forces.add_parameters(prm);
     profile.add_parameters(prm);
     shell_vtu.add_parameters(prm);
     plies_vtu.add_parameters(prm);
@@ -39,6 +40,7 @@ namespace Biface
       std::make_unique<HistoryFile>(parameters.criteria, directory, equations);
     history = history_file.get();
     add(std::move(history_file));
+    add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));

@@ -93,6 +93,7 @@ namespace
         mesh->add_nodal_forces(cell, on_cell, forces);
       }
     forces.compress(VectorOperation::add);
+    mesh->condense(forces);
     force = Utilities::MPI::sum(force, MPI_COMM_WORLD);
 
     equations.assemble(state, loads);

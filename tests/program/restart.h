@@ -118,7 +118,7 @@ read_table(const std::string &path)
 
 /**
  * The maximum difference of two tables, relative to the maximum of the column
- * or of all displacements; infinite if they differ in more than numbers. Times
+ * or of all components; infinite if they differ in more than numbers. Times
  * are ignored.
  */
 inline double
@@ -140,7 +140,9 @@ difference(const std::string &file,
         const std::string &x = a[row][column], &y = b[row].at(column);
         char              *end    = nullptr;
         const double       number = std::strtod(x.c_str(), &end);
-        auto &[distance, size] = found[name.substr(0, 2) == "u_" ? "u" : name];
+        // components of displacements, forces and moments
+        auto &[distance, size] =
+          found[name.size() == 3 && name[1] == '_' ? name.substr(0, 1) : name];
         if (*end == 0)
           {
             distance = std::max(distance, std::abs(number - std::stod(y)));
@@ -252,6 +254,7 @@ check_restart(const std::string              &name,
                 << ": " << stopped << ", " << n_before - 1 << " steps, "
                 << continued << '\n';
       check_small("  history", difference("history.csv", whole, cut), 1e-9);
+      check_small("  forces", difference("forces.csv", whole, cut), 1e-8);
       if (std::filesystem::exists(whole + "/probes.csv"))
         check_small("  probes", difference("probes.csv", whole, cut), 1e-9);
     }

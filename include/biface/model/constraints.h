@@ -3,9 +3,11 @@
 #ifndef biface_model_constraints_h
 #define biface_model_constraints_h
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <string>
 #include <vector>
 
 #include <biface/model/supports.h>
@@ -14,33 +16,66 @@ namespace Biface
 {
   class ShellMesh;
 
-  /** A displacement prescribed by a support:
-   * @f$v = f\,v_{other} + \bar v@f$, where @f$\bar v@f$ is multiplied by the
-   * load factor. */
+  /** A constrained unknown whose constraint is not homogeneous: @p value is
+   * multiplied by the load factor and added to the entries of the constraint.
+   */
   struct PrescribedDisplacement
   {
     dealii::types::global_dof_index dof;
-    /** Invalid if f is zero. */
-    dealii::types::global_dof_index other;
-    double                          factor;
     double                          value;
+  };
+
+
+  /** An equation of a support for the displacements of the faces at a node. */
+  struct SupportEquation
+  {
+    /** The coefficients of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. The
+     * forces of the support on the faces are a multiple of them. */
+    dealii::Tensor<1, 6> coefficients;
+    /** The right-hand side for the load factor 1. */
+    double value;
+    /** Which support: a position in SupportedNodes::bodies. */
+    unsigned int body;
+  };
+
+
+  /** The nodes of this rank that supports hold, and the supports. */
+  struct SupportedNodes
+  {
+    struct Item
+    {
+      /** Position in ShellMesh::nodes. */
+      unsigned int node;
+      /** Linearly independent. If several supports hold a displacement, the
+       * equation is that of the first one, in the order of @p bodies. */
+      std::vector<SupportEquation> equations;
+    };
+
+    /** The names of the supports: points, then edges. */
+    std::vector<std::string> bodies;
+    std::vector<Item>        items;
   };
 
 
   /**
    * The constraints of the supports on the displacements of a mesh.
    *
+   * The equations of all supports at a node are eliminated together, each for
+   * the unknown with the largest coefficient.
+   *
    * Throws InputError if they contradict each other, or if a supported point
    * does not exist.
    *
    * @param constraints the supports with zero prescribed displacements, closed.
    * @param prescribed the prescribed displacements that are not zero.
+   * @param supported the equations themselves.
    */
   void
   make_constraints(const Supports                      &supports,
                    const ShellMesh                     &mesh,
                    dealii::AffineConstraints<double>   &constraints,
-                   std::vector<PrescribedDisplacement> &prescribed);
+                   std::vector<PrescribedDisplacement> &prescribed,
+                   SupportedNodes                      &supported);
 } // namespace Biface
 
 #endif

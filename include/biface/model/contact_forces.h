@@ -45,6 +45,12 @@ namespace Biface
              contact.condition.mass() == MultiplierMass::lumped;
     }
 
+    Source
+    source() const override
+    {
+      return Source::foundation;
+    }
+
     /** Contact remains unilateral. */
     bool
     is_linearized() const override

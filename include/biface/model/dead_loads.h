@@ -88,7 +88,8 @@ namespace Biface
     add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * The nodal forces of all these loads except follower moments.
+     * The nodal forces of all these loads except follower moments, regardless
+     * of supports.
      *
      * @param area the area to which tractions refer.
      *

@@ -51,6 +51,9 @@ namespace Biface
        * cancel in equilibrium. */
       double square;
 
+      /** Whether @p tangent is needed. */
+      bool with_tangent = true;
+
       void
       clear();
     };
@@ -74,8 +77,8 @@ namespace Biface
                         MixedElement::NodalVector & /*force*/) const
     {}
 
-    /** Add the forces that do not depend on the displacements; they are
-     * proportional to the given loads. */
+    /** Add the forces that do not depend on the displacements, regardless of
+     * supports; they are proportional to the given loads. */
     virtual void
     add_dead_forces(const LoadRates & /*loads*/,
                     LA::Vector & /*nodal_forces*/) const
@@ -86,6 +89,20 @@ namespace Biface
     is_symmetric(const Loads & /*loads*/) const
     {
       return true;
+    }
+
+    /** What exerts the forces. */
+    enum class Source
+    {
+      shell,
+      loads,
+      foundation
+    };
+
+    virtual Source
+    source() const
+    {
+      return Source::loads;
     }
 
     /** Whether linear strain theory also linearizes these forces. */

@@ -39,6 +39,18 @@ namespace Biface
       return symmetric_stiffness;
     }
 
+    Source
+    source() const override
+    {
+      return Source::shell;
+    }
+
+    /** The nodal forces that were in equilibrium with the initial resultants
+     * of a cell: they keep their directions, and are no part of the given
+     * loads. */
+    MixedElement::NodalVector
+    initial_forces(const unsigned int cell) const;
+
     /** The results of earlier stages: with a State and its Loads, a complete
      * restore point. */
     struct History

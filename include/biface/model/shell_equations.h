@@ -87,6 +87,18 @@ namespace Biface
                    const Loads     &loads,
                    const LoadRates &rates) const;
 
+    /** The forces of each kind on the nodes, regardless of supports: the forces
+     * of supports are what is missing for equilibrium. In the order of
+     * get_terms(). */
+    std::vector<LA::Vector>
+    nodal_forces(const State &state, const Loads &loads) const;
+
+    const std::vector<const ForceTerm *> &
+    get_terms() const
+    {
+      return terms;
+    }
+
     /** The norm of residual() relative to that of the forces that cancel in it:
      * a pure number. */
     double
@@ -128,6 +140,16 @@ namespace Biface
     const ShellMesh &mesh;
 
   private:
+    /** Add the forces of the terms in a range, which linear theory linearizes
+     * either all or not at all, on a cell. */
+    void
+    add_forces(const unsigned int     begin,
+               const unsigned int     end,
+               const unsigned int     cell,
+               const State           &state,
+               const Loads           &loads,
+               ForceTerm::CellForces &forces) const;
+
     /** Compute the forces of all terms on a cell. */
     void
     sum_forces(const unsigned int     cell,

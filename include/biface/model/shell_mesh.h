@@ -154,6 +154,7 @@ namespace Biface
     /** See make_constraints(). */
     dealii::AffineConstraints<double>   constraints;
     std::vector<PrescribedDisplacement> prescribed;
+    SupportedNodes                      supported;
 
     const ReferenceSurface &
     get_surface() const
@@ -232,11 +233,24 @@ namespace Biface
                       const Node        &node,
                       const unsigned int face) const;
 
-    /** Add forces on the nodes of a cell to those of all nodes. */
+    /** Add forces on the nodes of a cell to those of all nodes, regardless of
+     * supports. */
     void
     add_nodal_forces(const Cell                      &cell,
                      const MixedElement::NodalVector &force,
                      LA::Vector                      &nodal_forces) const;
+
+    /** Move the forces on constrained unknowns to the free ones that they
+     * depend on. */
+    void
+    condense(LA::Vector &nodal_forces) const;
+
+    /** The force on a face at a node, in the frame of the node.
+     * @param nodal_forces conjugate to the unknowns, see Node::dofs. */
+    dealii::Tensor<1, 3>
+    force_on_face(const LA::Vector  &nodal_forces,
+                  const Node        &node,
+                  const unsigned int face) const;
 
     /** The displacements of a cell. */
     MixedElement::NodalVector

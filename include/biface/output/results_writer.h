@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/output/forces_file.h>
 #include <biface/output/history_file.h>
 #include <biface/output/plies_file.h>
 #include <biface/output/plies_vtu.h>
@@ -30,6 +31,7 @@ namespace Biface
     struct Parameters
     {
       std::string             directory = "output";
+      ForcesFile::Parameters  forces;
       ProfileFile::Parameters profile;
       ShellVtu::Parameters    shell_vtu;
       PliesVtu::Parameters    plies_vtu;

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+
+#include <biface/model/forces_on_shell.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** What follows the supports in bodies_on_shell(). */
+    enum Other
+    {
+      foundation,
+      loads_of_shell,
+      prestress,
+      interpolation,
+      n_others
+    };
+
+    /** By the face, in the frame of a node. */
+    using FaceForces = std::array<Tensor<1, 3>, 2>;
+
+
+    FaceForces
+    face_forces(const ShellMesh  &mesh,
+                const LA::Vector &nodal_forces,
+                const Node       &node)
+    {
+      return {{mesh.force_on_face(nodal_forces, node, 0),
+               mesh.force_on_face(nodal_forces, node, 1)}};
+    }
+
+
+    /** The forces of single equations of supports on a node. */
+    std::vector<FaceForces>
+    support_forces(const std::vector<SupportEquation> &equations,
+                   const FaceForces                   &total)
+    {
+      const unsigned int n           = equations.size();
+      const auto         coefficient = [&](const unsigned int k,
+                                   const unsigned int i,
+                                   const unsigned int face) {
+        return equations[k].coefficients[2 * i + face];
+      };
+
+      FullMatrix<double> products(n, n);
+      Vector<double>     work(n), multipliers(n);
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          for (unsigned int l = 0; l < n; ++l)
+            products(k, l) =
+              equations[k].coefficients * equations[l].coefficients;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int face = 0; face < 2; ++face)
+              work(k) += coefficient(k, i, face) * total[face][i];
+        }
+      products.gauss_jordan();
+      products.vmult(multipliers, work);
+
+      std::vector<FaceForces> forces(n);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int face = 0; face < 2; ++face)
+            forces[k][face][i] = multipliers(k) * coefficient(k, i, face);
+      return forces;
+    }
+
+
+    /** Adds nodal forces to the resultants of bodies. */
+    class Resultant
+    {
+    public:
+      /** @param displacement gives the positions of the faces. */
+      Resultant(const ShellMesh   &mesh,
+                const LA::Vector  &displacement,
+                const Point<3>    &center,
+                const unsigned int n_bodies)
+        : mesh(mesh)
+        , displacement(displacement)
+        , center(center)
+        , sums(6 * n_bodies)
+      {}
+
+      void
+      add(const unsigned int body,
+          const Node        &node,
+          const FaceForces  &forces,
+          const double       factor = 1)
+      {
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const Tensor<1, 3> force =
+              factor * node.surface.from_frame(forces[face]);
+            const Tensor<1, 3> moment = cross_product_3d(
+              mesh.deformed_position(displacement, node, face) - center, force);
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                sums[6 * body + i] += force[i];
+                sums[6 * body + 3 + i] += moment[i];
+              }
+          }
+      }
+
+      /** The sums on all ranks. */
+      std::vector<ForceOnShell>
+      on_all_ranks(const std::vector<std::string> &bodies)
+      {
+        Utilities::MPI::sum(sums, mesh.communicator, sums);
+        std::vector<ForceOnShell> result;
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          {
+            result.push_back({bodies[b], {}, {}});
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                result[b].force[i]  = sums[6 * b + i];
+                result[b].moment[i] = sums[6 * b + 3 + i];
+              }
+          }
+        return result;
+      }
+
+    private:
+      const ShellMesh    &mesh;
+      const LA::Vector   &displacement;
+      const Point<3>      center;
+      std::vector<double> sums;
+    };
+  } // namespace
+
+
+  std::vector<std::string>
+  bodies_on_shell(const ShellMesh &mesh)
+  {
+    std::vector<std::string> bodies = mesh.supported.bodies;
+    for (const char *name :
+         {"foundation", "loads", "prestress", "interpolation"})
+      bodies.emplace_back(name);
+    return bodies;
+  }
+
+
+  std::vector<ForceOnShell>
+  forces_on_shell(const ShellEquations &equations,
+                  const State          &state,
+                  const Loads          &loads,
+                  const Point<3>       &center)
+  {
+    const ShellMesh               &mesh     = equations.mesh;
+    const InternalForces          &internal = equations.internal_forces();
+    const std::vector<std::string> bodies   = bodies_on_shell(mesh);
+    const unsigned int             n        = mesh.supported.bodies.size();
+
+    // by the body
+    std::array<LA::Vector, n_others> others;
+    for (LA::Vector &forces : others)
+      forces = mesh.owned_vector();
+    const std::vector<LA::Vector> by_term =
+      equations.nodal_forces(state, loads);
+    for (unsigned int t = 0; t < by_term.size(); ++t)
+      switch (equations.get_terms()[t]->source())
+        {
+          case ForceTerm::Source::shell:
+            others[interpolation] += by_term[t];
+            break;
+          case ForceTerm::Source::loads:
+            others[loads_of_shell] += by_term[t];
+            break;
+          case ForceTerm::Source::foundation:
+            others[foundation] += by_term[t];
+            break;
+        }
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      mesh.add_nodal_forces(
+        mesh.cells[c], internal.initial_forces(c), others[prestress]);
+    others[prestress].compress(VectorOperation::add);
+    others[interpolation] -= others[prestress];
+
+    const auto &base = internal.linearization_point();
+    Resultant   resultant(mesh,
+                        base ? base->displacement : state.displacement,
+                        center,
+                        n + n_others);
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        for (unsigned int b = 0; b < n_others; ++b)
+          resultant.add(n + b, node, face_forces(mesh, others[b], node));
+
+    // what is missing at the supports, which take up the prestress there
+    LA::Vector missing = mesh.owned_vector();
+    for (const Other b : {foundation, loads_of_shell, interpolation})
+      missing -= others[b];
+    for (const SupportedNodes::Item &item : mesh.supported.items)
+      {
+        const Node &node = mesh.nodes[item.node];
+        if (!node.locally_owned)
+          continue;
+        const auto held =
+          support_forces(item.equations, face_forces(mesh, missing, node));
+        const auto prestressed = support_forces(
+          item.equations, face_forces(mesh, others[prestress], node));
+        for (unsigned int k = 0; k < held.size(); ++k)
+          {
+            resultant.add(item.equations[k].body, node, held[k]);
+            resultant.add(n + prestress, node, prestressed[k], -1);
+          }
+      }
+    return resultant.on_all_ranks(bodies);
+  }
+} // namespace Biface

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/input/parameter_tools.h>
+#include <biface/model/forces_on_shell.h>
+#include <biface/output/csv.h>
+#include <biface/output/forces_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  ForcesFile::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Moment center",
+                      moment_center,
+                      "The point to which the moments in forces.csv refer: "
+                      "coordinates x, y, z. Unit: length.");
+  }
+
+
+  ForcesFile::ForcesFile(const Parameters     &parameters,
+                         ResultsDirectory     &directory,
+                         const ShellEquations &equations)
+    : StepTable("forces.csv",
+                "step,stage,body,F_x,F_y,F_z,M_x,M_y,M_z",
+                bodies_on_shell(equations.mesh).size(),
+                directory,
+                equations)
+    , parameters(parameters)
+  {
+    check_finite("Output/Moment center", parameters.moment_center);
+  }
+
+
+  void
+  ForcesFile::write(const StepReport &report, const State &state)
+  {
+    std::string lines;
+    for (const ForceOnShell &item : forces_on_shell(
+           equations, state, report.loads, parameters.moment_center))
+      {
+        lines +=
+          std::to_string(report.step) + ',' + report.stage + ',' + item.body;
+        for (const auto &vector : {item.force, item.moment})
+          for (unsigned int i = 0; i < 3; ++i)
+            lines += ',' + csv_number(vector[i]);
+        lines += '\n';
+      }
+    append(lines);
+  }
+} // namespace Biface
