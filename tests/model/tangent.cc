@@ -31,11 +31,13 @@ namespace
        const StrainTheory   theory,
        const PressureKind   pressure_kind = PressureKind::dead,
        const std::string   &plies         = bias_plies,
-       const Shape          foundation    = Shape::plane)
+       const Shape          foundation    = Shape::plane,
+       const std::string   &shear         = "constant strain")
   {
     Layup::Parameters parameters;
-    parameters.plies = parse_plies("plies", plies);
-    parameters.law   = law;
+    parameters.plies     = parse_plies("plies", plies);
+    parameters.law       = law;
+    parameters.shear_law = parse_transverse_shear("shear", shear);
     const Layup layup(parameters, cord_ply());
     const auto  mesh = coarse_torus(layup);
 
@@ -167,6 +169,14 @@ main(int argc, char *argv[])
        ThicknessLaw::symmetric,
        MultiplierMass::consistent,
        StrainTheory::linear);
+  test("transverse shear from equilibrium",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear,
+       PressureKind::dead,
+       bias_plies,
+       Shape::plane,
+       "equilibrium");
   test("follower pressure",
        ThicknessLaw::symmetric,
        MultiplierMass::lumped,
