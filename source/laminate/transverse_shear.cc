@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
@@ -39,6 +41,58 @@ namespace Biface
       throw error;
     return {Kind::factor, factor};
   }
+
+
+  namespace
+  {
+    /** The solution of a system with a symmetric positive definite matrix,
+     * scaled to a unit diagonal. Finite even if the matrix is singular to
+     * working precision, as for plies whose moduli differ by 16 orders of
+     * magnitude. */
+    Tensor<1, 4>
+    solve(Tensor<2, 4> A, Tensor<1, 4> b)
+    {
+      Tensor<1, 4> scale;
+      for (unsigned int i = 0; i < 4; ++i)
+        scale[i] = 1 / std::sqrt(A[i][i]);
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          b[i] *= scale[i];
+          for (unsigned int j = 0; j < 4; ++j)
+            A[i][j] *= scale[i] * scale[j];
+        }
+      constexpr double least_pivot = 1e-15;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          A[i][i] = std::max(A[i][i], least_pivot);
+          for (unsigned int k = i + 1; k < 4; ++k)
+            {
+              const double factor = A[k][i] / A[i][i];
+              b[k] -= factor * b[i];
+              for (unsigned int j = i; j < 4; ++j)
+                A[k][j] -= factor * A[i][j];
+            }
+        }
+      for (unsigned int i = 4; i-- > 0;)
+        {
+          for (unsigned int j = i + 1; j < 4; ++j)
+            b[i] -= A[i][j] * b[j];
+          b[i] /= A[i][i];
+        }
+      for (unsigned int i = 0; i < 4; ++i)
+        b[i] *= scale[i];
+      return b;
+    }
+
+
+    /** The inverse, also where the determinant would overflow. */
+    Tensor<2, 2>
+    inverse(const Tensor<2, 2> &matrix)
+    {
+      const double size = trace(matrix);
+      return invert(matrix / size) / size;
+    }
+  } // namespace
 
 
   TransverseShear::TransverseShear(
@@ -92,7 +146,7 @@ namespace Biface
         // bending moment cc is the shear force, that of the twisting moment is
         // zero.
         const std::array<unsigned int, 2> strains{{c, 2}};
-        FullMatrix<double>                matrix(4);
+        Tensor<2, 4>                      matrix;
         for (const Ply &ply : plies)
           {
             const FaceMoments N(ply.begin, ply.end, thickness);
@@ -100,14 +154,14 @@ namespace Biface
               for (unsigned int j = 0; j < 2; ++j)
                 for (unsigned int p = 0; p < 2; ++p)
                   for (unsigned int q = 0; q < 2; ++q)
-                    matrix(2 * i + p, 2 * j + q) +=
+                    matrix[2 * i + p][2 * j + q] +=
                       ply.plane_stress[strains[i]][strains[j]] * N.second[p][q];
           }
-        matrix.gauss_jordan();
+        const Tensor<1, 4> solution =
+          solve(matrix, Tensor<1, 4>({-1 / thickness, 1 / thickness, 0, 0}));
         for (unsigned int p = 0; p < 2; ++p)
           for (unsigned int i = 0; i < 2; ++i)
-            gradient[c][p][strains[i]] =
-              (matrix(2 * i + p, 1) - matrix(2 * i + p, 0)) / thickness;
+            gradient[c][p][strains[i]] = solution[2 * i + p];
       }
 
     Tensor<2, 2> F;
@@ -160,15 +214,15 @@ namespace Biface
           const Tensor<2, 2> F = distribution(k, z);
           for (unsigned int p = 0; p < 2; ++p)
             G[p] += weight * (p == 0 ? 1 - s : 1 + s) / 2 * F;
-          compliance += weight * transpose(F) * invert(ply.shear) * F;
+          compliance += weight * transpose(F) * inverse(ply.shear) * F;
           b[0] += weight * ply.shear;
           b[1] += weight * s * ply.shear;
           b[2] += weight * s * s * ply.shear;
         }
 
-    s_0                         = invert(b[0]) * b[1];
+    s_0                         = inverse(b[0]) * b[1];
     const Tensor<2, 2> residual = b[2] - b[1] * s_0;
-    const Tensor<2, 2> K        = invert(compliance);
+    const Tensor<2, 2> K        = inverse(compliance);
     for (unsigned int p = 0; p < 2; ++p)
       for (unsigned int q = 0; q < 2; ++q)
         D[p][q] =
@@ -209,6 +263,9 @@ namespace Biface
                           const unsigned int ply,
                           const double       z) const
   {
-    return invert(plies[ply].shear) * stress(strains, ply, z) / law.factor;
+    if (law.kind == TransverseShearLaw::Kind::equilibrium)
+      return inverse(plies[ply].shear) * stress(strains, ply, z);
+    const double s = 2 * z / thickness - 1;
+    return (1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1];
   }
 } // namespace Biface
