@@ -184,6 +184,26 @@ namespace Biface
   }
 
 
+  MixedElement::NodalVector
+  MixedElement::tangent_product(const ModeStiffness &stiffness,
+                                const Modes::Vector &H,
+                                const NodalVector   &dV) const
+  {
+    NodalVector force = internal_force(
+      stiffness.resultants(strain_variation(dV)), Modes::Vector());
+
+    const auto at_vertices = Modes::to_vertices(geometry.weight * H);
+    for (unsigned int q = 0; q < 4; ++q)
+      add_nodal_force(geometry,
+                      GeometricCoupling(at_vertices[q],
+                                        geometry.vertices[q].metric)
+                        .apply(displacement_gradient(geometry, dV, q)),
+                      q,
+                      force);
+    return force;
+  }
+
+
   void
   MixedElement::strain_matrix(StrainMatrix &B) const
   {

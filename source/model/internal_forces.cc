@@ -60,6 +60,16 @@ namespace Biface
   }
 
 
+  MixedElement::NodalVector
+  InternalForces::tangent_product(const CellState                 &at,
+                                  const MixedElement::NodalVector &dV) const
+  {
+    return MixedElement(at.cell.geometry, at.V)
+      .tangent_product(
+        stiffness_of(at.cell), total_resultants(at.state, at.index), dV);
+  }
+
+
   void
   InternalForces::set_theory(const StrainTheory theory, const State &state)
   {
@@ -160,15 +170,15 @@ namespace Biface
             continue;
           }
 
-        const State &base = *history.linearization_point;
-        const auto   V_0  = mesh.cell_values(base.displacement, cell);
-        const auto   dV   = V - V_0;
+        const State    &base = *history.linearization_point;
+        const auto      V_0  = mesh.cell_values(base.displacement, cell);
+        const auto      dV   = V - V_0;
+        const Loads     none;
+        const CellState at{c, cell, V_0, base, none};
         forces.clear();
-        add({c, cell, V_0, base, Loads()}, forces);
-        energy += strain_energy(c, V_0) - forces.force * dV;
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-            energy += dV[i] * forces.tangent[i][j] * dV[j] / 2;
+        add(at, forces);
+        energy += strain_energy(c, V_0) - forces.force * dV +
+                  tangent_product(at, dV) * dV / 2;
       }
     return Utilities::MPI::sum(energy, mesh.communicator);
   }

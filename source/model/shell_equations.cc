@@ -63,7 +63,9 @@ namespace Biface
                              ForceTerm::CellForces &forces) const
   {
     const Cell &cell = mesh.cells[c];
-    const auto  add  = [&](const State                     &state,
+    const auto  add  = [&](const unsigned int               begin,
+                         const unsigned int               end,
+                         const State                     &state,
                          const MixedElement::NodalVector &V) {
       for (unsigned int t = begin; t < end; ++t)
         if (terms[t]->acts_on(c, state, loads))
@@ -75,15 +77,22 @@ namespace Biface
     if (base && begin < n_linearized)
       {
         const auto V_0 = mesh.cell_values(base->displacement, cell);
-        add(*base, V_0);
-        const auto dV = V - V_0;
+        const auto dV  = V - V_0;
+        add(std::max(begin, 1u), end, *base, V_0);
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             forces.force[i] -= forces.tangent[i][j] * dV[j];
+        // the first term: the internal forces
+        if (begin == 0)
+          {
+            add(0, 1, *base, V_0);
+            forces.force -=
+              internal.tangent_product({c, cell, V_0, *base, loads}, dV);
+          }
         forces.square = forces.force.norm_square();
       }
     else
-      add(state, V);
+      add(begin, end, state, V);
   }
 
 

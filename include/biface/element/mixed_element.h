@@ -165,6 +165,16 @@ namespace Biface
                 const Modes::Vector &H,
                 NodalMatrix         &K) const;
 
+    /**
+     * The product of the tangent of add_tangent() and @p dV, computed from
+     * strains and resultants: for a thin shell, a product with the matrix has
+     * fewer digits, since it adds up forces that nearly cancel.
+     */
+    NodalVector
+    tangent_product(const ModeStiffness &stiffness,
+                    const Modes::Vector &H,
+                    const NodalVector   &dV) const;
+
   private:
     const ElementGeometry              &geometry;
     std::array<DisplacementGradient, 4> gradients;

@@ -33,6 +33,12 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
+    /** The product of the tangent of a cell with @p dV, see
+     * MixedElement::tangent_product(). */
+    MixedElement::NodalVector
+    tangent_product(const CellState                 &at,
+                    const MixedElement::NodalVector &dV) const;
+
     bool
     is_symmetric(const Loads &) const override
     {

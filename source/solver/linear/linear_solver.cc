@@ -64,7 +64,7 @@ namespace Biface
       &solve)
   {
     constexpr double       tolerance     = 1e-10;
-    constexpr double       contraction   = 1e-3;
+    constexpr double       contraction   = 0.05;
     constexpr unsigned int n_refinements = 3;
 
     LinearSolverResult result = solve(x, b);
