@@ -70,7 +70,15 @@ HEADINGS = {
     "pagano_square_10": "Square plate [0/90/0], side over thickness 10",
     "patch_bending": "Patch test, bending",
     "patch_membrane": "Patch test, membrane",
+    "clamped_plate_thin": "Clamped plate, length over thickness 1e5",
     "pinched_cylinder": "Pinched cylinder, small load",
+    "pinched_free_cylinder": "Pinched cylinder with free ends",
+    "pinched_free_cylinder_100":
+        "Pinched cylinder with free ends, radius over thickness 1e2",
+    "pinched_free_cylinder_10000":
+        "Pinched cylinder with free ends, radius over thickness 1e4",
+    "pinched_free_cylinder_1000000":
+        "Pinched cylinder with free ends, radius over thickness 1e6",
     "pinched_cylinder_large": "Pinched cylinder, large load",
     "ren_panel_4": "Panel [90/0/90], radius over thickness 4",
     "ren_panel_10": "Panel [90/0/90], radius over thickness 10",
@@ -79,6 +87,7 @@ HEADINGS = {
     "slit_annulus": "Slit annular plate",
     "strip_on_drum": "Strip on a drum",
     "strip_on_flat": "Strip on a rigid flat",
+    "thin_strip": "Strip, length over thickness 1e5",
     "torus_membrane": "Torus under pressure",
 }
 

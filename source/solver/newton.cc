@@ -128,6 +128,8 @@ namespace Biface
      * the last increment. */
     LA::Vector total;
     double     last_update = std::numeric_limits<double>::infinity();
+    /** What the linear solver may have left of the last increment. */
+    double last_error = 0;
 
     NewtonResult result;
 
@@ -248,6 +250,8 @@ namespace Biface
   {
     // larger residuals are neither round-off nor stagnation
     constexpr double maximum_residual = 1e-3;
+    // of the displacements, where round-off ends the iteration
+    constexpr double maximum_error = 1e-4;
 
     const double thickness = equations.mesh.thickness();
     const double residual  = iterate.result.residuals.back();
@@ -260,7 +264,9 @@ namespace Biface
            (residual <= parameters.residual_tolerance ||
             (residual <= maximum_residual &&
              (standstill ||
-              residual <= equations.relative_roundoff(iterate.state)))) &&
+              (iterate.last_error <=
+                 maximum_error * iterate.state.displacement.linfty_norm() &&
+               residual <= equations.relative_roundoff(iterate.state))))) &&
            is_satisfied(iterate);
   }
 
@@ -297,7 +303,8 @@ namespace Biface
     if (!linear.success)
       return Failure{linear.cause, linear.message};
     equations.distribute(increment.displacement);
-    increment.mu = 0;
+    increment.mu       = 0;
+    iterate.last_error = linear.error * increment.displacement.linfty_norm();
 
     if (const ControlEquation *equation = iterate.parametrized.equation)
       {

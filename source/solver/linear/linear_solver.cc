@@ -81,7 +81,10 @@ namespace Biface
         const double norm = A.residual(residual, x, b);
         relative          = (norm_b > 0 ? norm / norm_b : norm);
         if (relative <= tolerance || error <= tolerance)
-          return result;
+          {
+            result.error = 0;
+            return result;
+          }
         if (k == n_refinements || !std::isfinite(relative))
           break;
         result = solve(correction, residual);
@@ -94,6 +97,7 @@ namespace Biface
         x += correction;
       }
 
+    result.error   = error;
     result.success = (error <= contraction);
     if (!result.success)
       {

@@ -24,6 +24,9 @@ namespace Biface
     /** The reason of a failure, as part of a sentence. */
     std::string  message;
     FailureCause cause = FailureCause::singular_tangent;
+    /** An estimate of the error of a solution relative to its maximum; zero if
+     * the residual leaves no doubt. */
+    double error = 0;
     /** Of a symmetric matrix, if the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
   };

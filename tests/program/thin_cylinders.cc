@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The energy of cylinders under the pressure p cos(2 theta) converges with
+// order 2, and equally fast from t/L = 1e-2 to 1e-5: with free ends, where the
+// shell bends, and with fixed ends, where it carries the load as a membrane.
+
+#include <cmath>
+#include <cstdio>
+
+#include "../run_analysis.h"
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  double
+  energy(const std::string &thickness, const unsigned int n, const bool fixed)
+  {
+    // the same displacements for all thicknesses if the ends are free
+    const double pressure =
+      1e10 * std::pow(std::stod(thickness), fixed ? 1 : 3);
+    double result = 0;
+    run_analysis(
+      DATA_DIR "/thin_cylinder.prm",
+      {"Laminate/Plies=wall: " + thickness + " @ 0",
+       "Mesh/Intervals alpha_1=0:1:" + std::to_string(n),
+       "Mesh/Intervals alpha_2=0:90:" + std::to_string(n),
+       std::string("Supports/alpha_1 max=") + (fixed ? "fixed" : "free"),
+       "Stage 1/Pressure=" + std::to_string(pressure)},
+      [&](const ShellEquations &equations,
+          const StepReport &,
+          const State &state) {
+        result = equations.internal_forces().strain_energy(state);
+      });
+    return result;
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const bool fixed : {false, true})
+    for (const std::string &thickness : {"1e-2", "1e-3", "1e-4", "1e-5"})
+      {
+        const double coarse = energy(thickness, 8, fixed),
+                     medium = energy(thickness, 16, fixed),
+                     fine   = energy(thickness, 32, fixed);
+        std::cout << (fixed ? "fixed" : "free") << " ends, t/L = " << thickness
+                  << std::endl;
+        check_range(
+          "  order", std::log2((medium - coarse) / (fine - medium)), 1.8, 2.7);
+        check_range("  change from 8 to 16 cells",
+                    std::abs(medium - coarse) / fine,
+                    0.02,
+                    0.04);
+      }
+}
