@@ -96,6 +96,11 @@ namespace Biface
           part, sizeof(part), " pressure %.6g,", report.loads.pressure);
         text += part;
       }
+    if (report.controlled)
+      {
+        std::snprintf(part, sizeof(part), " %.6g,", report.controlled->second);
+        text += " " + report.controlled->first + part;
+      }
     if (report.in_contact)
       {
         std::snprintf(part,

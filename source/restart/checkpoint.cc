@@ -63,6 +63,8 @@ namespace Biface
           tables.emplace_back("predictor resultants",
                               rows_of(step->resultants, mesh));
         }
+      if (progress.last_change.size() > 0)
+        tables.emplace_back("last change", rows_of(progress.last_change, mesh));
       for (const auto &vector : progress.control.vectors)
         tables.emplace_back("control: " + vector.first,
                             rows_of(vector.second, mesh));
@@ -189,6 +191,8 @@ namespace Biface
         step.resultants            = modes("predictor resultants");
         progress.predictor.restore(step);
       }
+    if (reader->has("last change"))
+      progress.last_change = vector("last change");
     for (auto &known : progress.control.vectors)
       known.second = vector("control: " + known.first);
   }

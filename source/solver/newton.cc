@@ -147,7 +147,8 @@ namespace Biface
     here(const ShellEquations     &equations,
          const ContactInteraction &contact) const
     {
-      return {equations, contact, state, loads, total};
+      return {
+        equations, contact, state, loads, total, result.n_negative_pivots};
     }
   };
 

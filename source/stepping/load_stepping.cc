@@ -84,6 +84,7 @@ namespace Biface
         equations.internal_forces().take_as_prestress(run.state);
         progress.reached = LoadLevel();
         progress.touching_travel.reset();
+        progress.last_change.clear();
       }
     if (stage.contact && !progress.touching_travel)
       progress.touching_travel = contact.touching_travel(run.state);
@@ -233,6 +234,8 @@ namespace Biface
     if (trial.size > 0)
       progress.predictor.learn(
         run.state, attempt.state, attempt.mu - trial.mu, trial.size);
+    progress.last_change = owned_part(attempt.state.displacement);
+    progress.last_change -= owned_part(run.state.displacement);
     run.state        = attempt.state;
     progress.reached = trial.level(attempt.mu);
     progress.control = run.control.get_memory();
@@ -283,6 +286,7 @@ namespace Biface
       contact,
       run.state,
       run.progress.reached,
+      run.progress.last_change,
       [this, &run](const LoadLevel &level) { return loads_at(level, run); }};
   }
 

@@ -39,4 +39,11 @@ main(int argc, char *argv[])
                  "Mesh/Intervals alpha_2=0:5.729577951308232:4",
                  PRM_DIR "/snap_through_roof.prm"},
                 20);
+  check_restart("arc length beyond a limit point",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:254:4",
+                 "--set",
+                 "Mesh/Intervals alpha_2=0:5.729577951308232:4",
+                 DATA_DIR "/../verification/hinged_roof_two_stages.prm"},
+                8);
 }

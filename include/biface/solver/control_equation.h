@@ -3,6 +3,8 @@
 #ifndef biface_solver_control_equation_h
 #define biface_solver_control_equation_h
 
+#include <optional>
+
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
@@ -36,6 +38,8 @@ namespace Biface
       const Loads              &loads;
       /** Change of the displacements since the start of the step. */
       const LA::Vector &total;
+      /** Of the tangent, if the linear solver counts them. */
+      std::optional<unsigned int> n_negative_pivots;
     };
 
     /** @f$d\mu@f$ of this iteration; not finite if the equation does not depend

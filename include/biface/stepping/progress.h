@@ -30,6 +30,9 @@ namespace Biface
      * with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
 
+    /** See Control::Equilibrium. */
+    LA::Vector last_change;
+
     /** The data of the control of the current stage, if it has started. */
     Control::Memory control;
 

@@ -9,6 +9,45 @@ namespace Biface
 {
   namespace
   {
+    /** The size of the change of the loads is prescribed, the direction
+     * follows from the tangent, see ArcLengthControl. */
+    class FirstStepEquation : public ControlEquation
+    {
+    public:
+      FirstStepEquation(const LoadRates  &rate,
+                        const double      size,
+                        const LA::Vector &previous)
+        : ControlEquation(rate), size(size), previous(previous)
+      {}
+
+      double
+      parameter_change(const Iteration &iteration,
+                       const LA::Vector & /*dV_R*/,
+                       const LA::Vector &dV_q) const override
+      {
+        if (iteration.total.norm_sqr() > 0)
+          return 0;
+        const auto &n_negative = iteration.n_negative_pivots;
+        bool        forward    = true;
+        if (n_negative != 0u && previous.size() > 0 && previous.norm_sqr() > 0)
+          forward = (previous * dV_q > 0);
+        else if (n_negative)
+          forward = (*n_negative % 2 == 0);
+        return forward ? size : -size;
+      }
+
+      double
+      violation(const Iteration & /*iteration*/) const override
+      {
+        return 0;
+      }
+
+    private:
+      const double     size;
+      const LA::Vector previous;
+    };
+
+
     /**
      * The norm of the change of the displacements is prescribed,
      * @f$|\Delta \mathbf V| = s@f$ @cite Crisfield1981. In the first iteration
@@ -78,6 +117,7 @@ namespace Biface
     load_fraction = 0;
     n_steps       = 0;
     first_length  = 0;
+    last_change   = from.last_change;
   }
 
 
@@ -86,8 +126,11 @@ namespace Biface
   {
     Trial trial;
     trial.level = [this](const double mu) { return level_at(mu); };
-    trial.mu    = (n_steps == 0 ? size.get() : load_fraction);
-    if (n_steps > 0)
+    trial.mu    = load_fraction;
+    if (n_steps == 0)
+      trial.equation = std::make_shared<const FirstStepEquation>(
+        load_rate(), size.get(), last_change);
+    else
       trial.equation = std::make_shared<const ArcLengthEquation>(
         load_rate(), size.get(), last_change);
     return trial;
@@ -145,7 +188,7 @@ namespace Biface
     Memory memory                  = Control::get_memory();
     memory.numbers["steps"]        = n_steps;
     memory.numbers["first length"] = first_length;
-    if (n_steps > 0)
+    if (last_change.size() > 0)
       memory.vectors["last change"] = last_change;
     return memory;
   }
@@ -158,8 +201,9 @@ namespace Biface
     load_fraction = memory.done;
     n_steps       = static_cast<unsigned int>(memory.numbers.at("steps"));
     first_length  = memory.numbers.at("first length");
-    if (n_steps > 0)
-      last_change = memory.vectors.at("last change");
+    if (const auto known = memory.vectors.find("last change");
+        known != memory.vectors.end())
+      last_change = known->second;
   }
 
 

@@ -11,7 +11,13 @@ namespace Biface
    * The norm of the change of all displacements is prescribed in every step.
    * The load parameter, the fraction of the loads of the stage, is unknown and
    * may pass limit points until it reaches 1. The first step prescribes the
-   * loads and thereby sets the length of the later steps, which adapt.
+   * size of the change of the loads and thereby sets the length of the later
+   * steps, which adapt.
+   *
+   * It moves toward the loads of the stage if the equilibrium is stable.
+   * Otherwise, it moves in the direction of the last step, whatever controlled
+   * it, or, from rest, toward the loads if the number of negative pivots is
+   * even.
    */
   class ArcLengthControl : public Control
   {
@@ -64,8 +70,8 @@ namespace Biface
     double       load_fraction = 0;
     unsigned int n_steps       = 0;
     double       first_length  = 0;
-    /** The change of the displacements in the last step (locally owned
-     * entries). */
+    /** The change of the displacements in the last step, also one of the stage
+     * before (locally owned entries); empty from rest. */
     LA::Vector last_change;
   };
 } // namespace Biface

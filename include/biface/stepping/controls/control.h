@@ -122,6 +122,9 @@ namespace Biface
       const ContactInteraction &contact;
       const State              &state;
       const LoadLevel          &level;
+      /** The change of the unknowns in the last step (locally owned entries);
+       * empty if the shell is at rest. */
+      const LA::Vector &last_change;
       /** The loads on the shell at a given level. */
       std::function<Loads(const LoadLevel &)> loads;
     };
