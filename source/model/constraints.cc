@@ -145,13 +145,29 @@ namespace Biface
 
 
     SupportEquation
-    equation_of(const SupportCondition &condition, const unsigned int body)
+    equation_of(const SupportCondition &condition,
+                const SurfacePoint     &point,
+                const Tensor<1, 3>     &axis,
+                const unsigned int      body)
     {
-      SupportEquation equation{{}, condition.value, body};
-      for (unsigned int face = 0; face < 2; ++face)
-        equation.coefficients[2 * condition.component + face] =
-          condition.coefficients[face];
+      const Tensor<1, 3> unit = direction(condition.component, point, axis);
+      SupportEquation    equation{{}, condition.value, body};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
+          equation.coefficients[2 * i + face] =
+            condition.coefficients[face] * unit[i];
       return equation;
+    }
+
+
+    /** Throw InputError if the surface has no such components. */
+    void
+    check_components(const std::string                   &entry,
+                     const std::vector<SupportCondition> &conditions,
+                     const ReferenceSurface              &surface)
+    {
+      for (const SupportCondition &condition : conditions)
+        check_component(entry, condition.component, surface);
     }
   } // namespace
 
@@ -163,19 +179,24 @@ namespace Biface
                    std::vector<PrescribedDisplacement> &prescribed,
                    SupportedNodes                      &supported)
   {
+    const ReferenceSurface                &surface = mesh.get_surface();
+    const Tensor<1, 3>                     axis    = surface.axis();
     std::map<unsigned int, NodalEquations> equations;
     bool                                   contradiction = false;
     const auto                             add = [&](const unsigned int                   node,
                          const std::vector<SupportCondition> &conditions) {
       for (const SupportCondition &condition : conditions)
-        if (!equations[node].add(
-              equation_of(condition, supported.bodies.size() - 1)))
+        if (!equations[node].add(equation_of(condition,
+                                             mesh.nodes[node].surface,
+                                             axis,
+                                             supported.bodies.size() - 1)))
           contradiction = true;
     };
 
     supported = SupportedNodes();
     for (const auto &item : supports.points)
       {
+        check_components("Supports/Point supports", item.conditions, surface);
         supported.bodies.push_back("point " + item.point);
         const unsigned int node =
           node_of_point(mesh, "Supports/Point supports", item.point);
@@ -185,6 +206,8 @@ namespace Biface
     for (unsigned int edge = 0; edge < 4; ++edge)
       if (!supports.edges[edge].empty())
         {
+          check_components(
+            "Supports/" + edge_names[edge], supports.edges[edge], surface);
           supported.bodies.push_back(edge_names[edge]);
           for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
             if (mesh.grid.on_edge(mesh.nodes[n].grid_index,

@@ -197,16 +197,17 @@ namespace Biface
   LA::Vector
   displacement_functional(const ShellMesh   &mesh,
                           const std::string &point,
-                          const unsigned int component)
+                          const Component    component)
   {
     LA::Vector         functional = mesh.owned_vector();
     const unsigned int n          = node_of_point(mesh, "Control point", point);
     if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
       {
-        const Node &node = mesh.nodes[n];
+        const Node        &node = mesh.nodes[n];
+        const Tensor<1, 3> unit =
+          direction(component, node.surface, mesh.get_surface().axis());
         for (unsigned int i = 0; i < 3; ++i)
-          functional(node.dof(i, MixedElement::mean)) =
-            node.surface.frame[i][component];
+          functional(node.dof(i, MixedElement::mean)) = unit[i];
       }
     functional.compress(VectorOperation::insert);
     return functional;

@@ -20,6 +20,16 @@ namespace Biface
     const std::array<double, 2> outer{{0, 1}};
     const std::array<double, 2> middle{{0.5, 0.5}};
     const std::array<double, 2> difference{{-1, 1}};
+
+
+    std::string
+    join(const std::vector<std::string> &words)
+    {
+      std::string text;
+      for (const std::string &word : words)
+        text += (text.empty() ? "" : ", ") + word;
+      return text;
+    }
   } // namespace
 
 
@@ -39,10 +49,13 @@ namespace Biface
         "Support of the edge " + edge_names[edge] +
           ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
           "'hinged outer', 'symmetry' (no displacement normal to the edge), "
-          "or a list, separated by semicolons, of 'v_i FACE' or 'v_i FACE = "
-          "value', with i = 1, 2, 3 and FACE one of inner, outer, both, "
-          "middle, difference (outer minus inner). Values are multiplied by "
-          "the load factor. A closed coordinate has no edges; leave them "
+          "or a list, separated by semicolons, of 'COMPONENT FACE' or "
+          "'COMPONENT FACE = value'. COMPONENT is one of v_1, v_2, v_3 (in "
+          "the frame of the coordinate lines), x, y, z, and, for a surface of "
+          "revolution, radial, axial (along y), circumferential (along "
+          "alpha_2), in the undeformed shell; FACE is one of inner, outer, "
+          "both, middle, difference (outer minus inner). Values are multiplied "
+          "by the load factor. A closed coordinate has no edges; leave them "
           "'free'. Unit: length.");
     add_parsed(prm,
                "Supports/",
@@ -61,7 +74,8 @@ namespace Biface
                 const unsigned int across)
   {
     const auto all_components = [](const std::array<double, 2> &c) {
-      return std::vector<SupportCondition>{{0, c, 0}, {1, c, 0}, {2, c, 0}};
+      return std::vector<SupportCondition>{
+        {Component::v_1, c, 0}, {Component::v_2, c, 0}, {Component::v_3, c, 0}};
     };
     const auto both = [](std::vector<SupportCondition> conditions) {
       const unsigned int n = conditions.size();
@@ -85,14 +99,15 @@ namespace Biface
     if (text == "hinged outer")
       return all_components(outer);
     if (text == "symmetry" && across < 3)
-      return both({{across, inner, 0}});
+      return both({{static_cast<Component>(across), inner, 0}});
 
     const std::string form =
       std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
                   "'hinged outer'") +
       (across < 3 ? ", 'symmetry'" : "") +
-      ", or a list like 'v_1 both; v_3 middle = 0.5' (faces: inner, outer, "
-      "both, middle, difference)";
+      ", or a list like 'v_1 both; axial middle = 0.5' (components: " +
+      join(component_names()) +
+      "; faces: inner, outer, both, middle, difference)";
 
     std::vector<SupportCondition> conditions;
     for (const std::string &item : split_list(entry, text, ';'))
@@ -104,13 +119,15 @@ namespace Biface
           (equals == std::string::npos
              ? 0.
              : parse_number(entry, item.substr(equals + 1), form));
-        if (words.size() != 2 || words[0].size() != 3 ||
-            words[0].rfind("v_", 0) != 0 || words[0][2] < '1' ||
-            words[0][2] > '3')
+        if (words.size() != 2)
+          throw InputError(entry, text, form);
+        const auto &names = component_names();
+        const auto  name  = std::find(names.begin(), names.end(), words[0]);
+        if (name == names.end())
           throw InputError(entry, text, form);
 
         SupportCondition condition{
-          static_cast<unsigned int>(words[0][2] - '1'), inner, value};
+          static_cast<Component>(name - names.begin()), inner, value};
         const std::map<std::string, std::array<double, 2>> faces{
           {"inner", inner},
           {"outer", outer},

@@ -154,8 +154,9 @@ namespace Biface
       std::array<bool, 2> held{{false, false}};
       for (const SupportCondition &condition : support)
         for (unsigned int face = 0; face < 2; ++face)
-          if (condition.component == 1 && condition.value == 0 &&
-              condition.coefficients[face] == 1 &&
+          if ((condition.component == Component::v_2 ||
+               condition.component == Component::circumferential) &&
+              condition.value == 0 && condition.coefficients[face] == 1 &&
               condition.coefficients[1 - face] == 0)
             held[face] = true;
       return held[0] && held[1];

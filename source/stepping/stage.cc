@@ -72,8 +72,10 @@ namespace Biface
     add_choice(prm,
                "Control component",
                control_component,
-               {"x", "y", "z"},
-               "Component of the prescribed displacement.");
+               component_names(),
+               "Component of the prescribed displacement: Cartesian, in the "
+               "frame of the coordinate lines, or, for a surface of "
+               "revolution, about its axis.");
     prm.add_parameter("Control value",
                       control_value,
                       "Value of the prescribed displacement at the end of "

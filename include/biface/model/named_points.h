@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/component.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -70,13 +71,12 @@ namespace Biface
 
   /**
    * The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is a
-   * Cartesian component of the displacement of the middle surface at a named
-   * point.
+   * component of the displacement of the middle surface at a named point.
    */
   LA::Vector
   displacement_functional(const ShellMesh   &mesh,
                           const std::string &point,
-                          const unsigned int component);
+                          const Component    component);
 } // namespace Biface
 
 #endif

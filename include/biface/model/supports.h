@@ -9,17 +9,18 @@
 #include <string>
 #include <vector>
 
+#include <biface/model/component.h>
+
 namespace Biface
 {
   /**
-   * A prescribed displacement of a node, in one component of its frame:
+   * A prescribed displacement of a node, in one component:
    * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ is multiplied by
    * the load factor.
    */
   struct SupportCondition
   {
-    /** i - 1 */
-    unsigned int component;
+    Component component;
     /** @f$(c^-, c^+)@f$ */
     std::array<double, 2> coefficients;
     /** @f$\bar v@f$ for the load factor 1. Unit: length. */
@@ -32,13 +33,14 @@ namespace Biface
    *
    * The text is one of the words `free`, `fixed`, `hinged` (on the middle
    * surface), `hinged inner`, `hinged outer`, `symmetry` (only for edges, see
-   * @p across); or a list, separated by semicolons, of `v_i FACE` or `v_i FACE
-   * = value` with i = 1, 2, 3 and FACE one of `inner`, `outer`, `both`,
-   * `middle`, `difference` (outer minus inner).
+   * @p across); or a list, separated by semicolons, of `COMPONENT FACE` or
+   * `COMPONENT FACE = value` with COMPONENT one of component_names() and FACE
+   * one of `inner`, `outer`, `both`, `middle`, `difference` (outer minus
+   * inner).
    *
    * @param entry its name, for error messages.
-   * @param across the component normal to an edge, or a number above 2 for a
-   * point.
+   * @param across the position in the frame of the component normal to an edge,
+   * or a number above 2 for a point.
    *
    * Throws InputError if the text is anything else.
    */

@@ -67,9 +67,9 @@ namespace Biface
     std::string control = "load";
     /** The prescribed displacement: a named point, the component (0 to 2 for x
      * to z), and the value at the end of the stage. */
-    std::string  control_point;
-    unsigned int control_component = 0;
-    double       control_value     = 0;
+    std::string control_point;
+    Component   control_component = Component::x;
+    double      control_value     = 0;
     /** The force on the foundation at the end of the stage, if prescribed. */
     double force = 0;
     /** Whether steps of the loads or the force grow after fast convergence. */

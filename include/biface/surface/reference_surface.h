@@ -136,6 +136,14 @@ namespace Biface
     dealii::DerivativeForm<1, 2, 3>
     push_forward_gradient(const dealii::Point<2> &alpha) const override;
 
+    /** The unit vector along the axis around which the second coordinate lines
+     * run; zero if there is none. */
+    virtual dealii::Tensor<1, 3>
+    axis() const
+    {
+      return {};
+    }
+
     /** The minimum and maximum of the first coordinate. */
     virtual std::pair<double, double>
     range() const = 0;

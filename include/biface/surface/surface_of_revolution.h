@@ -37,6 +37,13 @@ namespace Biface
     std::unique_ptr<dealii::Manifold<2, 3>>
     clone() const override;
 
+    /** The y axis. */
+    dealii::Tensor<1, 3>
+    axis() const override
+    {
+      return dealii::Tensor<1, 3>({0, 1, 0});
+    }
+
     std::pair<double, double>
     range() const override;
 

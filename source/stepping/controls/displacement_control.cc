@@ -85,6 +85,9 @@ namespace Biface
                              const ShellMesh   &mesh) const
   {
     node_of_point(mesh, section + "/Control point", stage.control_point);
+    check_component(section + "/Control component",
+                    stage.control_component,
+                    mesh.get_surface());
     check_nothing_prescribed(stage, mesh);
   }
 
@@ -138,8 +141,9 @@ namespace Biface
   std::optional<std::pair<std::string, double>>
   DisplacementControl::controlled() const
   {
-    const char component = "xyz"[stage.control_component];
-    return std::make_pair(std::string("displacement ") + component + " of " +
+    const std::string &component =
+      component_names()[static_cast<unsigned int>(stage.control_component)];
+    return std::make_pair("displacement " + component + " of " +
                             stage.control_point,
                           value_at(fraction));
   }
