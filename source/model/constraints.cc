@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -148,10 +149,11 @@ namespace Biface
     equation_of(const SupportCondition &condition,
                 const SurfacePoint     &point,
                 const Tensor<1, 3>     &axis,
-                const unsigned int      body)
+                const unsigned int      body,
+                const double            share)
     {
       const Tensor<1, 3> unit = direction(condition.component, point, axis);
-      SupportEquation    equation{{}, condition.value, body};
+      SupportEquation    equation{{}, condition.value, body, share};
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int face = 0; face < 2; ++face)
           equation.coefficients[2 * i + face] =
@@ -169,6 +171,26 @@ namespace Biface
       for (const SupportCondition &condition : conditions)
         check_component(entry, condition.component, surface);
     }
+
+
+    /** The nodes of cyclic edges: those on the edge alpha_2 min by those on
+     * alpha_2 max with the same displacements. */
+    std::map<unsigned int, unsigned int>
+    cyclic_pairs(const ShellMesh &mesh)
+    {
+      std::map<unsigned int, unsigned int> by_line, pairs;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.grid.on_edge(mesh.nodes[n].grid_index, Edge::alpha_2_min))
+          by_line[mesh.nodes[n].grid_index[0]] = n;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.grid.on_edge(mesh.nodes[n].grid_index, Edge::alpha_2_max))
+          {
+            const auto first = by_line.find(mesh.nodes[n].grid_index[0]);
+            if (first != by_line.end())
+              pairs[n] = first->second;
+          }
+      return pairs;
+    }
   } // namespace
 
 
@@ -183,13 +205,25 @@ namespace Biface
     const Tensor<1, 3>                     axis    = surface.axis();
     std::map<unsigned int, NodalEquations> equations;
     bool                                   contradiction = false;
-    const auto                             add = [&](const unsigned int                   node,
-                         const std::vector<SupportCondition> &conditions) {
+    std::map<unsigned int, unsigned int>   first_of;
+    std::set<unsigned int>                 is_first;
+    if (supports.is_cyclic())
+      first_of = cyclic_pairs(mesh);
+    for (const auto &pair : first_of)
+      is_first.insert(pair.second);
+    const auto add = [&](const unsigned int                   node,
+                         const std::vector<SupportCondition> &conditions,
+                         const bool                           both_sides) {
+      const auto   pair   = first_of.find(node);
+      const bool   paired = pair != first_of.end();
+      const double share  = (!both_sides ? (paired ? 0. : 1.) : 0.5);
       for (const SupportCondition &condition : conditions)
-        if (!equations[node].add(equation_of(condition,
-                                             mesh.nodes[node].surface,
-                                             axis,
-                                             supported.bodies.size() - 1)))
+        if (!equations[paired ? pair->second : node].add(
+              equation_of(condition,
+                          mesh.nodes[node].surface,
+                          axis,
+                          supported.bodies.size() - 1,
+                          share)))
           contradiction = true;
     };
 
@@ -201,7 +235,7 @@ namespace Biface
         const unsigned int node =
           node_of_point(mesh, "Supports/Point supports", item.point);
         if (node != numbers::invalid_unsigned_int)
-          add(node, item.conditions);
+          add(node, item.conditions, false);
       }
     for (unsigned int edge = 0; edge < 4; ++edge)
       if (!supports.edges[edge].empty())
@@ -212,8 +246,22 @@ namespace Biface
           for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
             if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
                                   static_cast<Edge>(edge)))
-              add(n, supports.edges[edge]);
+              add(n,
+                  supports.edges[edge],
+                  first_of.count(n) > 0 || is_first.count(n) > 0);
         }
+    if (supports.is_cyclic())
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          supported.cyclic_bodies[i] = supported.bodies.size();
+          supported.bodies.push_back(edge_names[2 + i]);
+        }
+    std::map<unsigned int, unsigned int> second_of;
+    for (const auto &pair : first_of)
+      {
+        second_of[pair.second] = pair.first;
+        equations[pair.second];
+      }
     if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
                             mesh.communicator) > 0)
       throw InputError("the section 'Supports' prescribes contradictory "
@@ -223,11 +271,19 @@ namespace Biface
     prescribed.clear();
     for (const auto &item : equations)
       {
-        const Node &node = mesh.nodes[item.first];
-        supported.items.push_back({item.first, item.second.equations()});
+        const Node        &node   = mesh.nodes[item.first];
+        const auto         second = second_of.find(item.first);
+        const unsigned int partner =
+          (second != second_of.end() ? second->second
+                                     : numbers::invalid_unsigned_int);
+        supported.items.push_back(
+          {item.first, partner, item.second.equations()});
+
+        std::array<double, n_unknowns> values{};
         for (const auto &row : item.second.solved())
           {
-            const auto dof = node.dofs[row.first];
+            values[row.first] = row.second.value;
+            const auto dof    = node.dofs[row.first];
             constraints.add_line(dof);
             for (unsigned int i = 0; i < n_unknowns; ++i)
               if (i != row.first &&
@@ -237,6 +293,15 @@ namespace Biface
             if (row.second.value != 0)
               prescribed.push_back({dof, row.second.value});
           }
+        if (partner != numbers::invalid_unsigned_int)
+          for (unsigned int i = 0; i < n_unknowns; ++i)
+            {
+              const auto dof = mesh.nodes[partner].dofs[i];
+              constraints.add_line(dof);
+              constraints.add_entry(dof, node.dofs[i], 1);
+              if (values[i] != 0)
+                prescribed.push_back({dof, values[i]});
+            }
       }
     constraints.close();
   }

@@ -73,6 +73,73 @@ namespace Biface
     }
 
 
+    struct SupportForce
+    {
+      unsigned int body;
+      unsigned int node;
+      FaceForces   forces;
+    };
+
+    FaceForces
+    scaled(const double factor, const FaceForces &forces)
+    {
+      return {{factor * forces[0], factor * forces[1]}};
+    }
+
+
+    FaceForces
+    sum(const FaceForces &a, const FaceForces &b)
+    {
+      return {{a[0] + b[0], a[1] + b[1]}};
+    }
+
+
+    /** The forces of the supports at a node, and at its partner, if the edges
+     * are cyclic: there, the forces of both in their frames are those of the
+     * supports, and what is opposite at the two is passed on to the next
+     * sector. */
+    std::vector<SupportForce>
+    support_forces(const ShellMesh            &mesh,
+                   const SupportedNodes::Item &item,
+                   const LA::Vector           &nodal_forces)
+    {
+      const bool       paired = item.partner != numbers::invalid_unsigned_int;
+      const FaceForces here =
+        face_forces(mesh, nodal_forces, mesh.nodes[item.node]);
+      FaceForces there{};
+      if (paired)
+        there = face_forces(mesh, nodal_forces, mesh.nodes[item.partner]);
+
+      std::vector<SupportForce> result;
+      FaceForces                rest = here, rest_there = there;
+      const auto held = support_forces(item.equations, sum(here, there));
+      for (unsigned int k = 0; k < held.size(); ++k)
+        {
+          const SupportEquation &equation = item.equations[k];
+          const double           share    = paired ? equation.share : 1.;
+          result.push_back({equation.body, item.node, scaled(share, held[k])});
+          rest = sum(rest, scaled(-share, held[k]));
+          if (paired)
+            {
+              result.push_back(
+                {equation.body, item.partner, scaled(1 - share, held[k])});
+              rest_there = sum(rest_there, scaled(share - 1, held[k]));
+            }
+        }
+      if (paired)
+        {
+          const FaceForces passed_on =
+            sum(scaled(0.5, rest), scaled(-0.5, rest_there));
+          result.push_back(
+            {mesh.supported.cyclic_bodies[0], item.node, passed_on});
+          result.push_back({mesh.supported.cyclic_bodies[1],
+                            item.partner,
+                            scaled(-1, passed_on)});
+        }
+      return result;
+    }
+
+
     /** Adds nodal forces to the resultants of bodies. */
     class Resultant
     {
@@ -193,24 +260,20 @@ namespace Biface
           resultant.add(n + b, node, face_forces(mesh, others[b], node));
 
     // what is missing at the supports, which take up the prestress there
-    LA::Vector missing = mesh.owned_vector();
+    LA::Vector missing_here = mesh.owned_vector();
     for (const Other b : {foundation, loads_of_shell, interpolation})
-      missing -= others[b];
+      missing_here -= others[b];
+    LA::Vector missing = mesh.ghosted_vector(), initial = missing;
+    missing = missing_here;
+    initial = others[prestress];
     for (const SupportedNodes::Item &item : mesh.supported.items)
-      {
-        const Node &node = mesh.nodes[item.node];
-        if (!node.locally_owned)
-          continue;
-        const auto held =
-          support_forces(item.equations, face_forces(mesh, missing, node));
-        const auto prestressed = support_forces(
-          item.equations, face_forces(mesh, others[prestress], node));
-        for (unsigned int k = 0; k < held.size(); ++k)
-          {
-            resultant.add(item.equations[k].body, node, held[k]);
-            resultant.add(n + prestress, node, prestressed[k], -1);
-          }
-      }
+      if (mesh.nodes[item.node].locally_owned)
+        for (const auto &part : support_forces(mesh, item, missing))
+          resultant.add(part.body, mesh.nodes[part.node], part.forces);
+    for (const SupportedNodes::Item &item : mesh.supported.items)
+      if (mesh.nodes[item.node].locally_owned)
+        for (const auto &part : support_forces(mesh, item, initial))
+          resultant.add(n + prestress, mesh.nodes[part.node], part.forces, -1);
     return resultant.on_all_ranks(bodies);
   }
 } // namespace Biface

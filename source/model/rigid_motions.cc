@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 #include <biface/model/rigid_motions.h>
 
@@ -86,6 +88,14 @@ namespace Biface
     {
       const Point<3> center = mean_of_nodes(mesh);
 
+      // the node of an unknown, and its position there
+      std::unordered_map<types::global_dof_index,
+                         std::pair<unsigned int, unsigned int>>
+        place;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        for (unsigned int d = 0; d < 6; ++d)
+          place[mesh.nodes[n].dofs[d]] = {n, d};
+
       std::vector<double> squares(n_motions * n_motions);
       for (const Node &node : mesh.nodes)
         if (node.locally_owned)
@@ -93,21 +103,19 @@ namespace Biface
             {
               if (!mesh.constraints.is_constrained(node.dofs[d]))
                 continue;
-              const auto value = [&](const unsigned int motion,
-                                     const unsigned int dof) {
-                return nodal_value(mesh, node, center, motion, dof);
-              };
 
-              // supports couple only the unknowns of a node
               Combination violation;
               for (unsigned int m = 0; m < n_motions; ++m)
                 {
-                  violation[m] = value(m, d);
+                  violation[m] = nodal_value(mesh, node, center, m, d);
                   for (const auto &entry :
                        *mesh.constraints.get_constraint_entries(node.dofs[d]))
-                    for (unsigned int other = 0; other < 6; ++other)
-                      if (node.dofs[other] == entry.first)
-                        violation[m] -= entry.second * value(m, other);
+                    {
+                      const auto &[other, i] = place.at(entry.first);
+                      violation[m] -=
+                        entry.second *
+                        nodal_value(mesh, mesh.nodes[other], center, m, i);
+                    }
                 }
               // a support of the director counts by its rotation, however thin
               // the shell

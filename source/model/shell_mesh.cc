@@ -242,6 +242,8 @@ namespace Biface
     diameter = diagonal_of_box(*triangulation);
 
     collect_cells_and_nodes(face_heights);
+    if (supports.is_cyclic())
+      add_cyclic_nodes(face_heights);
     nodes_of_points = find_nodes(this->points, *this);
     make_constraints(supports, *this, constraints, prescribed, supported);
 
@@ -350,6 +352,68 @@ namespace Biface
 
     for (const auto &set : adjacent)
       neighbors.emplace_back(set.begin(), set.end());
+  }
+
+
+  void
+  ShellMesh::add_cyclic_nodes(
+    const std::vector<std::array<double, 2>> &face_heights)
+  {
+    // the two lines next to either edge: those on the other side enter the
+    // equations of the nodes on an edge
+    const unsigned int                last = grid.n_nodes(1) - 1;
+    const std::array<unsigned int, 4> lines{{0, 1, last - 1, last}};
+
+    std::map<types::global_cell_index, unsigned int> known;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      known[nodes[n].number] = n;
+
+    // the unknowns of these nodes, from the ranks that own them
+    std::vector<types::global_dof_index> dofs(4 * 6 * grid.n_nodes(0));
+    const auto position = [&](const unsigned int line, const unsigned int i) {
+      return 6 * (line * grid.n_nodes(0) + i);
+    };
+    for (unsigned int line = 0; line < 4; ++line)
+      for (unsigned int i = 0; i < grid.n_nodes(0); ++i)
+        {
+          const auto node = known.find(grid.node_number({{i, lines[line]}}));
+          if (node != known.end() && nodes[node->second].locally_owned)
+            for (unsigned int d = 0; d < 6; ++d)
+              dofs[position(line, i) + d] = nodes[node->second].dofs[d];
+        }
+    Utilities::MPI::sum(dofs, communicator, dofs);
+
+    const unsigned int n_known = nodes.size();
+    for (unsigned int n = 0; n < n_known; ++n)
+      for (unsigned int line = 0; line < 4; ++line)
+        {
+          const GridIndex    at   = nodes[n].grid_index;
+          const unsigned int from = (line < 2 ? last : 0);
+          if (at[1] != from)
+            continue;
+          const unsigned int begin = (at[0] == 0 ? 0 : at[0] - 1);
+          const unsigned int end   = std::min(at[0] + 2, grid.n_nodes(0));
+          for (unsigned int i = begin; i < end; ++i)
+            {
+              const GridIndex other{{i, lines[line]}};
+              if (known.count(grid.node_number(other)) > 0)
+                continue;
+              Node node;
+              node.grid_index   = other;
+              node.alpha        = grid.alpha(other);
+              node.face_heights = face_heights[i];
+              node.surface      = surface->evaluate(node.alpha);
+              node.number       = grid.node_number(other);
+              for (unsigned int d = 0; d < 6; ++d)
+                node.dofs[d] = dofs[position(line, i) + d];
+              node.locally_owned   = false;
+              node.outer_face_free = true;
+              known[node.number]   = nodes.size();
+              locally_relevant.add_indices(node.dofs.begin(), node.dofs.end());
+              neighbors.push_back({static_cast<unsigned int>(nodes.size())});
+              nodes.push_back(node);
+            }
+        }
   }
 
 

@@ -43,12 +43,18 @@ namespace Biface
         edge_names[edge],
         "free",
         edges[edge],
-        [edge](const std::string &entry, const std::string &text) {
-          return parse_support(entry, text, edge / 2);
+        [this, edge](const std::string &entry, const std::string &text) {
+          cyclic[edge] = (edge / 2 == 1 && text == "cyclic");
+          return cyclic[edge] ? std::vector<SupportCondition>()
+                              : parse_support(entry, text, edge / 2);
         },
         "Support of the edge " + edge_names[edge] +
           ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
-          "'hinged outer', 'symmetry' (no displacement normal to the edge), "
+          "'hinged outer', 'symmetry' (no displacement normal to the edge), " +
+          (edge / 2 == 1
+             ? "'cyclic' (both edges of alpha_2: the same displacements in the "
+               "frames of both, for shells that repeat along alpha_2), "
+             : "") +
           "or a list, separated by semicolons, of 'COMPONENT FACE' or "
           "'COMPONENT FACE = value'. COMPONENT is one of v_1, v_2, v_3 (in "
           "the frame of the coordinate lines), x, y, z, and, for a surface of "
@@ -104,7 +110,7 @@ namespace Biface
     const std::string form =
       std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
                   "'hinged outer'") +
-      (across < 3 ? ", 'symmetry'" : "") +
+      (across < 3 ? ", 'symmetry'" : "") + (across == 1 ? ", 'cyclic'" : "") +
       ", or a list like 'v_1 both; axial middle = 0.5' (components: " +
       join(component_names()) +
       "; faces: inner, outer, both, middle, difference)";
@@ -164,6 +170,18 @@ namespace Biface
           {named.first, parse_support(entry, named.second, 3)});
       }
     return supports;
+  }
+
+
+  void
+  Supports::check() const
+  {
+    for (unsigned int edge = 2; edge < 4; ++edge)
+      if (cyclic[edge] && !cyclic[5 - edge])
+        throw InputError(
+          "Supports/" + edge_names[edge],
+          "cyclic",
+          "then the other edge of alpha_2 must be 'cyclic', too");
   }
 
 

@@ -107,6 +107,7 @@ namespace Biface
     if (mesh.closed)
       check_edges();
 
+    supports.check();
     contact.check();
     newton.check();
     checkpoint.check();
@@ -129,7 +130,8 @@ namespace Biface
       return edge == Edge::alpha_2_min || edge == Edge::alpha_2_max;
     };
     for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
-      if (!supports.edges[static_cast<unsigned int>(edge)].empty())
+      if (!supports.edges[static_cast<unsigned int>(edge)].empty() ||
+          supports.cyclic[static_cast<unsigned int>(edge)])
         throw InputError(
           "the section 'Supports' supports an edge of alpha_2, but the "
           "coordinate is closed ('Mesh/Closed in alpha_2') and has no edges.");
@@ -253,7 +255,30 @@ namespace Biface
             "Both edges of alpha_2 have the support 'symmetry', but the ply '" +
             angled +
             "' is not symmetric about them: such plies also move along "
-            "alpha_2, and the shell becomes too stiff. Model the full turn.");
+            "alpha_2, and the shell becomes too stiff. If the shell repeats "
+            "along alpha_2, use 'cyclic' for both edges; else model the full "
+            "turn.");
+      }
+
+    if (supports.is_cyclic() &&
+        surface.type == ReferenceSurface::Parameters::Type::revolution)
+      {
+        const auto  &intervals = mesh.intervals[1].lines();
+        const double sectors   = 360 / (intervals.back() - intervals.front());
+        const bool   repeats =
+          std::abs(sectors - std::round(sectors)) < 1e-6 * sectors;
+        const bool same_all_around =
+          loads.point_forces.empty() && supports.points.empty() &&
+          std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
+            return stage.contact;
+          });
+        if (!repeats && !same_all_around)
+          sentences.push_back(
+            "The edges of alpha_2 are 'cyclic', but the sector of " +
+            number_to_string(intervals.back() - intervals.front()) +
+            " degrees does not divide the full turn: only what is the same all "
+            "around the axis can repeat, and contact, point forces and point "
+            "supports are not.");
       }
     return sentences;
   }

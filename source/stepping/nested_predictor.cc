@@ -77,8 +77,7 @@ namespace Biface
              begin.weight * value(*begin.after);
     };
 
-    LA::Vector displacement = mesh.owned_vector();
-    displacement            = state.displacement;
+    LA::Vector increment = mesh.owned_vector();
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         const Node &node = mesh.nodes[n];
@@ -91,9 +90,13 @@ namespace Biface
           [&](const GridState &s) { return s.displacement(node.alpha); });
         for (unsigned int i = 0; i < 6; ++i)
           if (!mesh.constraints.is_constrained(node.dofs[i]))
-            displacement(node.dofs[i]) += moved[i];
+            increment(node.dofs[i]) = moved[i];
       }
-    displacement.compress(VectorOperation::add);
+    increment.compress(VectorOperation::insert);
+    mesh.constraints.distribute(increment);
+    LA::Vector displacement = mesh.owned_vector();
+    displacement            = state.displacement;
+    displacement += increment;
     state.displacement = displacement;
 
     const auto &lines = mesh.grid.lines;

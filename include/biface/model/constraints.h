@@ -7,6 +7,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ namespace Biface
     double value;
     /** Which support: a position in SupportedNodes::bodies. */
     unsigned int body;
+    /** Between cyclic edges, the fraction of its forces on the node itself; the
+     * rest acts on the partner. */
+    double share;
   };
 
 
@@ -46,6 +50,9 @@ namespace Biface
     {
       /** Position in ShellMesh::nodes. */
       unsigned int node;
+      /** Between cyclic edges: the node with the same displacements on the
+       * second edge, while @p node is on the first; invalid otherwise. */
+      unsigned int partner;
       /** Linearly independent. If several supports hold a displacement, the
        * equation is that of the first one, in the order of @p bodies. */
       std::vector<SupportEquation> equations;
@@ -53,7 +60,9 @@ namespace Biface
 
     /** The names of the supports: points, then edges. */
     std::vector<std::string> bodies;
-    std::vector<Item>        items;
+    /** Those of the edges of alpha_2, if they are cyclic. */
+    std::array<unsigned int, 2> cyclic_bodies;
+    std::vector<Item>           items;
   };
 
 
@@ -62,6 +71,9 @@ namespace Biface
    *
    * The equations of all supports at a node are eliminated together, each for
    * the unknown with the largest coefficient.
+   *
+   * Between cyclic edges, the unknowns on the edge alpha_2 max depend on those
+   * on the edge alpha_2 min, and supports of either hold both.
    *
    * Throws InputError if they contradict each other, or if a supported point
    * does not exist.

@@ -108,7 +108,7 @@ namespace Biface
    *
    * The data of cells and nodes are plain arrays, filled once, so that
    * iterations access memory in order. Each rank has the cells it owns and the
-   * nodes of these cells and of their neighbors.
+   * nodes of these cells and of their neighbors, also across cyclic edges.
    */
   class ShellMesh
   {
@@ -137,7 +137,7 @@ namespace Biface
     std::vector<Node> nodes;
 
     /** Nodes that share a cell with the node of the same position, including
-     * itself. Complete for locally owned nodes. */
+     * itself. Complete for locally owned nodes. Not across cyclic edges. */
     std::vector<std::vector<unsigned int>> neighbors;
 
     /** Sides of locally owned cells on the edges of the shell. */
@@ -261,6 +261,10 @@ namespace Biface
     void
     collect_cells_and_nodes(
       const std::vector<std::array<double, 2>> &face_heights);
+
+    /** Add the nodes to which cyclic edges couple those of this rank. */
+    void
+    add_cyclic_nodes(const std::vector<std::array<double, 2>> &face_heights);
 
     std::unique_ptr<const ReferenceSurface>                    surface;
     std::unique_ptr<dealii::parallel::TriangulationBase<2, 3>> triangulation;

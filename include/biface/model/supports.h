@@ -68,10 +68,24 @@ namespace Biface
   struct Supports
   {
     std::array<std::vector<SupportCondition>, 4> edges;
-    std::vector<PointSupport>                    points;
+    /** Whether an edge is cyclic: the edges of alpha_2 have the same
+     * displacements in their frames. */
+    std::array<bool, 4>       cyclic{{false, false, false, false}};
+    std::vector<PointSupport> points;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /** Whether the edges of alpha_2 are coupled. Both must be cyclic. */
+    bool
+    is_cyclic() const
+    {
+      return cyclic[2] && cyclic[3];
+    }
+
+    /** Throw InputError if only one edge of alpha_2 is cyclic. */
+    void
+    check() const;
 
     /** Whether a displacement other than 0 is prescribed. */
     bool
