@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <optional>
+
 #include <biface/element/mixed_element.h>
 
 namespace Biface
@@ -119,6 +121,12 @@ namespace Biface
   {
     for (unsigned int q = 0; q < 4; ++q)
       gradients[q] = displacement_gradient(geometry, V, q);
+    if (with_means())
+      {
+        change  = StrainMeans::change(geometry, gradients);
+        vectors = geometry.undeformed;
+        vectors += change;
+      }
   }
 
 
@@ -129,20 +137,34 @@ namespace Biface
     for (unsigned int q = 0; q < 4; ++q)
       at_vertices[q] =
         green_lagrange_strain(gradients[q], geometry.vertices[q].metric);
-    return Modes::from_vertices(at_vertices);
+    Modes::Vector E = Modes::from_vertices(at_vertices);
+    if (with_means())
+      {
+        // |d|^2 - |E|^2 = (d - E) . (d + E)
+        MeanVectors sum = vectors;
+        sum += geometry.undeformed;
+        StrainMeans::add_products(geometry, change, sum, 1, E);
+      }
+    return E;
   }
 
 
   Modes::Vector
   MixedElement::strain_variation(const NodalVector &dV) const
   {
-    std::array<Resultants::Vector, 4> at_vertices;
+    std::array<DisplacementGradient, 4> variation;
+    std::array<Resultants::Vector, 4>   at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
-      at_vertices[q] =
-        Biface::strain_variation(gradients[q],
-                                 displacement_gradient(geometry, dV, q),
-                                 geometry.vertices[q].metric);
-    return Modes::from_vertices(at_vertices);
+      {
+        variation[q]   = displacement_gradient(geometry, dV, q);
+        at_vertices[q] = Biface::strain_variation(
+          gradients[q], variation[q], geometry.vertices[q].metric);
+      }
+    Modes::Vector E = Modes::from_vertices(at_vertices);
+    if (with_means())
+      StrainMeans::add_products(
+        geometry, vectors, StrainMeans::change(geometry, variation), 2, E);
+    return E;
   }
 
 
@@ -157,7 +179,10 @@ namespace Biface
                          Biface::strain_variation(
                            DisplacementGradient(), gradients[q], metric);
       }
-    return Modes::from_vertices(at_vertices);
+    Modes::Vector eta = Modes::from_vertices(at_vertices);
+    if (with_means())
+      StrainMeans::add_products(geometry, change, change, 1, eta);
+    return eta;
   }
 
 
@@ -168,17 +193,26 @@ namespace Biface
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     const auto total_at_vertices =
       Modes::to_vertices(geometry.weight * (H + H_0));
+    MeanVectors means;
+    if (with_means())
+      {
+        means = StrainMeans::Coupling(geometry, geometry.weight * H)
+                  .apply(geometry.undeformed);
+        means += StrainMeans::Coupling(geometry, geometry.weight * (H + H_0))
+                   .apply(change);
+      }
+
     NodalVector force;
     for (unsigned int q = 0; q < 4; ++q)
       {
         const ThicknessMetric &metric = geometry.vertices[q].metric;
-        add_nodal_force(
-          geometry, linear_conjugate(at_vertices[q], metric), q, force);
-        add_nodal_force(
-          geometry,
-          GeometricCoupling(total_at_vertices[q], metric).apply(gradients[q]),
-          q,
-          force);
+        DisplacementGradient   conjugate =
+          linear_conjugate(at_vertices[q], metric);
+        conjugate +=
+          GeometricCoupling(total_at_vertices[q], metric).apply(gradients[q]);
+        if (with_means())
+          conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
+        add_nodal_force(geometry, conjugate, q, force);
       }
     return force;
   }
@@ -409,16 +443,22 @@ namespace Biface
   {
     alignas(64) StrainMatrix B;
     strain_matrix(B);
+    std::optional<StrainMeans::Maps> maps;
+    if (with_means())
+      {
+        maps.emplace(geometry);
+        add_mean_terms(*maps, B);
+      }
 
     for (const Modes::Group &group : Modes::groups)
-      for (unsigned int i = 0; i < group.size; ++i)
+      for (unsigned int i = 0; i < stiffness.size(group); ++i)
         {
           // row i of D B
           alignas(64) std::array<double, n_dofs> DB;
           DB.fill(0);
-          for (unsigned int j = 0; j < group.size; ++j)
+          for (unsigned int j = 0; j < stiffness.size(group); ++j)
             {
-              const double d = geometry.weight * group.weight() *
+              const double d = geometry.weight * group.weight(i) *
                                stiffness(group.strains[i], group.strains[j]);
               const auto &row = B[group.first_mode + j];
               for (unsigned int k = 0; k < n_dofs; ++k)
@@ -435,5 +475,247 @@ namespace Biface
         }
 
     add_geometric_stiffness(H, K);
+    if (with_means())
+      add_geometric_stiffness_of_means(H, *maps, K);
+  }
+
+
+  namespace
+  {
+    /** Of a node, see MixedElement::dof(): the unknowns of a column of
+     * StrainMeans::Maps. */
+    constexpr unsigned int
+    dof_of_column(const unsigned int column, const MixedElement::Part part)
+    {
+      return MixedElement::dof(column / 3, column % 3, part);
+    }
+
+
+    using Column = std::array<double, StrainMeans::Maps::n_columns>;
+
+    /** The scalar product of a vector with each column of a matrix. */
+    Column
+    product(const Tensor<1, 3> &p, const StrainMeans::Maps::Matrix &matrix)
+    {
+      Column result;
+      for (unsigned int k = 0; k < result.size(); ++k)
+        result[k] =
+          p[0] * matrix[0][k] + p[1] * matrix[1][k] + p[2] * matrix[2][k];
+      return result;
+    }
+  } // namespace
+
+
+  void
+  MixedElement::add_mean_terms(const StrainMeans::Maps &maps,
+                               StrainMatrix            &B) const
+  {
+    using namespace Resultants;
+    using StrainMeans::Maps;
+
+    // d(strain) = p . d(slope) + m . d(mean) + b . d(slope of the director),
+    // the last ones optional
+    const auto add = [&](const unsigned int  mode,
+                         const unsigned int  face,
+                         const unsigned int  a,
+                         const Tensor<1, 3> &p,
+                         const Tensor<1, 3> *m,
+                         const Tensor<1, 3> *b) {
+      std::array<double, n_dofs> &row  = B[mode];
+      const unsigned int          c    = 1 - a;
+      Column                      v    = product(p, maps.tangent[face][a]);
+      const double                sign = face_sign[face];
+      for (unsigned int k = 0; k < v.size(); ++k)
+        v[k] *= Maps::sign(a, k);
+      if (m)
+        {
+          const Column of_mean = product(*m, maps.tangent[face][c]);
+          for (unsigned int k = 0; k < v.size(); ++k)
+            v[k] += of_mean[k];
+        }
+      for (unsigned int k = 0; k < v.size(); ++k)
+        {
+          row[dof_of_column(k, mean)] += v[k];
+          row[dof_of_column(k, half_difference)] += sign * v[k];
+        }
+
+      if (b || maps.tapered)
+        {
+          Tensor<1, 3> along[4];
+          for (unsigned int q = 0; q < 4; ++q)
+            {
+              const double sign_q = MeanVectors::sign(a, q);
+              if (b)
+                along[q] = sign_q * *b;
+              if (maps.tapered)
+                {
+                  along[q] += sign_q * maps.tilt[face][a][q] * p;
+                  if (m)
+                    along[q] += maps.tilt[face][c][q] * *m;
+                }
+            }
+          for (unsigned int k = 0; k < v.size(); ++k)
+            {
+              const Tensor<1, 3> &r = along[k / 3];
+              row[dof_of_column(k, half_difference)] +=
+                2 / geometry.vertices[k / 3].thickness *
+                (r[0] * maps.director[0][k] + r[1] * maps.director[1][k] +
+                 r[2] * maps.director[2][k]);
+            }
+        }
+    };
+
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        const double phi = -2. / 3 * geometry.mean_factor[a];
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const Tensor<1, 3> &slope    = vectors.slope[face][a];
+            const double        phi_zeta = phi * geometry.zeta_ratio[face][a];
+            add(tangential(a, face), face, a, phi * slope, nullptr, nullptr);
+
+            const Tensor<1, 3> b = phi_zeta * slope;
+            add(transverse(a, face),
+                face,
+                a,
+                phi_zeta * vectors.director[a],
+                nullptr,
+                &b);
+
+            const double       half = face_sign[face] / 2;
+            const Tensor<1, 3> m    = half * slope;
+            add(StrainMeans::twist_mode(a),
+                face,
+                a,
+                half * vectors.mean[face][1 - a],
+                &m,
+                nullptr);
+          }
+      }
+  }
+
+
+  void
+  MixedElement::add_geometric_stiffness_of_means(const Modes::Vector     &H,
+                                                 const StrainMeans::Maps &maps,
+                                                 NodalMatrix &K) const
+  {
+    using StrainMeans::Maps;
+    constexpr unsigned int      n = Maps::n_columns;
+    const StrainMeans::Coupling coupling(geometry, geometry.weight * H);
+    using Matrix = std::array<Column, n>;
+
+    // Every term is a product of the slope of a tangent and one other vector,
+    // so that half of the matrix and its transpose add up to the whole:
+    // `of_face` has the displacements of a face on both sides, `of_director`
+    // the directors on one; `sum` over the faces, and `difference`.
+    alignas(64) Matrix of_face[2];
+    alignas(64) Matrix sum, difference;
+    Maps::Matrix       director_sum[2], director_difference[2];
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        alignas(64) std::array<Maps::Matrix, 2> X, Y;
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            const double slope    = coupling.slope[face][a] / 2;
+            const double twist    = coupling.twist[face][a];
+            const double director = coupling.director[face][a];
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int k = 0; k < n; ++k)
+                {
+                  X[a][i][k] = Maps::sign(a, k) * maps.tangent[face][a][i][k];
+                  Y[a][i][k] = slope * X[a][i][k] +
+                               twist * maps.tangent[face][1 - a][i][k];
+                  const double x = director * X[a][i][k];
+                  director_sum[a][i][k] =
+                    (face == 0 ? x : director_sum[a][i][k] + x);
+                  director_difference[a][i][k] =
+                    (face == 0 ? -x : director_difference[a][i][k] + x);
+                }
+          }
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int l = 0; l < n; ++l)
+            of_face[face][k][l] =
+              X[0][0][k] * Y[0][0][l] + X[0][1][k] * Y[0][1][l] +
+              X[0][2][k] * Y[0][2][l] + X[1][0][k] * Y[1][0][l] +
+              X[1][1][k] * Y[1][1][l] + X[1][2][k] * Y[1][2][l];
+      }
+
+    const auto multiply = [&](const Maps::Matrix(&x)[2], Matrix &result) {
+      for (unsigned int q = 0; q < 4; ++q)
+        {
+          const double             d_beta = 2 / geometry.vertices[q].thickness;
+          alignas(64) Maps::Matrix at_q;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int l = 0; l < n; ++l)
+              at_q[i][l] = d_beta * (MeanVectors::sign(0, q) * x[0][i][l] +
+                                     MeanVectors::sign(1, q) * x[1][i][l]);
+          for (unsigned int j = 0; j < 3; ++j)
+            for (unsigned int l = 0; l < n; ++l)
+              result[3 * q + j][l] = maps.director[0][3 * q + j] * at_q[0][l] +
+                                     maps.director[1][3 * q + j] * at_q[1][l] +
+                                     maps.director[2][3 * q + j] * at_q[2][l];
+        }
+    };
+    multiply(director_sum, sum);
+    multiply(director_difference, difference);
+
+    Matrix of_directors{};
+    if (maps.tapered)
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          {
+            const double slope    = coupling.slope[face][a] / 2;
+            const double twist    = coupling.twist[face][a];
+            const double director = coupling.director[face][a];
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const double d_beta = 2 / geometry.vertices[k / 3].thickness;
+                const double sign_k = Maps::sign(a, k);
+                const double tilt = d_beta * sign_k * maps.tilt[face][a][k / 3];
+                const double tilt_c = d_beta * maps.tilt[face][1 - a][k / 3];
+                for (unsigned int l = 0; l < n; ++l)
+                  {
+                    const double e_beta =
+                      2 / geometry.vertices[l / 3].thickness;
+                    const double sign_l = Maps::sign(a, l);
+                    double       by_own = 0, by_other = 0, both = 0;
+                    for (unsigned int i = 0; i < 3; ++i)
+                      {
+                        const double x = sign_l * maps.tangent[face][a][i][l];
+                        const double y = maps.tangent[face][1 - a][i][l];
+                        by_own += maps.director[i][k] * x;
+                        by_other += maps.director[i][k] * y;
+                        both += maps.director[i][k] * maps.director[i][l];
+                      }
+                    const double value =
+                      tilt * (2 * slope * by_own + twist * by_other) +
+                      tilt_c * twist * by_own;
+                    sum[k][l] += value;
+                    difference[k][l] += face_sign[face] * value;
+                    of_directors[k][l] +=
+                      tilt * both * e_beta *
+                      ((slope * maps.tilt[face][a][l / 3] + director) * sign_l +
+                       twist * maps.tilt[face][1 - a][l / 3]);
+                  }
+              }
+          }
+
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          const double inner = of_face[0][k][l] + of_face[0][l][k];
+          const double outer = of_face[1][k][l] + of_face[1][l][k];
+          double      *row_of_mean =
+            &K[dof_of_column(k, mean)][dof_of_column(l, mean)];
+          double *row_of_half =
+            &K[dof_of_column(k, half_difference)][dof_of_column(l, mean)];
+          row_of_mean[0] += outer + inner;
+          row_of_mean[1] += outer - inner + sum[l][k];
+          row_of_half[0] += outer - inner + sum[k][l];
+          row_of_half[1] += outer + inner + difference[k][l] +
+                            difference[l][k] + of_directors[k][l] +
+                            of_directors[l][k];
+        }
   }
 } // namespace Biface

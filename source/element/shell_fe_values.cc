@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include <biface/element/shell_fe_values.h>
+#include <biface/element/strain_means.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  ShellFEValues::ShellFEValues(const ReferenceSurface &surface)
+  ShellFEValues::ShellFEValues(const ReferenceSurface &surface,
+                               const StrainSampling    sampling)
     : surface(surface)
     , fe(1)
     , at_vertices(mapping,
@@ -21,7 +23,9 @@ namespace Biface
                 fe,
                 QMidpoint<2>(),
                 update_quadrature_points | update_JxW_values)
-  {}
+  {
+    geometry.sampling = sampling;
+  }
 
 
   void
@@ -62,11 +66,34 @@ namespace Biface
                 (heights[face] - face_heights[q ^ (1 << a)][face]);
             heights_at_center[face] += heights[face] / 4;
           }
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            vertex.axes[i][j] = point.frame[j][i];
       }
 
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
     metric_at_center = ThicknessMetric(center.curvature, heights_at_center);
     geometry.weight =
       JxW() * metric_at_center.zeta_bar[0] * metric_at_center.zeta_bar[1];
+
+    const double thickness = heights_at_center[1] - heights_at_center[0];
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        const unsigned int c      = 1 - a;
+        double             length = 0;
+        for (unsigned int q = 0; q < 4; ++q)
+          length += geometry.vertices[q].metric.zeta_bar[c] /
+                    std::abs(geometry.vertices[q].slope[c]) / 4;
+        const double ratio      = length / thickness;
+        geometry.mean_factor[a] = 1 / (1 + ratio * ratio / 12);
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            geometry.zeta_ratio[face][a] = 0;
+            for (const ElementGeometry::Vertex &vertex : geometry.vertices)
+              geometry.zeta_ratio[face][a] +=
+                vertex.metric.zeta[face][a] / vertex.metric.zeta_bar[a] / 4;
+          }
+      }
+    geometry.undeformed = StrainMeans::undeformed(geometry);
   }
 } // namespace Biface

@@ -12,7 +12,7 @@ namespace Biface
     : mesh(mesh), symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
   {
     for (const Strip &strip : mesh.strips)
-      stiffness.emplace_back(strip.laminate.stiffness());
+      stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
     history.initial_strains.resize(mesh.cells.size());
     for (const Cell &cell : mesh.cells)
       history.initial_resultants.push_back(

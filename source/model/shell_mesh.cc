@@ -218,10 +218,12 @@ namespace Biface
                        const ChartGrid                        &grid,
                        const Layup                            &layup,
                        const Supports                         &supports,
-                       const std::vector<NamedPoint>          &points)
+                       const std::vector<NamedPoint>          &points,
+                       const StrainSampling                    sampling)
     : communicator(communicator)
     , grid(grid)
     , layup(layup)
+    , sampling(sampling)
     , points(points)
     , surface(std::move(surface))
     , fe(FE_Q<2, 3>(1), 6)
@@ -261,7 +263,7 @@ namespace Biface
   ShellMesh::collect_cells_and_nodes(
     const std::vector<std::array<double, 2>> &face_heights)
   {
-    ShellFEValues fe_values(*surface);
+    ShellFEValues fe_values(*surface, sampling);
 
     // map from the vertices of the triangulation to the nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),

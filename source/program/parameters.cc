@@ -46,6 +46,10 @@ namespace Biface
     laminate.add_parameters(prm);
     prm.leave_subsection();
 
+    prm.enter_subsection("Element");
+    element.add_parameters(prm);
+    prm.leave_subsection();
+
     points.add_parameters(prm);
 
     prm.enter_subsection("Supports");

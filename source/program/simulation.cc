@@ -76,7 +76,8 @@ namespace Biface
                                                given,
                                                layup,
                                                parameters.supports,
-                                               points);
+                                               points,
+                                               parameters.element.sampling);
     }
 
 

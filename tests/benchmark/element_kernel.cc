@@ -28,12 +28,13 @@ namespace
     Modes::Vector             H;
     MixedElement::NodalMatrix K;
 
-    Setup()
+    explicit Setup(const StrainSampling sampling = StrainSampling::vertices)
       : laminate(Layup(Layup::Parameters(), cord_ply()).laminate(0))
-      , stiffness(laminate.stiffness())
+      , stiffness(laminate.stiffness(), sampling)
       , geometry(make_cells(torus(),
                             {{"40:45:1", "10:15:1"}},
-                            laminate.face_heights())[0]
+                            laminate.face_heights(),
+                            sampling)[0]
                    .geometry)
     {
       for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
@@ -86,6 +87,16 @@ namespace
       setup.assemble();
   }
   BENCHMARK(residual_and_tangent);
+
+
+  void
+  residual_and_tangent_of_means(benchmark::State &state)
+  {
+    Setup setup(StrainSampling::means);
+    for (auto _ : state)
+      setup.assemble();
+  }
+  BENCHMARK(residual_and_tangent_of_means);
 
 
   void

@@ -27,6 +27,13 @@ torus()
 }
 
 
+inline std::string
+name_of(const Biface::StrainSampling sampling)
+{
+  return sampling == Biface::StrainSampling::means ? "means" : "vertices";
+}
+
+
 /** A cell of a grid with the data needed by tests. */
 struct TestCell
 {
@@ -59,9 +66,11 @@ using FaceHeights = std::function<std::array<double, 2>(const double alpha_1)>;
 /** The cells of a grid on a surface; see Biface::ChartGrid for the intervals.
  */
 inline std::vector<TestCell>
-make_cells(const Biface::ReferenceSurface   &surface,
-           const std::array<std::string, 2> &intervals,
-           const FaceHeights                &face_heights)
+make_cells(
+  const Biface::ReferenceSurface   &surface,
+  const std::array<std::string, 2> &intervals,
+  const FaceHeights                &face_heights,
+  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices)
 {
   using namespace dealii;
 
@@ -74,7 +83,7 @@ make_cells(const Biface::ReferenceSurface   &surface,
   Biface::create_triangulation(
     surface, Biface::ChartGrid(parameters, surface), triangulation);
 
-  Biface::ShellFEValues fe_values(surface);
+  Biface::ShellFEValues fe_values(surface, sampling);
   std::vector<TestCell> cells;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
@@ -97,13 +106,16 @@ make_cells(const Biface::ReferenceSurface   &surface,
 
 /** The same, of constant thickness. */
 inline std::vector<TestCell>
-make_cells(const Biface::ReferenceSurface   &surface,
-           const std::array<std::string, 2> &intervals,
-           const std::array<double, 2>      &heights)
+make_cells(
+  const Biface::ReferenceSurface   &surface,
+  const std::array<std::string, 2> &intervals,
+  const std::array<double, 2>      &heights,
+  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices)
 {
-  return make_cells(surface, intervals, FaceHeights([heights](const double) {
-                      return heights;
-                    }));
+  return make_cells(surface,
+                    intervals,
+                    FaceHeights([heights](const double) { return heights; }),
+                    sampling);
 }
 
 

@@ -41,7 +41,8 @@ namespace
    * face; those across the thickness vanish.
    */
   void
-  test(const std::string                         &name,
+  test(const StrainSampling                       sampling,
+       const std::string                         &name,
        const Theory                               theory,
        const Field                               &displacement,
        const std::array<std::array<double, 3>, 2> stress)
@@ -53,10 +54,11 @@ namespace
         exact[Resultants::tangential(ab, p)] =
           h / 6 * (2 * stress[p][ab] + stress[1 - p][ab]);
 
-    const ModeStiffness stiffness(laminate.stiffness());
+    const ModeStiffness stiffness(laminate.stiffness(), sampling);
     const auto          cells = make_cells(Plane(),
                                   {{"0:30:4:1.3", "-10:10:3:0.7, 10:16:1"}},
-                                  laminate.face_heights());
+                                  laminate.face_heights(),
+                                  sampling);
 
     std::map<unsigned int, std::array<Tensor<1, 3>, 2>> forces;
     std::map<unsigned int, unsigned int>                n_cells;
@@ -118,73 +120,88 @@ namespace
              E / (1 - nu * nu) * (E_22 + nu * E_11),
              E / (2 * (1 + nu)) * two_E_12}};
   }
+
+  void
+  test_all(const StrainSampling sampling)
+  {
+    std::cout << "sampling: " << name_of(sampling) << std::endl;
+    {
+      // a homogeneous deformation, as large as may be
+      const Tensor<2, 2> F({{1.3, 0.2}, {-0.1, 0.9}});
+      const Tensor<2, 2> C    = transpose(F) * F;
+      const double       E_11 = (C[0][0] - 1) / 2, E_22 = (C[1][1] - 1) / 2;
+      const double       E_33    = -nu / (1 - nu) * (E_11 + E_22);
+      const auto         S       = stress(E_11, E_22, C[0][1]);
+      const double       thicken = std::sqrt(1 + 2 * E_33) - 1;
+      test(sampling,
+           "stretch and shear in the plane, with its change of thickness",
+           Theory::nonlinear,
+           [&](const Point<3> &x) {
+             return Tensor<1, 3>({(F[0][0] - 1) * x[0] + F[0][1] * x[1],
+                                  F[1][0] * x[0] + (F[1][1] - 1) * x[1],
+                                  thicken * x[2]});
+           },
+           {{S, S}});
+    }
+
+    // small strains and curvatures
+    const double e = 1e-3;
+    test(sampling,
+         "stretch along x",
+         Theory::linear,
+         [&](const Point<3> &x) {
+           return e * Tensor<1, 3>({x[0], -nu * x[1], -nu * x[2]});
+         },
+         {{{{E * e, 0, 0}}, {{E * e, 0, 0}}}});
+    test(sampling,
+         "shear in the plane",
+         Theory::linear,
+         [&](const Point<3> &x) {
+           return e * Tensor<1, 3>({x[1], x[0], 0});
+         },
+         {{stress(0, 0, 2 * e), stress(0, 0, 2 * e)}});
+
+    // of bending, the fibers of the middle keep their length; the change of
+    // thickness due to Poisson's ratio is not linear and cancels in the mean
+    const auto bending = [&](const double k_1, const double k_2) {
+      return [=](const Point<3> &x) {
+        const double z = x[2] - h / 2;
+        return Tensor<1, 3>({k_1 * z * x[0],
+                             k_2 * z * x[1],
+                             -k_1 * x[0] * x[0] / 2 - k_2 * x[1] * x[1] / 2});
+      };
+    };
+    const double k = e / h;
+    test(sampling,
+         "bending into a cylinder about y",
+         Theory::linear,
+         bending(k, 0),
+         {{stress(-k * h / 2, 0, 0), stress(k * h / 2, 0, 0)}});
+    test(sampling,
+         "bending into a cylinder about x",
+         Theory::linear,
+         bending(0, k),
+         {{stress(0, -k * h / 2, 0), stress(0, k * h / 2, 0)}});
+    test(sampling,
+         "pure bending, with its anticlastic curvature",
+         Theory::linear,
+         bending(k, -nu * k),
+         {{{{-E * k * h / 2, 0, 0}}, {{E * k * h / 2, 0, 0}}}});
+    test(sampling,
+         "twisting",
+         Theory::linear,
+         [&](const Point<3> &x) {
+           const double z = x[2] - h / 2;
+           return k * Tensor<1, 3>({z * x[1], z * x[0], -x[0] * x[1]});
+         },
+         {{stress(0, 0, -k * h), stress(0, 0, k * h)}});
+  }
 } // namespace
 
 
 int
 main()
 {
-  {
-    // a homogeneous deformation, as large as may be
-    const Tensor<2, 2> F({{1.3, 0.2}, {-0.1, 0.9}});
-    const Tensor<2, 2> C    = transpose(F) * F;
-    const double       E_11 = (C[0][0] - 1) / 2, E_22 = (C[1][1] - 1) / 2;
-    const double       E_33    = -nu / (1 - nu) * (E_11 + E_22);
-    const auto         S       = stress(E_11, E_22, C[0][1]);
-    const double       thicken = std::sqrt(1 + 2 * E_33) - 1;
-    test("stretch and shear in the plane, with its change of thickness",
-         Theory::nonlinear,
-         [&](const Point<3> &x) {
-           return Tensor<1, 3>({(F[0][0] - 1) * x[0] + F[0][1] * x[1],
-                                F[1][0] * x[0] + (F[1][1] - 1) * x[1],
-                                thicken * x[2]});
-         },
-         {{S, S}});
-  }
-
-  // small strains and curvatures
-  const double e = 1e-3;
-  test("stretch along x",
-       Theory::linear,
-       [&](const Point<3> &x) {
-         return e * Tensor<1, 3>({x[0], -nu * x[1], -nu * x[2]});
-       },
-       {{{{E * e, 0, 0}}, {{E * e, 0, 0}}}});
-  test("shear in the plane",
-       Theory::linear,
-       [&](const Point<3> &x) {
-         return e * Tensor<1, 3>({x[1], x[0], 0});
-       },
-       {{stress(0, 0, 2 * e), stress(0, 0, 2 * e)}});
-
-  // of bending, the fibers of the middle keep their length; the change of
-  // thickness due to Poisson's ratio is not linear and cancels in the mean
-  const auto bending = [&](const double k_1, const double k_2) {
-    return [=](const Point<3> &x) {
-      const double z = x[2] - h / 2;
-      return Tensor<1, 3>({k_1 * z * x[0],
-                           k_2 * z * x[1],
-                           -k_1 * x[0] * x[0] / 2 - k_2 * x[1] * x[1] / 2});
-    };
-  };
-  const double k = e / h;
-  test("bending into a cylinder about y",
-       Theory::linear,
-       bending(k, 0),
-       {{stress(-k * h / 2, 0, 0), stress(k * h / 2, 0, 0)}});
-  test("bending into a cylinder about x",
-       Theory::linear,
-       bending(0, k),
-       {{stress(0, -k * h / 2, 0), stress(0, k * h / 2, 0)}});
-  test("pure bending, with its anticlastic curvature",
-       Theory::linear,
-       bending(k, -nu * k),
-       {{{{-E * k * h / 2, 0, 0}}, {{E * k * h / 2, 0, 0}}}});
-  test("twisting",
-       Theory::linear,
-       [&](const Point<3> &x) {
-         const double z = x[2] - h / 2;
-         return k * Tensor<1, 3>({z * x[1], z * x[0], -x[0] * x[1]});
-       },
-       {{stress(0, 0, -k * h), stress(0, 0, k * h)}});
+  test_all(StrainSampling::vertices);
+  test_all(StrainSampling::means);
 }

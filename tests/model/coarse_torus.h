@@ -15,7 +15,9 @@
 /** A section of the torus of the bias tire on a coarse, uneven grid, held at
  * its edges in the first coordinate. */
 inline std::unique_ptr<Biface::ShellMesh>
-coarse_torus(const Biface::Layup &layup)
+coarse_torus(
+  const Biface::Layup         &layup,
+  const Biface::StrainSampling sampling = Biface::StrainSampling::vertices)
 {
   using namespace Biface;
 
@@ -28,8 +30,13 @@ coarse_torus(const Biface::Layup &layup)
                            parse_intervals("intervals", "-30:30:6")}};
   parameters.closed    = false;
   const ChartGrid grid(parameters, *surface);
-  return std::make_unique<ShellMesh>(
-    MPI_COMM_WORLD, std::move(surface), grid, layup, supports);
+  return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
+                                     std::move(surface),
+                                     grid,
+                                     layup,
+                                     supports,
+                                     std::vector<NamedPoint>(),
+                                     sampling);
 }
 
 

@@ -14,16 +14,17 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name,
-       const ThicknessLaw law,
-       const StrainTheory theory)
+  test(const std::string   &name,
+       const ThicknessLaw   law,
+       const StrainTheory   theory,
+       const StrainSampling sampling = StrainSampling::vertices)
   {
     Layup::Parameters parameters;
     parameters.law = law;
     parameters.initial_stresses =
       parse_ply_stresses("stresses", "2 0.1 0, 3 0 0.2, 0 0 0, -1 0.2 0.1");
     const Layup layup(parameters, cord_ply());
-    const auto  mesh = coarse_torus(layup);
+    const auto  mesh = coarse_torus(layup, sampling);
 
     const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
@@ -92,4 +93,12 @@ main(int argc, char *argv[])
   test("symmetric law", ThicknessLaw::symmetric, StrainTheory::nonlinear);
   test("full law", ThicknessLaw::full, StrainTheory::nonlinear);
   test("linear theory", ThicknessLaw::symmetric, StrainTheory::linear);
+  test("strains as means",
+       ThicknessLaw::symmetric,
+       StrainTheory::nonlinear,
+       StrainSampling::means);
+  test("strains as means, linear theory",
+       ThicknessLaw::symmetric,
+       StrainTheory::linear,
+       StrainSampling::means);
 }

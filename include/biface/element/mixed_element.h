@@ -10,6 +10,7 @@
 #include <biface/element/modes.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
+#include <biface/element/strain_means.h>
 
 namespace Biface
 {
@@ -26,6 +27,8 @@ namespace Biface
    *   w\sum_m w_m\,\bigl(H_m\,\delta E_m + H_{0,m}\,\delta\eta_m\bigr),
    * @f]
    * with @f$\eta@f$ the nonlinear part of the strains.
+   *
+   * With StrainSampling::means the modes contain what StrainMeans adds.
    */
   class MixedElement
   {
@@ -179,6 +182,16 @@ namespace Biface
     const ElementGeometry              &geometry;
     std::array<DisplacementGradient, 4> gradients;
 
+    /** With StrainSampling::means: of the deformed element, and their change
+     * from the undeformed one. */
+    MeanVectors vectors, change;
+
+    bool
+    with_means() const
+    {
+      return geometry.sampling == StrainSampling::means;
+    }
+
     using StrainMatrix = std::array<std::array<double, n_dofs>, Modes::n>;
 
     /** @f$\mathbf B = d\mathbf E/d\mathbf V@f$ */
@@ -187,6 +200,15 @@ namespace Biface
 
     void
     add_geometric_stiffness(const Modes::Vector &H, NodalMatrix &K) const;
+
+    /** What StrainSampling::means adds to both. */
+    void
+    add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
+
+    void
+    add_geometric_stiffness_of_means(const Modes::Vector     &H,
+                                     const StrainMeans::Maps &maps,
+                                     NodalMatrix             &K) const;
   };
 
 

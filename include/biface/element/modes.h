@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include <biface/element/strain_sampling.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -20,10 +21,19 @@ namespace Biface
    * @f$\xi_1,\xi_2\in[-1,1]@f$. Of the coefficients of @f$1@f$,
    * @f$\xi_2@f$, @f$\xi_1@f$, @f$\xi_1\xi_2@f$ only those are kept that do not
    * cause locking: 22 numbers per element, in four groups.
+   *
+   * StrainSampling::means adds two, the twist as coefficient of
+   * @f$\xi_2@f$ and of @f$\xi_1@f$; see StrainMeans.
    */
   namespace Modes
   {
-    constexpr unsigned int n = 22;
+    constexpr unsigned int n = 24;
+
+    /** Index of the twist among the strains, after those of Resultants: a
+     * strain @f$2\varepsilon_{12}^\pm=\pm t@f$ of opposite sign on the two
+     * faces. The resultant is @f$H_t=(H_{12}^+-H_{12}^-)/2@f$, likewise of
+     * opposite sign. */
+    constexpr unsigned int twist = Resultants::n;
 
     /** The strains kept as coefficients of one bilinear function. */
     struct Group
@@ -31,7 +41,10 @@ namespace Biface
       /** Whether the function contains @f$\xi_1@f$, @f$\xi_2@f$. */
       std::array<bool, 2> varies;
       unsigned int        first_mode;
-      unsigned int        size;
+      /** The number of strains taken from the vertices; they come first. */
+      unsigned int sampled;
+      /** The number of all strains. */
+      unsigned int size;
       /** Indices of the strains, see Resultants. */
       std::array<unsigned int, Resultants::n> strains;
 
@@ -40,6 +53,14 @@ namespace Biface
       weight() const
       {
         return (varies[0] ? 1. / 3 : 1.) * (varies[1] ? 1. / 3 : 1.);
+      }
+
+      /** The same for the @p i-th strain, where the twist counts for both
+       * faces. */
+      constexpr double
+      weight(const unsigned int i) const
+      {
+        return (strains[i] == twist ? 2 : 1) * weight();
       }
 
       /** The value of the function at a vertex, ±1; vertices are numbered
@@ -53,35 +74,34 @@ namespace Biface
     };
 
     constexpr std::array<Group, 4> groups{
-      {{{{false, false}}, 0, 11, {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}},
-       {{{false, true}}, 11, 5, {{0, 1, 6, 7, 10}}},
-       {{{true, false}}, 16, 5, {{2, 3, 8, 9, 10}}},
-       {{{true, true}}, 21, 1, {{10}}}}};
+      {{{{false, false}}, 0, 11, 11, {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}},
+       {{{false, true}}, 11, 5, 6, {{0, 1, 6, 7, 10, twist}}},
+       {{{true, false}}, 17, 5, 6, {{2, 3, 8, 9, 10, twist}}},
+       {{{true, true}}, 23, 1, 1, {{10}}}}};
 
     /** `mode_of[group][strain]`: the number of the mode, or n if the group does
      * not contain this strain. */
-    constexpr std::array<std::array<unsigned int, Resultants::n>, 4> mode_of =
-      [] {
-        std::array<std::array<unsigned int, Resultants::n>, 4> table{};
-        for (unsigned int m = 0; m < 4; ++m)
-          {
-            for (unsigned int s = 0; s < Resultants::n; ++s)
-              table[m][s] = n;
-            for (unsigned int i = 0; i < groups[m].size; ++i)
-              table[m][groups[m].strains[i]] = groups[m].first_mode + i;
-          }
-        return table;
-      }();
+    constexpr std::array<std::array<unsigned int, twist + 1>, 4> mode_of = [] {
+      std::array<std::array<unsigned int, twist + 1>, 4> table{};
+      for (unsigned int m = 0; m < 4; ++m)
+        {
+          for (unsigned int s = 0; s <= twist; ++s)
+            table[m][s] = n;
+          for (unsigned int i = 0; i < groups[m].size; ++i)
+            table[m][groups[m].strains[i]] = groups[m].first_mode + i;
+        }
+      return table;
+    }();
 
     using Vector = dealii::Tensor<1, n>;
 
-    /** The modes of strains given at the vertices. */
+    /** The modes of strains given at the vertices; none of the twist. */
     inline Vector
     from_vertices(const std::array<Resultants::Vector, 4> &at_vertices)
     {
       Vector modes;
       for (const Group &group : groups)
-        for (unsigned int i = 0; i < group.size; ++i)
+        for (unsigned int i = 0; i < group.sampled; ++i)
           for (unsigned int v = 0; v < 4; ++v)
             modes[group.first_mode + i] +=
               group.value_at_vertex(v) * at_vertices[v][group.strains[i]] / 4;
@@ -94,10 +114,21 @@ namespace Biface
     {
       std::array<Resultants::Vector, 4> values;
       for (const Group &group : groups)
-        for (unsigned int i = 0; i < group.size; ++i)
-          for (unsigned int v = 0; v < 4; ++v)
-            values[v][group.strains[i]] +=
-              group.value_at_vertex(v) * modes[group.first_mode + i];
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            for (unsigned int i = 0; i < group.sampled; ++i)
+              values[v][group.strains[i]] +=
+                group.value_at_vertex(v) * modes[group.first_mode + i];
+            for (unsigned int i = group.sampled; i < group.size; ++i)
+              {
+                const double value =
+                  group.value_at_vertex(v) * modes[group.first_mode + i];
+                values[v][Resultants::tangential(2, Resultants::inner)] -=
+                  value;
+                values[v][Resultants::tangential(2, Resultants::outer)] +=
+                  value;
+              }
+          }
       return values;
     }
 
@@ -105,14 +136,14 @@ namespace Biface
      * The transpose of from_vertices() with the weights of the groups: the
      * resultants @f$\mathbf h_v@f$ at the vertices for which
      * @f$\sum_m w_m H_m\,\delta E_m = \sum_v\mathbf
-     * h_v\cdot\delta\boldsymbol\varepsilon_v@f$.
+     * h_v\cdot\delta\boldsymbol\varepsilon_v@f$, without the twist.
      */
     inline std::array<Resultants::Vector, 4>
     to_vertices(const Vector &resultants)
     {
       std::array<Resultants::Vector, 4> at_vertices;
       for (const Group &group : groups)
-        for (unsigned int i = 0; i < group.size; ++i)
+        for (unsigned int i = 0; i < group.sampled; ++i)
           for (unsigned int v = 0; v < 4; ++v)
             at_vertices[v][group.strains[i]] +=
               group.weight() * group.value_at_vertex(v) *
@@ -139,7 +170,7 @@ namespace Biface
       for (const Group &group : groups)
         for (unsigned int i = 0; i < group.size; ++i)
           sum +=
-            group.weight() * a[group.first_mode + i] * b[group.first_mode + i];
+            group.weight(i) * a[group.first_mode + i] * b[group.first_mode + i];
       return sum;
     }
   } // namespace Modes
@@ -153,8 +184,31 @@ namespace Biface
   class ModeStiffness
   {
   public:
-    explicit ModeStiffness(const Resultants::Matrix &D) : D(D)
-    {}
+    /** @param sampling which modes there are. */
+    explicit ModeStiffness(
+      const Resultants::Matrix &stiffness,
+      const StrainSampling      sampling = StrainSampling::vertices)
+      : with_twist(sampling == StrainSampling::means)
+    {
+      constexpr unsigned int n     = Resultants::n;
+      constexpr unsigned int inner = Resultants::tangential(2, 0);
+      constexpr unsigned int outer = Resultants::tangential(2, 1);
+
+      for (unsigned int s = 0; s < n; ++s)
+        for (unsigned int t = 0; t < n; ++t)
+          D[s][t] = stiffness[s][t];
+      for (unsigned int s = 0; s < n; ++s)
+        D[s][Modes::twist] = D[s][outer] - D[s][inner];
+      for (unsigned int t = 0; t <= n; ++t)
+        D[Modes::twist][t] = (D[outer][t] - D[inner][t]) / 2;
+    }
+
+    /** The number of strains in a group. */
+    unsigned int
+    size(const Modes::Group &group) const
+    {
+      return with_twist ? group.size : group.sampled;
+    }
 
     /** The resultants of given strains. */
     Modes::Vector
@@ -162,8 +216,8 @@ namespace Biface
     {
       Modes::Vector H;
       for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < group.size; ++i)
-          for (unsigned int j = 0; j < group.size; ++j)
+        for (unsigned int i = 0; i < size(group); ++i)
+          for (unsigned int j = 0; j < size(group); ++j)
             H[group.first_mode + i] += D[group.strains[i]][group.strains[j]] *
                                        strain[group.first_mode + j];
       return H;
@@ -177,7 +231,8 @@ namespace Biface
     }
 
   private:
-    Resultants::Matrix D;
+    dealii::Tensor<2, Modes::twist + 1> D;
+    bool                                with_twist;
   };
 } // namespace Biface
 

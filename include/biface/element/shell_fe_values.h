@@ -11,7 +11,9 @@
 
 #include <array>
 
+#include <biface/element/mean_vectors.h>
 #include <biface/element/strain.h>
+#include <biface/element/strain_sampling.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -45,6 +47,10 @@ namespace Biface
        * face relative to the reference surface. Zero if the thickness is
        * constant. */
       std::array<std::array<double, 2>, 2> face_slope;
+
+      /** The frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ in columns: the
+       * Cartesian vector of components in the frame. */
+      dealii::Tensor<2, 3> axes;
     };
 
     std::array<Vertex, 4> vertices;
@@ -56,6 +62,15 @@ namespace Biface
      * element.
      */
     double weight;
+
+    StrainSampling sampling;
+
+    /** What StrainMeans needs: @f$\varphi_a@f$, */
+    std::array<double, 2> mean_factor;
+    /** `[face][a]`, the mean of @f$\zeta_a^\pm/\bar\zeta_a@f$, */
+    std::array<std::array<double, 2>, 2> zeta_ratio;
+    /** and StrainMeans::undeformed(). */
+    MeanVectors undeformed;
   };
 
 
@@ -91,7 +106,9 @@ namespace Biface
 
     /** @param surface the manifold of all cells. It must outlive this object.
      */
-    explicit ShellFEValues(const ReferenceSurface &surface);
+    explicit ShellFEValues(
+      const ReferenceSurface &surface,
+      const StrainSampling    sampling = StrainSampling::vertices);
 
     /**
      * Go to a cell, the sides of which must be coordinate lines.

@@ -69,6 +69,16 @@ namespace Biface
 
     /** @f$\boldsymbol\beta = (\mathbf v^+-\mathbf v^-)/h@f$ */
     dealii::Tensor<1, 3> beta;
+
+    DisplacementGradient &
+    operator+=(const DisplacementGradient &other)
+    {
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int a = 0; a < 2; ++a)
+          g[face][a] += other.g[face][a];
+      beta += other.beta;
+      return *this;
+    }
   };
 
 

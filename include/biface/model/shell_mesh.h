@@ -123,12 +123,15 @@ namespace Biface
               const ChartGrid                        &grid,
               const Layup                            &layup,
               const Supports                         &supports,
-              const std::vector<NamedPoint>          &points = {});
+              const std::vector<NamedPoint>          &points = {},
+              const StrainSampling sampling = StrainSampling::vertices);
 
     const MPI_Comm communicator;
 
     const ChartGrid grid;
     const Layup     layup;
+
+    const StrainSampling sampling;
 
     /** Between the lines of the first coordinate, in ascending order. */
     std::vector<Strip> strips;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/element/strain_sampling.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material.h>
 #include <biface/model/contact_interaction.h>
@@ -40,6 +41,7 @@ namespace Biface
     ReferenceSurface::Parameters      surface;
     ChartGrid::Parameters             mesh;
     Layup::Parameters                 laminate;
+    ElementParameters                 element;
     NamedPoints                       points;
     std::vector<Material::Parameters> materials;
     Supports                          supports;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_strain_sampling_h
+#define biface_element_strain_sampling_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace Biface
+{
+  /** Where the element takes its strains from. */
+  enum class StrainSampling
+  {
+    /** From the four vertices, as in @cite GrigolyukKulikovPlotnikova2004. */
+    vertices,
+    /** From the vertices, with the quadratic terms of the constant modes as
+     * means over the element, and with two modes for the twist: see
+     * StrainMeans. */
+    means
+  };
+
+
+  /** Entries of the section 'Element'. */
+  struct ElementParameters
+  {
+    StrainSampling sampling = StrainSampling::vertices;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace Biface
+
+#endif
