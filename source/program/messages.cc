@@ -203,9 +203,15 @@ namespace Biface
     if (result.cause != FailureCause::too_many_steps)
       text +=
         "; the smallest step tried beyond it started at " + loads(result.tried);
+    text += '.';
+    if (result.worst)
+      text += " In the last converged step " + describe(*result.worst);
+    if (const unsigned int n = result.n_negative_pivots.value_or(0); n > 0)
+      text += " The last tangent had " + std::to_string(n) +
+              (n == 1 ? " negative pivot" : " negative pivots") +
+              ": the shell was not stable.";
     std::string lines;
-    for (const std::string &line :
-         Utilities::break_text_into_lines(text + '.', 78))
+    for (const std::string &line : Utilities::break_text_into_lines(text, 78))
       lines += "  " + line + '\n';
     return lines;
   }

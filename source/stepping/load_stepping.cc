@@ -159,10 +159,16 @@ namespace Biface
         failure.tried   = trial.level(trial.mu);
         failure.message = why.message;
         if (!failure.stopped)
-          failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
-                            " (" + run.stage.name + ") did not converge" +
-                            bisections(parameters.control.max_cuts) + ": " +
-                            why.message;
+          {
+            failure.n_negative_pivots = attempt.result.n_negative_pivots;
+            if (run.progress.n_steps > 0)
+              failure.worst = worst_strains(
+                equations.mesh, equations.internal_forces(), run.state);
+            failure.message =
+              "step " + std::to_string(run.progress.n_steps + 1) + " (" +
+              run.stage.name + ") did not converge" +
+              bisections(parameters.control.max_cuts) + ": " + why.message;
+          }
         return failure;
       }
   }

@@ -14,6 +14,7 @@
 #include <biface/model/contact_interaction.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
+#include <biface/model/worst_strains.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/controls/control.h>
@@ -39,6 +40,10 @@ namespace Biface
      * attempt beyond it. */
     LoadLevel reached;
     LoadLevel tried;
+    /** The worst strains of the last converged step, if a step failed. */
+    std::optional<WorstStrains> worst;
+    /** Of the last tangent of the failed step, if the solver counts them. */
+    std::optional<unsigned int> n_negative_pivots;
   };
 
 

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <biface/model/worst_strains.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Strains at the vertices of a cell, one function of them each. */
+    struct Candidate
+    {
+      double       value  = std::numeric_limits<double>::infinity();
+      unsigned int vertex = 0;
+      /** 2 for the thickness strain. */
+      unsigned int face = 0;
+    };
+
+
+    using Strains = std::array<Resultants::Vector, 4>;
+
+    Candidate
+    greatest_compression(const Strains &strains)
+    {
+      using namespace Resultants;
+      Candidate least;
+      for (unsigned int v = 0; v < 4; ++v)
+        {
+          const Resultants::Vector &E = strains[v];
+          for (unsigned int face = 0; face < 2; ++face)
+            {
+              const double E_11 = E[tangential(0, face)];
+              const double E_22 = E[tangential(1, face)];
+              const double principal =
+                (E_11 + E_22) / 2 -
+                std::hypot(E_11 - E_22, E[tangential(2, face)]) / 2;
+              if (principal < least.value)
+                least = {principal, v, face};
+            }
+          if (E[thickness] < least.value)
+            least = {E[thickness], v, 2};
+        }
+      return least;
+    }
+
+
+    /** With the opposite sign, so that the worst is the least. */
+    Candidate
+    greatest_shear(const Strains &strains)
+    {
+      using namespace Resultants;
+      Candidate least;
+      for (unsigned int v = 0; v < 4; ++v)
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const double shear = -std::hypot(strains[v][transverse(0, face)],
+                                             strains[v][transverse(1, face)]);
+            if (shear < least.value)
+              least = {shear, v, face};
+          }
+      return least;
+    }
+
+
+    /** The least of all candidates on all ranks, @p of_cell by position. */
+    StrainAtPlace
+    least(const ShellMesh &mesh, const std::vector<Candidate> &of_cell)
+    {
+      constexpr auto none = std::numeric_limits<double>::infinity();
+
+      double value = none;
+      for (const Candidate &candidate : of_cell)
+        value = std::min(value, candidate.value);
+      value = Utilities::MPI::min(value, mesh.communicator);
+
+      // round-off must not decide between places that mirror each other
+      const double     limit   = value + 1e-6 * std::abs(value);
+      constexpr double no_cell = std::numeric_limits<double>::max();
+      double           number  = no_cell;
+      unsigned int     mine    = 0;
+      for (unsigned int c = 0; c < of_cell.size(); ++c)
+        if (of_cell[c].value <= limit && mesh.cells[c].number < number)
+          {
+            number = mesh.cells[c].number;
+            mine   = c;
+          }
+      const double first = Utilities::MPI::min(number, mesh.communicator);
+
+      // value, face, coordinates, position: of the one rank that has the cell
+      std::vector<double> data(7, 0.);
+      if (number == first && number < no_cell)
+        {
+          const Candidate &candidate = of_cell[mine];
+          const Node      &node =
+            mesh.nodes[mesh.cells[mine].nodes[candidate.vertex]];
+          data[0] = candidate.value;
+          data[1] = candidate.face;
+          for (unsigned int a = 0; a < 2; ++a)
+            data[2 + a] = node.alpha[a] / mesh.get_surface().coordinate_unit(a);
+          for (unsigned int i = 0; i < 3; ++i)
+            data[4 + i] = node.surface.position[i];
+        }
+      Utilities::MPI::sum(data, mesh.communicator, data);
+
+      StrainAtPlace place;
+      place.value = data[0];
+      if (data[1] < 2)
+        place.face = static_cast<unsigned int>(data[1]);
+      place.alpha    = Point<2>(data[2], data[3]);
+      place.position = Point<3>(data[4], data[5], data[6]);
+      place.cell     = static_cast<types::global_cell_index>(first);
+      return place;
+    }
+  } // namespace
+
+
+  WorstStrains
+  worst_strains(const ShellMesh      &mesh,
+                const InternalForces &forces,
+                const State          &state)
+  {
+    std::vector<Candidate> compressions, shears;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Strains strains =
+          Modes::at_vertices(forces.total_strains(state, c));
+        compressions.push_back(greatest_compression(strains));
+        shears.push_back(greatest_shear(strains));
+      }
+    WorstStrains worst{least(mesh, compressions), least(mesh, shears)};
+    worst.shear.value = std::abs(worst.shear.value);
+    return worst;
+  }
+
+
+  namespace
+  {
+    std::string
+    digits(const double value)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.4g", value);
+      return text;
+    }
+
+
+    std::string
+    place(const StrainAtPlace &strain)
+    {
+      const double size = strain.position.norm();
+      std::string  position;
+      for (unsigned int i = 0; i < 3; ++i)
+        position += (i == 0 ? "" : ", ") +
+                    digits(std::abs(strain.position[i]) < 1e-9 * size
+                             ? 0.
+                             : strain.position[i]);
+      return "at alpha_1 = " + digits(strain.alpha[0]) +
+             ", alpha_2 = " + digits(strain.alpha[1]) + " (cell " +
+             std::to_string(strain.cell) + "; x, y, z = " + position + ")" +
+             (!strain.face
+                ? ""
+                : std::string(" on the ") +
+                    (*strain.face == Resultants::inner ? "inner" : "outer") +
+                    " face");
+    }
+  } // namespace
+
+
+  std::string
+  describe(const WorstStrains &worst)
+  {
+    // a fifth of the strain away the stiffness is a fifth of the initial one
+    const bool at_the_end = worst.compression.value < 0.8 * least_stable_strain;
+    return "the shell is compressed most " + place(worst.compression) +
+           ", by the " + (worst.compression.face ? "tangential" : "thickness") +
+           " strain " + digits(worst.compression.value) +
+           ", and sheared most " + place(worst.shear) +
+           ", by the transverse shear strain " + digits(worst.shear.value) +
+           "." +
+           (at_the_end ? " A linear (St. Venant-Kirchhoff) material has no "
+                         "stiffness left at the strain -1/3: there no step "
+                         "converges, however small."
+                       : "");
+  }
+} // namespace Biface
