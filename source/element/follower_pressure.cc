@@ -65,11 +65,19 @@ namespace Biface
                     neighbor[i][j] = by_neighbor[i];
                   }
               }
-            MixedElement::add_face_stiffness(
-              factor * weight(q) * neighbor, q, face, q ^ (1 << a), face, K);
+            MixedElement::add_stiffness(factor * weight(q) * neighbor,
+                                        q,
+                                        MixedElement::face_sign[face],
+                                        q ^ (1 << a),
+                                        MixedElement::face_sign[face],
+                                        K);
           }
-        MixedElement::add_face_stiffness(
-          factor * weight(q) * own, q, face, q, face, K);
+        MixedElement::add_stiffness(factor * weight(q) * own,
+                                    q,
+                                    MixedElement::face_sign[face],
+                                    q,
+                                    MixedElement::face_sign[face],
+                                    K);
       }
   }
 

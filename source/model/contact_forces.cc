@@ -51,15 +51,15 @@ namespace Biface
                 for (unsigned int j = 0; j < 3; ++j)
                   stiffness[i][j] = M[r][s] * (frame(r)[i] * columns[j]);
               }
-            MixedElement::add_face_force(
-              force, r, Resultants::outer, forces.force);
+            MixedElement::add_force(
+              force, r, at.cell.sign_of_outer_face(r), forces.force);
             forces.square += 2 * force.norm_square();
-            MixedElement::add_face_stiffness(stiffness,
-                                             r,
-                                             Resultants::outer,
-                                             s,
-                                             Resultants::outer,
-                                             forces.tangent);
+            MixedElement::add_stiffness(stiffness,
+                                        r,
+                                        at.cell.sign_of_outer_face(r),
+                                        s,
+                                        at.cell.sign_of_outer_face(s),
+                                        forces.tangent);
           }
       }
   }
@@ -90,8 +90,8 @@ namespace Biface
           {
             const Tensor<1, 3> m =
               mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
-            MixedElement::add_face_force(
-              M[r][s] * m, r, Resultants::outer, force);
+            MixedElement::add_force(
+              M[r][s] * m, r, at.cell.sign_of_outer_face(r), force);
           }
       }
   }

@@ -191,8 +191,8 @@ namespace Biface
             per_travel += area * (per_motion * d);
             const Tensor<1, 3> m =
               mesh.nodes[node].surface.to_frame(per_motion);
-            MixedElement::add_face_force(
-              area * m, v, Resultants::outer, per_displacement);
+            MixedElement::add_force(
+              area * m, v, cell.sign_of_outer_face(v), per_displacement);
           }
         mesh.add_nodal_forces(cell, per_displacement, gradient);
       }

@@ -118,6 +118,22 @@ namespace Biface
     }
 
 
+    /** On one side of each line: below or above. */
+    std::vector<std::array<double, 2>>
+    face_heights_on_lines(const std::vector<Strip> &strips,
+                          const unsigned int        side)
+    {
+      std::vector<std::array<double, 2>> heights;
+      for (unsigned int i = 0; i <= strips.size(); ++i)
+        {
+          const bool below = i > 0 && (side == 0 || i == strips.size());
+          heights.push_back(below ? strips[i - 1].at_lines[1].face_heights()
+                                  : strips[i].at_lines[0].face_heights());
+        }
+      return heights;
+    }
+
+
     /** Throw InputError unless the surface and both faces are regular at all
      * nodes. */
     void
@@ -233,7 +249,8 @@ namespace Biface
       face_heights_on_lines(strips);
     for (const auto &heights : face_heights)
       max_thickness = std::max(max_thickness, heights[1] - heights[0]);
-    check_geometry(*this->surface, grid, face_heights);
+    for (const unsigned int side : {0, 1})
+      check_geometry(*this->surface, grid, face_heights_on_lines(strips, side));
 
     triangulation = make_triangulation(communicator, *this->surface, grid);
     dof_handler.reinit(*triangulation);
@@ -263,6 +280,27 @@ namespace Biface
   ShellMesh::collect_cells_and_nodes(
     const std::vector<std::array<double, 2>> &face_heights)
   {
+    const auto face_offsets = [&](const Cell                       &cell,
+                                  const ShellFEValues::FaceHeights &heights)
+      -> decltype(Cell::face_offsets) {
+      std::array<Cell::FaceOffset, 4> offsets;
+      bool                            any = false;
+      for (unsigned int v = 0; v < 4; ++v)
+        {
+          const std::array<double, 2> &own  = heights[v];
+          const std::array<double, 2> &node = nodes[cell.nodes[v]].face_heights;
+          if (own == node)
+            continue;
+          any                    = true;
+          const double thickness = node[1] - node[0];
+          offsets[v].s = (own[1] + own[0] - node[1] - node[0]) / thickness;
+          offsets[v].r = (own[1] - own[0]) / thickness;
+        }
+      if (any)
+        return offsets;
+      return {};
+    };
+
     ShellFEValues fe_values(*surface, sampling);
 
     // map from the vertices of the triangulation to the nodes of this rank
@@ -343,10 +381,12 @@ namespace Biface
         ShellFEValues::FaceHeights heights;
         for (unsigned int v = 0; v < 4; ++v)
           {
-            heights[v] = nodes[cell_nodes[v]].face_heights;
+            // the vertices with the larger alpha_1 are the odd ones
+            heights[v] = strips[local.strip].at_lines[v % 2].face_heights();
             for (unsigned int i = 0; i < 6; ++i)
               local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
           }
+        local.face_offsets = face_offsets(local, heights);
         fe_values.reinit(cell, heights);
         local.geometry = fe_values.get_geometry();
         cells.push_back(local);
@@ -419,6 +459,70 @@ namespace Biface
   }
 
 
+  void
+  Cell::to_own_faces(MixedElement::NodalVector &V) const
+  {
+    if (!face_offsets)
+      return;
+    for (unsigned int v = 0; v < 4; ++v)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          double &mean = V[MixedElement::dof(v, i, MixedElement::mean)];
+          double &difference =
+            V[MixedElement::dof(v, i, MixedElement::half_difference)];
+          mean += (*face_offsets)[v].s * difference;
+          difference *= (*face_offsets)[v].r;
+        }
+  }
+
+
+  void
+  Cell::to_nodes(MixedElement::NodalVector &forces) const
+  {
+    if (!face_offsets)
+      return;
+    for (unsigned int v = 0; v < 4; ++v)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double mean =
+            forces[MixedElement::dof(v, i, MixedElement::mean)];
+          double &difference =
+            forces[MixedElement::dof(v, i, MixedElement::half_difference)];
+          difference =
+            (*face_offsets)[v].s * mean + (*face_offsets)[v].r * difference;
+        }
+  }
+
+
+  void
+  Cell::to_nodes(MixedElement::NodalMatrix &K) const
+  {
+    if (!face_offsets)
+      return;
+    // rows, then columns
+    for (const bool rows : {true, false})
+      for (unsigned int k = 0; k < MixedElement::n_dofs; ++k)
+        {
+          MixedElement::NodalVector line;
+          for (unsigned int l = 0; l < MixedElement::n_dofs; ++l)
+            line[l] = (rows ? K[l][k] : K[k][l]);
+          to_nodes(line);
+          for (unsigned int l = 0; l < MixedElement::n_dofs; ++l)
+            (rows ? K[l][k] : K[k][l]) = line[l];
+        }
+  }
+
+
+  double
+  Cell::sign_of_outer_face(const unsigned int vertex) const
+  {
+    if (!face_offsets)
+      return MixedElement::face_sign[Resultants::outer];
+    const FaceOffset &offset = (*face_offsets)[vertex];
+    return (1 - offset.s) / offset.r;
+  }
+
+
   LA::Vector
   ShellMesh::ghosted_vector() const
   {
@@ -463,7 +567,10 @@ namespace Biface
                               const MixedElement::NodalVector &force,
                               LA::Vector &nodal_forces) const
   {
-    nodal_forces.add(MixedElement::n_dofs, cell.dofs.data(), force.begin_raw());
+    MixedElement::NodalVector on_nodes = force;
+    cell.to_nodes(on_nodes);
+    nodal_forces.add(
+      MixedElement::n_dofs, cell.dofs.data(), on_nodes.begin_raw());
   }
 
 
@@ -509,6 +616,7 @@ namespace Biface
     MixedElement::NodalVector values;
     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
       values[i] = V(cell.dofs[i]);
+    cell.to_own_faces(values);
     return values;
   }
 

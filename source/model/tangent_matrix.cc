@@ -79,9 +79,29 @@ namespace Biface
 
   void
   TangentMatrix::add(const unsigned int               cell,
-                     const MixedElement::NodalMatrix &cell_matrix,
-                     const MixedElement::NodalVector &cell_vector,
+                     const MixedElement::NodalMatrix &tangent,
+                     const MixedElement::NodalVector &force,
                      LA::Vector                      &global_vector)
+  {
+    const Cell &data = mesh.cells[cell];
+    if (data.face_offsets)
+      {
+        MixedElement::NodalMatrix cell_matrix = tangent;
+        MixedElement::NodalVector cell_vector = force;
+        data.to_nodes(cell_matrix);
+        data.to_nodes(cell_vector);
+        add_to_nodes(cell, cell_matrix, cell_vector, global_vector);
+      }
+    else
+      add_to_nodes(cell, tangent, force, global_vector);
+  }
+
+
+  void
+  TangentMatrix::add_to_nodes(const unsigned int               cell,
+                              const MixedElement::NodalMatrix &cell_matrix,
+                              const MixedElement::NodalVector &cell_vector,
+                              LA::Vector                      &global_vector)
   {
     const Cell &data = mesh.cells[cell];
     if (fast_cell[cell] != numbers::invalid_unsigned_int)

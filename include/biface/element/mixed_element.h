@@ -94,6 +94,21 @@ namespace Biface
       return face_displacement(forces, vertex, face) / 2;
     }
 
+    /** Add a force at a vertex, where the derivative of the displacement by
+     * the half difference is @p sign: see face_sign. */
+    static void
+    add_force(const dealii::Tensor<1, 3> &force,
+              const unsigned int          vertex,
+              const double                sign,
+              NodalVector                &forces)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          forces[dof(vertex, i, mean)] += force[i];
+          forces[dof(vertex, i, half_difference)] += sign * force[i];
+        }
+    }
+
     /** Add a force on a face at a vertex. */
     static void
     add_face_force(const dealii::Tensor<1, 3> &force,
@@ -101,34 +116,28 @@ namespace Biface
                    const unsigned int          face,
                    NodalVector                &forces)
     {
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          forces[dof(vertex, i, mean)] += force[i];
-          forces[dof(vertex, i, half_difference)] += face_sign[face] * force[i];
-        }
+      add_force(force, vertex, face_sign[face], forces);
     }
 
-    /** Add the derivative of the force on a face at vertex @p r by the
-     * displacement of a face at vertex @p s. */
+    /** Add the derivative of a force at vertex @p r by the displacement at
+     * vertex @p s, see add_force(). */
     static void
-    add_face_stiffness(const dealii::Tensor<2, 3> &stiffness,
-                       const unsigned int          r,
-                       const unsigned int          face_r,
-                       const unsigned int          s,
-                       const unsigned int          face_s,
-                       NodalMatrix                &K)
+    add_stiffness(const dealii::Tensor<2, 3> &stiffness,
+                  const unsigned int          r,
+                  const double                sign_r,
+                  const unsigned int          s,
+                  const double                sign_s,
+                  NodalMatrix                &K)
     {
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           {
             const double k = stiffness[i][j];
             K[dof(r, i, mean)][dof(s, j, mean)] += k;
-            K[dof(r, i, mean)][dof(s, j, half_difference)] +=
-              face_sign[face_s] * k;
-            K[dof(r, i, half_difference)][dof(s, j, mean)] +=
-              face_sign[face_r] * k;
+            K[dof(r, i, mean)][dof(s, j, half_difference)] += sign_s * k;
+            K[dof(r, i, half_difference)][dof(s, j, mean)] += sign_r * k;
             K[dof(r, i, half_difference)][dof(s, j, half_difference)] +=
-              face_sign[face_r] * face_sign[face_s] * k;
+              sign_r * sign_s * k;
           }
     }
 

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -42,7 +43,8 @@ namespace Biface
 
     SurfacePoint surface;
 
-    /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(). Unit: length. */
+    /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(): the mean of both
+     * sides if a ply ends here. Unit: length. */
     std::array<double, 2> face_heights;
 
     /** Global indices of the unknowns, in the order of dof(). */
@@ -74,6 +76,38 @@ namespace Biface
     ElementGeometry geometry;
     /** See ChartGrid::cell_number(). */
     dealii::types::global_cell_index number;
+
+    /**
+     * Where a ply ends at a side of the cell, the faces of the cell differ from
+     * those of the nodes. Since displacements are linear in the height, those
+     * of the faces of the cell follow from the unknowns of the node,
+     * @f$\bar v_c=\bar v+s\tilde v@f$ and @f$\tilde v_c=r\tilde v@f$. This
+     * is exact for rigid motions.
+     */
+    struct FaceOffset
+    {
+      double s = 0, r = 1;
+    };
+
+    /** By vertex; empty if the faces of the cell are those of the nodes. */
+    std::optional<std::array<FaceOffset, 4>> face_offsets;
+
+    /** From the unknowns of the nodes to those of the faces of the cell. */
+    void
+    to_own_faces(MixedElement::NodalVector &V) const;
+
+    /** From forces on the faces of the cell to those on the nodes. */
+    void
+    to_nodes(MixedElement::NodalVector &forces) const;
+
+    /** From a tangent for the faces of the cell to one for the nodes. */
+    void
+    to_nodes(MixedElement::NodalMatrix &K) const;
+
+    /** The derivative of the displacement of the node's outer face by the half
+     * difference of the faces of the cell. */
+    double
+    sign_of_outer_face(const unsigned int vertex) const;
   };
 
 
@@ -236,8 +270,8 @@ namespace Biface
                       const Node        &node,
                       const unsigned int face) const;
 
-    /** Add forces on the nodes of a cell to those of all nodes, regardless of
-     * supports. */
+    /** Add forces on the faces of a cell at its vertices to those of all nodes,
+     * regardless of supports. */
     void
     add_nodal_forces(const Cell                      &cell,
                      const MixedElement::NodalVector &force,
@@ -255,7 +289,7 @@ namespace Biface
                   const Node        &node,
                   const unsigned int face) const;
 
-    /** The displacements of a cell. */
+    /** The displacements of the faces of a cell, see MixedElement::Part. */
     MixedElement::NodalVector
     cell_values(const LA::Vector &V, const Cell &cell) const;
 

@@ -65,6 +65,13 @@ namespace Biface
     }
 
   private:
+    /** Add what refers to the unknowns of the nodes. */
+    void
+    add_to_nodes(const unsigned int               cell,
+                 const MixedElement::NodalMatrix &cell_matrix,
+                 const MixedElement::NodalVector &cell_vector,
+                 LA::Vector                      &global_vector);
+
     /** For each row of a cell and each of its four nodes, the position of the
      * first of the six columns of the node among the values of the matrix. */
     using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
