@@ -87,6 +87,7 @@ HEADINGS = {
     "ren_panel_50": "Panel [90/0/90], radius over thickness 50",
     "scordelis_lo": "Scordelis-Lo roof",
     "slit_annulus": "Slit annular plate",
+    "stepped_strip": "Strip with a step of thickness",
     "strip_on_drum": "Strip on a drum",
     "strip_on_flat": "Strip on a rigid flat",
     "thin_strip": "Strip, length over thickness 1e5",
