@@ -228,12 +228,12 @@ namespace Biface
 
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     for (unsigned int q = 0; q < 4; ++q)
-      add_nodal_force(geometry,
-                      GeometricCoupling(at_vertices[q],
-                                        geometry.vertices[q].metric)
-                        .apply(displacement_gradient(geometry, dV, q)),
-                      q,
-                      force);
+      add_nodal_force(
+        geometry,
+        GeometricCoupling(at_vertices[q], geometry.vertices[q].metric)
+          .apply(displacement_gradient(geometry, dV, q)),
+        q,
+        force);
     return force;
   }
 

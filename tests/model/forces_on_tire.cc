@@ -18,8 +18,7 @@ main(int argc, char *argv[])
 
   std::vector<double> interpolation;
   for (const auto &mesh : std::vector<std::array<std::string, 2>>{
-         {{"-120:120:14", "-180:180:24"}},
-         {{"-120:120:28", "-180:180:48"}}})
+         {{"-120:120:14", "-180:180:24"}}, {{"-120:120:28", "-180:180:48"}}})
     {
       const Forces forces(PRM_DIR "/bias_tire.prm",
                           {"Mesh/Intervals alpha_1=" + mesh[0],
