@@ -226,14 +226,24 @@ namespace Biface
     NodalVector force = internal_force(
       stiffness.resultants(strain_variation(dV)), Modes::Vector());
 
+    std::array<DisplacementGradient, 4> variation;
+    for (unsigned int q = 0; q < 4; ++q)
+      variation[q] = displacement_gradient(geometry, dV, q);
+    MeanVectors means;
+    if (with_means())
+      means = StrainMeans::Coupling(geometry, geometry.weight * H)
+                .apply(StrainMeans::change(geometry, variation));
+
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     for (unsigned int q = 0; q < 4; ++q)
-      add_nodal_force(
-        geometry,
-        GeometricCoupling(at_vertices[q], geometry.vertices[q].metric)
-          .apply(displacement_gradient(geometry, dV, q)),
-        q,
-        force);
+      {
+        DisplacementGradient conjugate =
+          GeometricCoupling(at_vertices[q], geometry.vertices[q].metric)
+            .apply(variation[q]);
+        if (with_means())
+          conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
+        add_nodal_force(geometry, conjugate, q, force);
+      }
     return force;
   }
 

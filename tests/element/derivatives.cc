@@ -111,6 +111,14 @@ namespace
       }
     check_small("  tangent", deviation, 1e-8, scale);
 
+    NodalVector product = element.tangent_product(
+      stiffness, stiffness.resultants(element.strain()) + H_0, dV);
+    const double size = product.norm();
+    for (unsigned int i = 0; i < 24; ++i)
+      for (unsigned int j = 0; j < 24; ++j)
+        product[i] -= K[i][j] * dV[j];
+    check_small("  product with the tangent", product.norm(), 1e-12, size);
+
     if (law != ThicknessLaw::asymmetric)
       {
         double asymmetry = 0;
