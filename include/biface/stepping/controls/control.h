@@ -19,44 +19,11 @@
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 #include <biface/solver/control_equation.h>
+#include <biface/stepping/controls/step_size.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
 {
-  /** The size of steps, which is halved by a failure. */
-  class StepSize
-  {
-  public:
-    explicit StepSize(const double first = 0) : value(first)
-    {}
-
-    double
-    get() const
-    {
-      return value;
-    }
-
-    /** Set the next size, by a growth factor and up to a maximum. */
-    void
-    succeeded(const double growth, const double maximum);
-
-    /** @return whether another attempt is allowed. */
-    bool
-    failed(const unsigned int max_cuts);
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &value &n_cuts;
-    }
-
-  private:
-    double       value;
-    unsigned int n_cuts = 0;
-  };
-
-
   /**
    * The interface and common parts of all controls. A control determines what
    * is prescribed in every step of a stage: it begins the stage, proposes the
@@ -308,60 +275,6 @@ namespace Biface
   std::unique_ptr<Control>
   make_control(const Stage               &stage,
                const Control::Parameters &parameters = Control::Parameters());
-
-
-  /** A control whose steps are equal fractions of the stage, or larger ones
-   * with adaptive steps. If a step is halved, the end of the equal step is
-   * still reached. */
-  class EqualSteps : public Control
-  {
-  public:
-    using Control::Control;
-
-    void
-    begin(const Equilibrium &from) override;
-
-    void
-    accept(const Step &step) override;
-
-    double
-    done() const override
-    {
-      return fraction;
-    }
-
-    bool
-    has_equal_steps() const override
-    {
-      return !stage.adaptive;
-    }
-
-    void
-    restore(const Memory &memory) override;
-
-  protected:
-    /** The completed fraction of the stage after the next step. */
-    double
-    next() const;
-
-    /** Continue from a fraction of the stage, if given, or start again.
-     * @return whether it was given. */
-    bool
-    go_on_from(const std::optional<double> &part, const LoadLevel &reached);
-
-    double fraction = 0;
-
-  private:
-    /** The next end of an equal step or of the stage. */
-    double
-    next_target() const;
-  };
-
-
-  /** The growth factor of the step size from the iterations of the last step
-   * and the desired number. */
-  double
-  step_growth(const double wanted, const unsigned int iterations);
 
 
   /** Throw InputError for a stage with unknown loads, none of which changes, or

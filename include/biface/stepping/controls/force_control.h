@@ -3,7 +3,7 @@
 #ifndef biface_stepping_controls_force_control_h
 #define biface_stepping_controls_force_control_h
 
-#include <biface/stepping/controls/control.h>
+#include <biface/stepping/controls/equal_steps.h>
 
 namespace Biface
 {
