@@ -213,7 +213,8 @@ namespace Biface
           return stage.factor.value_or(0) != 0;
         }))
       sentences.push_back("No stage applies " + in_quotes(dead) +
-                          ": each has 'Load factor = 0'.");
+                          ": the load factor stays 0; set 'Load "
+                          "factor' in a stage.");
 
     std::vector<std::string> of_pressure;
     const PressureLoad       defaults;

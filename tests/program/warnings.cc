@@ -49,6 +49,8 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   say("an edge moment", {"Loads/Edge moments=alpha_1 min: 1 dead"});
+  say("not applied",
+      {"Loads/Edge moments=alpha_1 min: 1 dead", "Stage 1/Load factor=0"});
   say("applied",
       {"Loads/Edge moments=alpha_1 min: 1 dead", "Stage 1/Load factor=1"});
   say("all dead loads",
