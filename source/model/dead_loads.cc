@@ -272,7 +272,7 @@ namespace Biface
     }
 
 
-    /** Add a force per area of the surface midway between the faces. */
+    /** Add a force per area of the middle surface. */
     void
     add_area_force(const ShellMesh &mesh,
                    const DeadForce &force,

@@ -60,10 +60,10 @@ namespace Biface
               const AreaMeasure  area,
               const unsigned int face)
   {
-    const double midway = cell.geometry.weight / 4;
+    const double middle = cell.geometry.weight / 4;
     return area == AreaMeasure::middle
-             ? midway
-             : midway / cell.geometry.vertices[vertex].metric.area_ratio(face);
+             ? middle
+             : middle / cell.geometry.vertices[vertex].metric.area_ratio(face);
   }
 
 

@@ -85,8 +85,9 @@ namespace
       {
         const std::string name =
           (face == Resultants::inner ? "inner pressure" : "outer pressure");
-        check_pressure(
-          name + ", midway area", pressure(face, AreaMeasure::middle), 10.25);
+        check_pressure(name + ", area of the middle surface",
+                       pressure(face, AreaMeasure::middle),
+                       10.25);
         check_pressure(name + ", area of the face",
                        pressure(face, AreaMeasure::face),
                        face == Resultants::inner ? 9.5 : 11);
@@ -106,7 +107,7 @@ namespace
       Tensor<1, 3>(),
       Tensor<1, 3>(),
       100);
-    check("local tractions along the axis, midway area",
+    check("local tractions along the axis, area of the middle surface",
           *shell,
           tractions(*shell, "2; 0; 0; local", "", AreaMeasure::middle),
           Tensor<1, 3>({0, 2 * turn * 10.25 * 6, 0}),
@@ -202,8 +203,9 @@ namespace
               std::cout << "torus, "
                         << (face == Resultants::inner ? "inner" : "outer")
                         << " pressure, "
-                        << (area == AreaMeasure::middle ? "midway area"
-                                                        : "area of the face")
+                        << (area == AreaMeasure::middle
+                              ? "area of the middle surface"
+                              : "area of the face")
                         << std::endl;
               check_small("  force along the axle", fine, 5e-3);
               check_range(

@@ -79,8 +79,7 @@ main(int argc, char *argv[])
     (r_c * (std::cos(begin) - std::cos(end)) +
      R / 2 * (std::pow(std::sin(end), 2) - std::pow(std::sin(begin), 2)));
 
-  // the surface midway between the faces, at the distance 2, one strip of
-  // cells after the other
+  // the middle surface, at the distance 2, one strip of cells after the other
   const auto  &lines        = grid.lines[0];
   const double R_mid        = R + (faces[0] + faces[1]) / 2;
   double       exact_weight = 0;

@@ -52,7 +52,7 @@ main(int argc, char *argv[])
     std::stod(profile[widest].at("alpha_1")) - step * slope / curvature;
   check_range("the widest place (degrees)", psi, 85, 95);
 
-  // dead pressure counts on the surface midway between the faces, undeformed
+  // dead pressure is per area of the undeformed middle surface
   const double pressure = 0.15, r_0 = 200 + 52.4;
   const double r_w   = 200 + 52.4 * std::cos(psi * dealii::numbers::PI / 180);
   const double force = pressure * (r_0 * r_0 - r_w * r_w) / (2 * r_0);
