@@ -243,10 +243,7 @@ namespace Biface
             others[foundation] += by_term[t];
             break;
         }
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      mesh.add_nodal_forces(
-        mesh.cells[c], internal.initial_forces(c), others[prestress]);
-    others[prestress].compress(VectorOperation::add);
+    others[prestress] = internal.unlisted_forces();
     others[interpolation] -= others[prestress];
 
     const auto &base = internal.linearization_point();

@@ -14,8 +14,16 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
     history.initial_strains.resize(mesh.cells.size());
+    history.initial_resultants = resultants_of_laminate();
+  }
+
+
+  std::vector<Modes::Vector>
+  InternalForces::resultants_of_laminate() const
+  {
+    std::vector<Modes::Vector> resultants;
     for (const Cell &cell : mesh.cells)
-      history.initial_resultants.push_back(
+      resultants.push_back(
         Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
 
     const auto          &given = mesh.layup.get_initial_resultants();
@@ -29,8 +37,9 @@ namespace Biface
         for (unsigned int v = 0; v < 4; ++v)
           for (unsigned int r = 0; r < given.size(); ++r)
             at_vertices[v][given[r].index] += values[mesh.cells[c].nodes[v]][r];
-        history.initial_resultants[c] += Modes::from_vertices(at_vertices);
+        resultants[c] += Modes::from_vertices(at_vertices);
       }
+    return resultants;
   }
 
 
@@ -50,13 +59,51 @@ namespace Biface
   }
 
 
-  MixedElement::NodalVector
-  InternalForces::initial_forces(const unsigned int c) const
+  LA::Vector
+  InternalForces::forces_of(const std::vector<Modes::Vector> &resultants) const
   {
-    const MixedElement undeformed(mesh.cells[c].geometry,
-                                  MixedElement::NodalVector());
-    return undeformed.internal_force(history.initial_resultants[c],
-                                     Modes::Vector());
+    LA::Vector forces = mesh.owned_vector();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const MixedElement undeformed(mesh.cells[c].geometry,
+                                      MixedElement::NodalVector());
+        mesh.add_nodal_forces(
+          mesh.cells[c],
+          undeformed.internal_force(resultants[c], Modes::Vector()),
+          forces);
+      }
+    forces.compress(VectorOperation::add);
+    return forces;
+  }
+
+
+  LA::Vector
+  InternalForces::unlisted_forces() const
+  {
+    LA::Vector forces = forces_of(history.initial_resultants);
+    add_constant_forces(forces);
+    return forces;
+  }
+
+
+  LA::Vector
+  InternalForces::unbalanced_forces() const
+  {
+    const std::vector<Modes::Vector> given = resultants_of_laminate();
+    std::vector<Modes::Vector>       since = history.initial_resultants;
+    for (unsigned int c = 0; c < since.size(); ++c)
+      since[c] -= given[c];
+    LA::Vector forces = forces_of(since);
+    add_constant_forces(forces);
+    return forces;
+  }
+
+
+  void
+  InternalForces::add_constant_forces(LA::Vector &nodal_forces) const
+  {
+    if (history.balancing_forces.size() > 0)
+      nodal_forces.add(1, history.balancing_forces);
   }
 
 
@@ -89,6 +136,15 @@ namespace Biface
         history.initial_strains[c] = total_strains(state, c);
       }
     state = State(mesh);
+    history.linearization_point.reset();
+  }
+
+
+  void
+  InternalForces::balance(const LA::Vector &loads)
+  {
+    history.balancing_forces = loads;
+    history.balancing_forces *= -1;
   }
 
 

@@ -118,6 +118,9 @@ namespace Biface
     LA::Vector load = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+    LA::Vector constant = mesh.owned_vector();
+    internal.add_constant_forces(constant);
+    mesh.condense(constant);
 
     double                square = 0;
     ForceTerm::CellForces forces;
@@ -135,8 +138,9 @@ namespace Biface
     mesh.condense(load);
 
     rhs += load;
+    rhs += constant;
     force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
-                            load.norm_sqr());
+                            load.norm_sqr() + constant.norm_sqr());
   }
 
 
@@ -175,6 +179,28 @@ namespace Biface
   }
 
 
+  ShellEquations::Unbalance
+  ShellEquations::start_from_prestress(State &state, const Loads &loads)
+  {
+    Assert(!loads.foundation, ExcInternalError());
+    internal.take_as_prestress(state);
+    LA::Vector                    given   = mesh.owned_vector();
+    const std::vector<LA::Vector> by_term = nodal_forces(state, loads);
+    for (unsigned int t = 1; t < terms.size(); ++t)
+      given += by_term[t];
+    internal.balance(given);
+
+    LA::Vector unbalanced = internal.unbalanced_forces();
+    Unbalance  result;
+    result.with_supports = unbalanced.l2_norm();
+    mesh.condense(unbalanced);
+    mesh.condense(given);
+    result.forces = unbalanced.l2_norm();
+    result.loads  = given.l2_norm();
+    return result;
+  }
+
+
   std::vector<LA::Vector>
   ShellEquations::nodal_forces(const State &state, const Loads &loads) const
   {
@@ -186,6 +212,8 @@ namespace Biface
         result.push_back(mesh.owned_vector());
         terms[t]->add_dead_forces({loads.pressure, loads.factor, 0},
                                   result.back());
+        if (t == 0)
+          internal.add_constant_forces(result.back());
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           {
             forces.clear();
@@ -206,7 +234,8 @@ namespace Biface
     double violation = 0;
     for (const PrescribedDisplacement &p : mesh.prescribed)
       {
-        double missing = loads.factor * p.value - state.displacement(p.dof);
+        double missing = (loads.factor - loads.factor_of_shape) * p.value -
+                         state.displacement(p.dof);
         for (const auto &entry : *constraints.get_constraint_entries(p.dof))
           missing += entry.second * state.displacement(entry.first);
         constraints.set_inhomogeneity(p.dof, missing);

@@ -56,6 +56,9 @@ namespace Biface
           tables.emplace_back("linearization resultants",
                               rows_of(point.resultants, mesh));
         }
+      if (history.balancing_forces.size() > 0)
+        tables.emplace_back("balancing forces",
+                            rows_of(history.balancing_forces, mesh));
       if (const auto &step = progress.predictor.get_last())
         {
           tables.emplace_back("predictor displacement",
@@ -180,6 +183,8 @@ namespace Biface
         point.resultants            = modes("linearization resultants");
         history.linearization_point = point;
       }
+    if (reader->has("balancing forces"))
+      history.balancing_forces = vector("balancing forces");
 
     equations.internal_forces().restore(history);
 

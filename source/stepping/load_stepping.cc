@@ -4,7 +4,9 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/load_stepping.h>
@@ -80,12 +82,7 @@ namespace Biface
     const Stage &stage    = run.stage;
     Progress    &progress = run.progress;
     if (stage.from_prestress)
-      {
-        equations.internal_forces().take_as_prestress(run.state);
-        progress.reached = LoadLevel();
-        progress.touching_travel.reset();
-        progress.last_change.clear();
-      }
+      start_from_prestress(run);
     if (stage.contact && !progress.touching_travel)
       progress.touching_travel = contact.touching_travel(run.state);
     equations.internal_forces().set_theory(stage.theory, run.state);
@@ -94,6 +91,31 @@ namespace Biface
     progress.control = run.control.get_memory();
     progress.predictor.reset();
     progress.stage_begun = true;
+  }
+
+
+  void
+  LoadStepping::start_from_prestress(const StageRun &run)
+  {
+    Progress &progress       = run.progress;
+    progress.reached.travel  = 0;
+    progress.factor_of_shape = progress.reached.factor;
+    progress.touching_travel.reset();
+    progress.last_change.clear();
+
+    const ShellEquations::Unbalance unbalance = equations.start_from_prestress(
+      run.state, loads_without_foundation(progress.reached, run));
+    const bool   loaded = unbalance.loads > 0;
+    const double whole  = (loaded ? unbalance.loads : unbalance.with_supports);
+    double       part   = (whole > 0 ? unbalance.forces / whole : 0.);
+    // round-off
+    if (part < 1e-10)
+      part = 0;
+    std::ostringstream number;
+    number << std::setprecision(3) << part;
+    out << "Start of " << run.stage.name << " from prestress: " << number.str()
+        << (loaded ? " of the loads" : " of the forces of the supports")
+        << " is out of balance in the undeformed shape" << std::endl;
   }
 
 
@@ -298,11 +320,21 @@ namespace Biface
 
 
   Loads
-  LoadStepping::loads_at(const LoadLevel &level, const StageRun &run) const
+  LoadStepping::loads_without_foundation(const LoadLevel &level,
+                                         const StageRun  &run) const
   {
     Loads loads;
-    loads.pressure = level.pressure;
-    loads.factor   = level.factor;
+    loads.pressure        = level.pressure;
+    loads.factor          = level.factor;
+    loads.factor_of_shape = run.progress.factor_of_shape;
+    return loads;
+  }
+
+
+  Loads
+  LoadStepping::loads_at(const LoadLevel &level, const StageRun &run) const
+  {
+    Loads loads = loads_without_foundation(level, run);
     if (run.stage.contact)
       loads.foundation =
         contact.foundation(*run.progress.touching_travel + level.travel);

@@ -109,9 +109,12 @@ namespace Biface
                       from_prestress,
                       "Whether the stage starts from the undeformed shape "
                       "with the resultants reached so far as initial "
-                      "resultants. They are in equilibrium with the loads so "
-                      "far, which are no longer given: 'Pressure' then "
-                      "starts from 0.",
+                      "resultants. All loads go on: 'Pressure' and 'Load "
+                      "factor' keep their values. Constant forces on the "
+                      "nodes take up what is out of balance at the start of "
+                      "the stage; its size is printed. Displacements, "
+                      "prescribed ones included, and the travel of the "
+                      "foundation count anew from 0.",
                       Patterns::Bool());
   }
 
@@ -157,7 +160,10 @@ namespace Biface
         const std::string section = "Stage " + std::to_string(i + 1);
         stage.check(section);
         if (stage.from_prestress)
-          start = Control::KnownStart::undeformed();
+          {
+            start.travel        = 0;
+            start.is_undeformed = true;
+          }
         const auto control = make_control(stage);
         control->check(section, start);
         start = control->known_end(start);

@@ -26,4 +26,10 @@ main(int argc, char *argv[])
   check_restart("begin from prestress", membrane, 2);
   check_restart("linear theory", membrane, 4);
   check_restart("after both", membrane, 6);
+  check_restart("prestress under follower pressure",
+                with(soft_tire,
+                     {"Stage 2/Start from prestress=true",
+                      "Loads/Pressure type=follower",
+                      no_vtu}),
+                4);
 }

@@ -27,6 +27,7 @@ main(int argc, char *argv[])
 
   State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
   internal.take_as_prestress(state);
+  internal.balance(some_displacement(*mesh, 1, 4));
   state = at(equations, state, some_displacement(*mesh, 0.2, 2));
   internal.set_theory(StrainTheory::linear, state);
   state = at(equations, state, some_displacement(*mesh, 0.3, 3));
@@ -60,6 +61,8 @@ main(int argc, char *argv[])
   const InternalForces::History &before = internal.get_history();
   const InternalForces::History &after =
     other_equations.internal_forces().get_history();
+  LA::Vector difference = before.balancing_forces;
+  difference -= after.balancing_forces;
   const bool found[] = {
     all(same),
     all(other.resultants == state.resultants),
@@ -69,7 +72,8 @@ main(int argc, char *argv[])
         after.initial_strains == before.initial_strains),
     all(after.linearization_point.has_value() &&
         after.linearization_point->resultants ==
-          before.linearization_point->resultants)};
+          before.linearization_point->resultants),
+    difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("displacements", found[0]);
@@ -78,4 +82,5 @@ main(int argc, char *argv[])
   check_true("multipliers", found[3]);
   check_true("prestress", found[4]);
   check_true("linearization point", found[5]);
+  check_true("balancing forces", found[6]);
 }

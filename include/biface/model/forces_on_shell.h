@@ -40,9 +40,9 @@ namespace Biface
    *
    * In equilibrium, the sums over all bodies vanish. Two of them are no bodies
    * in the proper sense:
-   * - `prestress`: the forces that were in equilibrium with the initial
-   *   resultants and still act, see InternalForces::initial_forces(), without
-   *   those at supports, which count as forces of the supports;
+   * - `prestress`: the constant forces that are not among the loads, see
+   *   InternalForces::unlisted_forces(), without those at supports, which count
+   *   as forces of the supports;
    * - `interpolation`: the sum of all internal forces. It vanishes if the shell
    *   is flat; if it is curved, rigid motions are interpolated only up to an
    *   error of second order in the size of the cells, and this is their work.

@@ -51,11 +51,24 @@ namespace Biface
       return Source::shell;
     }
 
-    /** The nodal forces that were in equilibrium with the initial resultants
-     * of a cell: they keep their directions, and are no part of the given
-     * loads. */
-    MixedElement::NodalVector
-    initial_forces(const unsigned int cell) const;
+    /** The constant forces on all nodes that are no part of the given loads:
+     * those that are in equilibrium with the initial resultants in the
+     * undeformed shape, @f$\mathbf B_0^T\mathbf H_0@f$, and
+     * History::balancing_forces. Regardless of supports. */
+    LA::Vector
+    unlisted_forces() const;
+
+    /** The part of unlisted_forces() that balances the shell since
+     * take_as_prestress(), without what belongs to the initial resultants and
+     * stresses of the laminate. */
+    LA::Vector
+    unbalanced_forces() const;
+
+    /** Add the constant forces that add() does not contain: those of
+     * History::balancing_forces. The work of initial resultants on the linear
+     * part of the strains cancels with the other unlisted_forces(). */
+    void
+    add_constant_forces(LA::Vector &nodal_forces) const;
 
     /** The results of earlier stages: with a State and its Loads, a complete
      * restore point. */
@@ -68,6 +81,8 @@ namespace Biface
       std::vector<Modes::Vector> initial_strains;
       /** The state about which the strains are linearized, if any. */
       std::optional<State> linearization_point;
+      /** Constant forces on the owned nodes, see balance(); none if empty. */
+      LA::Vector balancing_forces;
     };
 
     const History &
@@ -95,9 +110,15 @@ namespace Biface
 
     /** Turn the resultants of the state into initial resultants and set its
      * displacements to zero: the new start is the undeformed shape with these
-     * stresses, in equilibrium with the loads that caused them. */
+     * stresses, in equilibrium with loads that are not given. Strains are no
+     * longer linearized. */
     void
     take_as_prestress(State &state);
+
+    /** Have constant forces take up the given loads on the undeformed shape, so
+     * that it is in equilibrium with them. */
+    void
+    balance(const LA::Vector &loads);
 
     /** Set the resultants to those of the displacements. */
     void
@@ -130,6 +151,14 @@ namespace Biface
     strain_energy(const State &state) const;
 
   private:
+    /** The initial resultants of the laminate, of a cell each. */
+    std::vector<Modes::Vector>
+    resultants_of_laminate() const;
+
+    /** The nodal forces of resultants in the undeformed shape. */
+    LA::Vector
+    forces_of(const std::vector<Modes::Vector> &resultants) const;
+
     /** In nonlinear theory. */
     double
     strain_energy(const unsigned int               cell,

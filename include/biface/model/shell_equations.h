@@ -87,6 +87,24 @@ namespace Biface
                    const Loads     &loads,
                    const LoadRates &rates) const;
 
+    /** What is out of balance in a shape with given resultants and loads: norms
+     * of nodal forces. Unit: force. */
+    struct Unbalance
+    {
+      double forces;
+      double loads;
+      /** Of the forces on all nodes, supported ones included. */
+      double with_supports;
+    };
+
+    /** Turn the resultants of the state into initial resultants of the
+     * undeformed shape, to which its displacements return, see
+     * InternalForces::take_as_prestress(). The loads go on; from now on
+     * constant forces take up what is out of balance.
+     * @param loads without a foundation. */
+    Unbalance
+    start_from_prestress(State &state, const Loads &loads);
+
     /** The forces of each kind on the nodes, regardless of supports: the forces
      * of supports are what is missing for equilibrium. In the order of
      * get_terms(). */

@@ -66,6 +66,10 @@ namespace Biface
     /** Factor of the dead loads and prescribed displacements. */
     double factor = 0;
 
+    /** The factor at which prescribed displacements vanish, see
+     * Progress::factor_of_shape. */
+    double factor_of_shape = 0;
+
     std::optional<RigidFoundation> foundation;
   };
 

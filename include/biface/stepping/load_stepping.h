@@ -113,6 +113,13 @@ namespace Biface
     void
     begin_stage(const StageRun &run);
 
+    /** Return to the undeformed shape with the resultants and loads reached,
+     * and print what is out of balance, see
+     * ShellEquations::start_from_prestress().
+     */
+    void
+    start_from_prestress(const StageRun &run);
+
     /** A converged step, halved as often as needed.
      * @return its report or the failure. */
     std::variant<StepReport, LoadSteppingResult>
@@ -142,6 +149,9 @@ namespace Biface
 
     Control::Equilibrium
     last_converged(const StageRun &run) const;
+
+    Loads
+    loads_without_foundation(const LoadLevel &level, const StageRun &run) const;
 
     Loads
     loads_at(const LoadLevel &level, const StageRun &run) const;

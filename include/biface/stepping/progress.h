@@ -29,6 +29,10 @@ namespace Biface
     /** See ShellEquations::touching_travel(), at the start of the first stage
      * with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
+    /** The load factor in the shape from which displacements count: 0, or that
+     * at the start of the last stage from a prestress. Prescribed displacements
+     * are proportional to what exceeds it. */
+    double factor_of_shape = 0;
 
     /** See Control::Equilibrium. */
     LA::Vector last_change;
@@ -58,6 +62,7 @@ namespace Biface
       bool   touched = touching_travel.has_value();
       double travel  = touching_travel.value_or(0);
       archive &n_steps &stage &stage_begun &reached &touched &travel;
+      archive                                                &factor_of_shape;
       archive &control                                       &predictor;
       touching_travel =
         (touched ? std::optional<double>(travel) : std::nullopt);

@@ -75,8 +75,8 @@ namespace Biface
     /** Whether steps of the loads or the force grow after fast convergence. */
     bool adaptive = false;
 
-    /** Whether to start with the stresses reached so far, but undeformed and
-     * unloaded. */
+    /** Whether to start with the stresses and loads reached so far, but
+     * undeformed. */
     bool from_prestress = false;
 
     /** The loads at the end of the stage for given loads at its start. */
