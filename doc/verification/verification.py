@@ -47,6 +47,7 @@ HEADINGS = {
     "hinged_roof": "Hinged roof, thickness 12.7",
     "hinged_roof_0_90_0": "Hinged roof, thickness 12.7, [0/90/0]",
     "hinged_roof_90_0_90": "Hinged roof, thickness 12.7, [90/0/90]",
+    "hinged_roof_two_stages": "Hinged roof, thickness 12.7, two stages",
     "hinged_roof_thin": "Hinged roof, thickness 6.35",
     "hinged_roof_thin_0_90_0": "Hinged roof, thickness 6.35, [0/90/0]",
     "hinged_roof_thin_90_0_90": "Hinged roof, thickness 6.35, [90/0/90]",
