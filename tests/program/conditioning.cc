@@ -91,7 +91,7 @@ main(int argc, char *argv[])
   check_range(
     "growth in displacements of the faces", thin[1] / thick[1], 5e3, 2e4);
   if (argc > 1)
-    for (const std::string &h : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5"})
+    for (const std::string h : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5"})
       {
         const auto numbers = condition_numbers(h);
         std::cout << "| " << h << " | " << std::setprecision(2) << numbers[1]

@@ -44,7 +44,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const bool fixed : {false, true})
-    for (const std::string &thickness : {"1e-2", "1e-3", "1e-4", "1e-5"})
+    for (const std::string thickness : {"1e-2", "1e-3", "1e-4", "1e-5"})
       {
         const double coarse = energy(thickness, 8, fixed),
                      medium = energy(thickness, 16, fixed),
