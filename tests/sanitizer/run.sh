@@ -22,5 +22,5 @@ fi
 
 cmake -S . -B build-sanitize -G Ninja \
   -DCMAKE_BUILD_TYPE=Release -DBIFACE_SANITIZE=ON
-cmake --build build-sanitize --target libbiface.release test_driver.release
+cmake --build build-sanitize --target libbiface.release biface.release test_driver.release
 ctest --test-dir build-sanitize --output-on-failure "$@"
