@@ -176,18 +176,6 @@ namespace Biface
   }
 
 
-  void
-  print_coarse_solver_time(const double seconds, ConditionalOStream &out)
-  {
-    char line[96];
-    std::snprintf(line,
-                  sizeof(line),
-                  "Factorizations and solutions on coarser meshes: %.3g s\n",
-                  seconds);
-    out << line;
-  }
-
-
   std::string
   failure_paragraph(const LoadSteppingResult &result)
   {

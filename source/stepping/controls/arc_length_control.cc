@@ -117,22 +117,21 @@ namespace Biface
     load_fraction = 0;
     n_steps       = 0;
     first_length  = 0;
-    last_change   = from.last_change;
   }
 
 
   Control::Trial
-  ArcLengthControl::propose(const Equilibrium & /*from*/) const
+  ArcLengthControl::propose(const Equilibrium &from) const
   {
     Trial trial;
     trial.level = [this](const double mu) { return level_at(mu); };
     trial.mu    = load_fraction;
     if (n_steps == 0)
       trial.equation = std::make_shared<const FirstStepEquation>(
-        load_rate(), size.get(), last_change);
+        load_rate(), size.get(), from.last_change);
     else
       trial.equation = std::make_shared<const ArcLengthEquation>(
-        load_rate(), size.get(), last_change);
+        load_rate(), size.get(), from.last_change);
     return trial;
   }
 
@@ -156,12 +155,12 @@ namespace Biface
     constexpr double wanted_iterations = 5;
 
     load_fraction = step.mu;
-    last_change   = owned_part(step.after.displacement);
-    last_change -= owned_part(step.before.displacement);
     ++n_steps;
     if (n_steps == 1)
       {
-        first_length = last_change.l2_norm();
+        LA::Vector change = owned_part(step.after.displacement);
+        change -= owned_part(step.before.displacement);
+        first_length = change.l2_norm();
         size         = StepSize(first_length);
       }
     else
@@ -188,8 +187,6 @@ namespace Biface
     Memory memory                  = Control::get_memory();
     memory.numbers["steps"]        = n_steps;
     memory.numbers["first length"] = first_length;
-    if (last_change.size() > 0)
-      memory.vectors["last change"] = last_change;
     return memory;
   }
 
@@ -201,9 +198,6 @@ namespace Biface
     load_fraction = memory.done;
     n_steps       = static_cast<unsigned int>(memory.numbers.at("steps"));
     first_length  = memory.numbers.at("first length");
-    if (const auto known = memory.vectors.find("last change");
-        known != memory.vectors.end())
-      last_change = known->second;
   }
 
 

@@ -70,9 +70,6 @@ namespace Biface
     double       load_fraction = 0;
     unsigned int n_steps       = 0;
     double       first_length  = 0;
-    /** The change of the displacements in the last step, also one of the stage
-     * before (locally owned entries); empty from rest. */
-    LA::Vector last_change;
   };
 } // namespace Biface
 
