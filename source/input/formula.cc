@@ -3,8 +3,10 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
@@ -25,6 +27,26 @@ namespace Biface
     {
       return &static_cast<Parser *>(parser)->values[name];
     }
+
+    /** A function, and where the values of its variables are. */
+    struct Call
+    {
+      FormulaFunction             function;
+      std::vector<const double *> variables;
+
+      static double
+      evaluate(void *call, const double argument)
+      {
+        const Call         &c = *static_cast<const Call *>(call);
+        std::vector<double> values;
+        for (const double *variable : c.variables)
+          values.push_back(*variable);
+        return c.function.value(argument, values);
+      }
+    };
+
+    /** The function, if the formula calls it. */
+    std::optional<Call> call;
   };
 
 
@@ -46,17 +68,34 @@ namespace Biface
           }
       return false;
     }
-  } // namespace
 
 
-  namespace
-  {
+    /** Whether the text calls a function of the given name. */
+    bool
+    calls(const std::string &text, const std::string &name)
+    {
+      for (auto at = text.find(name); at != std::string::npos;
+           at      = text.find(name, at + 1))
+        {
+               const bool is_start =
+                 at == 0 ||
+                 !(std::isalnum(static_cast<unsigned char>(text[at - 1])) ||
+              text[at - 1] == '_');
+               const auto next = text.find_first_not_of(" \t", at + name.size());
+               if (is_start && next != std::string::npos && text[next] == '(')
+            return true;
+        }
+      return false;
+    }
+
+
     std::string
     allowed_form(const std::vector<std::string> &variables)
     {
       std::string names;
       for (const std::string &name : variables)
-        names += (names.empty() ? "" : ", ") + name;
+        if (name[0] != '_')
+          names += (names.empty() ? "" : ", ") + name;
       return "it must be a number or a formula" +
              (names.empty() ? std::string() : " of " + names);
     }
@@ -80,8 +119,17 @@ namespace Biface
   }
 
 
+  Formula::Formula(const std::string     &entry,
+                   const std::string     &text,
+                   const FormulaFunction &function)
+    : entry(entry), text(text)
+  {
+    compile(allowed_form({}), &function);
+  }
+
+
   void
-  Formula::compile(const std::string &allowed)
+  Formula::compile(const std::string &allowed, const FormulaFunction *function)
   {
     const auto new_parser = std::make_shared<Parser>();
     if (assigns(text))
@@ -92,6 +140,17 @@ namespace Biface
         mu::Parser &p = new_parser->parser;
         p.DefineConst("pi", dealii::numbers::PI);
         p.SetVarFactory(&Parser::add_variable, new_parser.get());
+        if (function != nullptr && calls(text, function->name))
+          {
+            new_parser->call.emplace(Parser::Call{*function, {}});
+            for (const std::string &name : function->variables)
+              new_parser->call->variables.push_back(&new_parser->values[name]);
+            // not constant, even if its argument is
+            p.DefineFunUserData(function->name,
+                                &Parser::Call::evaluate,
+                                &*new_parser->call,
+                                false);
+          }
         p.SetExpr(text);
         int n_values = 0;
         p.Eval(n_values);
@@ -114,9 +173,22 @@ namespace Biface
   void
   Formula::bind(const std::vector<std::string> &variables)
   {
+    const auto is_known = [&](const std::string &name) {
+      return std::find(variables.begin(), variables.end(), name) !=
+             variables.end();
+    };
+    if (parser->call)
+      {
+        const FormulaFunction &function = parser->call->function;
+        if (!std::all_of(
+              function.variables.begin(), function.variables.end(), is_known))
+          throw InputError(entry,
+                           text,
+                           allowed_form(variables) + " (there is no " +
+                             quoted(function.name) + ")");
+      }
     for (const auto &value : parser->values)
-      if (std::find(variables.begin(), variables.end(), value.first) ==
-          variables.end())
+      if (!is_known(value.first))
         throw InputError(entry,
                          text,
                          allowed_form(variables) + " (there is no " +
@@ -159,8 +231,9 @@ namespace Biface
           scale = std::max(scale, std::abs(value));
         std::string where;
         for (unsigned int i = 0; i < variables.size(); ++i)
-          where += (where.empty() ? "" : ", ") + variables[i] + " = " +
-                   coordinate_to_string(values[i], scale);
+          if (variables[i][0] != '_')
+            where += (where.empty() ? "" : ", ") + variables[i] + " = " +
+                     coordinate_to_string(values[i], scale);
         throw InputError(
           entry,
           text,

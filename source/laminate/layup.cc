@@ -29,13 +29,29 @@ namespace Biface
                "as 'material: thickness @ angle', followed by 'from A "
                "to B' if the ply covers only this part of alpha_1 "
                "(between two mesh lines; the jump in thickness is "
-               "spread over the cells on both sides). The angle of the "
-               "material's first axis is measured from the first "
-               "coordinate line (the meridian) toward the second. "
+               "spread over the cells on both sides; both may be formulas "
+               "of 'end', the greatest alpha_1 of the surface). The angle "
+               "of the material's first axis is measured from the first "
+               "coordinate line (the meridian) toward the second, see "
+               "'Angle reference'. An angle '+-A' means two plies, at A and "
+               "-A, and 'N x (...)' repeats the plies in parentheses. "
                "Thickness and angle are numbers, or formulas of "
                "alpha_1 and of the 'Tables', such as 1.2 + "
-               "0.01*abs(alpha_1). Units: length, degrees, alpha_1 as "
-               "in 'Mesh'.");
+               "0.01*abs(alpha_1). On a surface of revolution they know "
+               "the radius r of the reference surface and the function "
+               "lift(A), the angle of cords that have the angle A at the "
+               "crown, the greatest radius of the mesh, and pantograph: "
+               "the cosine of their angle from the circumference is "
+               "proportional to r. With the meridian 'cord equilibrium' "
+               "they know its crown cord angle beta_c. Units: length, "
+               "degrees, alpha_1 as in 'Mesh'.");
+    add_choice(prm,
+               "Angle reference",
+               angle_reference,
+               {"meridian", "circumference"},
+               "The direction from which the angles in 'Plies' are counted: "
+               "'meridian', from alpha_1 toward alpha_2, or 'circumference', "
+               "from alpha_2 toward alpha_1, as usual for tires.");
     add_parsed(prm,
                "Laminate/",
                "Tables",
@@ -114,28 +130,145 @@ namespace Biface
 
   namespace
   {
-    /** Split "from A to B" off the end of the text of a ply, if present. */
-    std::pair<double, double>
+    constexpr unsigned int max_plies = 1000;
+
+    const std::string ply_form = "each ply must have the form 'material: "
+                                 "thickness @ angle'";
+
+    const std::string range_form = "the covered part must have the form 'from "
+                                   "A to B' with numbers A < B";
+
+
+    /** Split "from A to B" off the end of the angle of the ply @p text, if
+     * present. */
+    std::optional<std::pair<Coordinate, Coordinate>>
     take_range(const std::string &entry,
                const std::string &text,
                std::string       &angle)
     {
-      const double infinity = std::numeric_limits<double>::infinity();
-      const auto   from     = angle.find(" from ");
+      const auto from = angle.find(" from ");
       if (from == std::string::npos)
-        return {-infinity, infinity};
-      const std::string form =
-        "the covered part must have the form 'from A to B' with numbers A < B";
-      const std::vector<std::string> words =
-        split_words(angle.substr(from + 6));
-      if (words.size() != 3 || words[1] != "to")
-        throw InputError(entry, text, form);
-      const double begin = parse_number(entry, words[0], form);
-      const double end   = parse_number(entry, words[2], form);
-      if (!(begin < end))
-        throw InputError(entry, text, form);
+        return {};
+      const auto to = angle.find(" to ", from);
+      if (to == std::string::npos)
+        throw InputError(entry, text, range_form);
+      const auto coordinate = [&](const std::size_t at,
+                                  const std::size_t length) {
+        return Coordinate(
+          entry, Utilities::trim(angle.substr(at, length)), text, range_form);
+      };
+      const auto range = std::make_pair(coordinate(from + 6, to - from - 6),
+                                        coordinate(to + 4, std::string::npos));
+      if (!range.first.uses_end() && !range.second.uses_end() &&
+          !(range.first.value(0) < range.second.value(0)))
+        throw InputError(entry, text, range_form);
       angle.erase(from);
-      return {begin, end};
+      return range;
+    }
+
+
+    /** Read a ply, or two with the angle '+-A' or '-+A'. */
+    void
+    parse_ply(const std::string          &entry,
+              const std::string          &item,
+              std::vector<PlyParameters> &plies)
+    {
+      const auto colon = item.find(':');
+      const auto at    = item.find('@');
+      if (colon == std::string::npos || at == std::string::npos || at < colon)
+        throw InputError(entry, item, ply_form);
+      std::string       angle = item.substr(at + 1);
+      const auto        range = take_range(entry, item, angle);
+      const std::string thickness =
+        Utilities::trim(item.substr(colon + 1, at - colon - 1));
+      angle = Utilities::trim(angle);
+      if (thickness.empty() || angle.empty())
+        throw InputError(entry, item, ply_form);
+
+      std::vector<std::string> angles{angle};
+      const std::string        signs = angle.substr(0, 2);
+      if (signs == "+-" || signs == "-+")
+        {
+          const std::string size = Utilities::trim(angle.substr(2));
+          if (size.empty())
+            throw InputError(entry, item, ply_form);
+          angles = {size, "-(" + size + ")"};
+          if (signs == "-+")
+            std::swap(angles[0], angles[1]);
+        }
+      for (const std::string &one : angles)
+        {
+          // as if written alone
+          std::string text = item;
+          if (angles.size() == 2)
+            text.replace(item.find(angle, at), angle.size(), one);
+          plies.push_back({text,
+                           Utilities::trim(item.substr(0, colon)),
+                           parse_ply_formula(entry, thickness),
+                           parse_ply_formula(entry, one),
+                           range});
+        }
+    }
+
+
+    /** The number and the plies of 'N x (...)', if a text has this form. */
+    std::optional<std::pair<unsigned int, std::string>>
+    take_repeat(const std::string &entry, const std::string &text)
+    {
+      const auto cross = text.find_first_not_of("0123456789 \t");
+      const auto open  = text.find('(');
+      if (cross == 0 || cross == std::string::npos || text[cross] != 'x' ||
+          open == std::string::npos ||
+          Utilities::trim(text.substr(cross + 1, open - cross - 1)) != "")
+        return {};
+      const std::string form =
+        "plies must be repeated as 'N x (...)' with N from 1 to " +
+        std::to_string(max_plies);
+      if (text.back() != ')')
+        throw InputError(entry, text, form);
+      const double n =
+        parse_number(entry, Utilities::trim(text.substr(0, cross)), form);
+      if (!(n >= 1 && n <= max_plies && n == std::floor(n)))
+        throw InputError(entry, text, form);
+      return std::make_pair(static_cast<unsigned int>(n),
+                            text.substr(open + 1, text.size() - open - 2));
+    }
+
+
+    std::vector<PlyParameters>
+    parse_ply_list(const std::string &entry,
+                   const std::string &text,
+                   const unsigned int depth)
+    {
+      std::vector<PlyParameters> plies;
+      for (const std::string &item : split_list(entry, text, ',', max_plies))
+        {
+          const auto repeat = take_repeat(entry, item);
+          if (!repeat)
+            {
+              parse_ply(entry, item, plies);
+              continue;
+            }
+          if (depth == 10)
+            throw InputError(
+              entry, item, "repeats must not be nested more than ten times");
+          const std::vector<PlyParameters> group =
+            parse_ply_list(entry, repeat->second, depth + 1);
+          if (group.empty())
+            throw InputError(entry, item, "there must be plies to repeat");
+          for (unsigned int i = 0; i < repeat->first; ++i)
+            {
+              plies.insert(plies.end(), group.begin(), group.end());
+              if (plies.size() > max_plies)
+                break;
+            }
+          if (plies.size() > max_plies)
+            throw InputError(entry,
+                             item,
+                             "there must be at most " +
+                               std::to_string(max_plies) + " plies");
+        }
+      return plies;
     }
   } // namespace
 
@@ -143,32 +276,9 @@ namespace Biface
   std::vector<PlyParameters>
   parse_plies(const std::string &entry, const std::string &text)
   {
-    const std::string form = "each ply must have the form 'material: "
-                             "thickness @ angle'";
-
-    std::vector<PlyParameters> plies;
-    for (const std::string &item : split_list(entry, text, ',', 1000))
-      {
-        const auto colon = item.find(':');
-        const auto at    = item.find('@');
-        if (colon == std::string::npos || at == std::string::npos || at < colon)
-          throw InputError(entry, item, form);
-        std::string       angle = item.substr(at + 1);
-        const auto        range = take_range(entry, item, angle);
-        const std::string thickness =
-          Utilities::trim(item.substr(colon + 1, at - colon - 1));
-        angle = Utilities::trim(angle);
-        if (thickness.empty() || angle.empty())
-          throw InputError(entry, item, form);
-        plies.push_back({item,
-                         Utilities::trim(item.substr(0, colon)),
-                         Formula(entry, thickness),
-                         Formula(entry, angle),
-                         range.first,
-                         range.second});
-      }
+    const std::vector<PlyParameters> plies = parse_ply_list(entry, text, 0);
     if (plies.empty())
-      throw InputError(entry, text, form + ", and there must be one");
+      throw InputError(entry, text, ply_form + ", and there must be one");
     return plies;
   }
 
@@ -208,9 +318,9 @@ namespace Biface
                            item,
                            "each ply must have a triple 'sigma_L sigma_T "
                            "tau_LT'");
-        stresses.push_back({{Formula(entry, words[0]),
-                             Formula(entry, words[1]),
-                             Formula(entry, words[2])}});
+        stresses.push_back({{parse_ply_formula(entry, words[0]),
+                             parse_ply_formula(entry, words[1]),
+                             parse_ply_formula(entry, words[2])}});
       }
     return stresses;
   }
@@ -264,8 +374,8 @@ namespace Biface
 
 
   void
-  Layup::Parameters::check(
-    const std::vector<Material::Parameters> &materials) const
+  Layup::Parameters::check(const std::vector<Material::Parameters> &materials,
+                           const PlyVariables &variables) const
   {
     std::string names;
     for (const Material::Parameters &material : materials)
@@ -282,7 +392,7 @@ namespace Biface
         material->stiffness();
         material->get_strengths();
         for (Formula formula : {ply.thickness, ply.angle})
-          MeridionalTables::bind(formula, tables);
+          variables.bind(formula, tables);
       }
 
     if (!initial_stresses.empty() && initial_stresses.size() != plies.size())
@@ -300,7 +410,7 @@ namespace Biface
       }
     for (const auto &triple : initial_stresses)
       for (Formula formula : triple)
-        MeridionalTables::bind(formula, tables);
+        variables.bind(formula, tables);
 
     if (reference.kind == ThicknessPosition::Kind::ply &&
         reference.value > plies.size())
@@ -311,15 +421,34 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** An angle in degrees as that from e_1 toward e_2 in radians, between
+     * -90 and 90 degrees if @p reference is the circumference. */
+    double
+    angle_from_meridian(const double angle, const AngleReference reference)
+    {
+      return (reference == AngleReference::meridian
+                ? angle
+                : std::remainder(90 - angle, 180)) *
+             numbers::PI / 180;
+    }
+  } // namespace
+
+
   Layup::Layup(const Parameters                        &parameters,
-               const std::vector<Material::Parameters> &materials)
+               const std::vector<Material::Parameters> &materials,
+               const SurfaceOfPlies                    &surface)
     : law(parameters.law)
     , shear_law(parameters.shear_law)
     , reference(parameters.reference)
     , initial_resultants(parameters.initial_resultants)
   {
-    parameters.check(materials);
-    const MeridionalTables tables(parameters.tables);
+    parameters.check(materials,
+                     {static_cast<bool>(surface.radius),
+                      surface.crown_cord_angle.has_value()});
+    const AngleReference   angle_reference = parameters.angle_reference;
+    const MeridionalTables tables(parameters.tables, surface, angle_reference);
     for (unsigned int p = 0; p < parameters.plies.size(); ++p)
       {
         const PlyParameters &given = parameters.plies[p];
@@ -334,11 +463,16 @@ namespace Biface
         ply.strengths      = material->get_strengths();
         ply.thickness      = tables.function(given.thickness);
         const auto degrees = tables.function(given.angle);
-        ply.angle          = [degrees](const double alpha_1) {
-          return degrees(alpha_1) * numbers::PI / 180;
+        ply.angle          = [degrees, angle_reference](const double alpha_1) {
+          return angle_from_meridian(degrees(alpha_1), angle_reference);
         };
-        ply.begin = given.begin;
-        ply.end   = given.end;
+        if (given.range)
+          {
+            ply.begin = given.range->first.value(surface.end);
+            ply.end   = given.range->second.value(surface.end);
+            if (!(ply.begin < ply.end))
+              throw InputError("Laminate/Plies", given.text, range_form);
+          }
         if (!parameters.initial_stresses.empty())
           {
             const auto &triple = parameters.initial_stresses[p];

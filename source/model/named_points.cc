@@ -28,7 +28,9 @@ namespace Biface
                "Points of the surface to which other entries refer and whose "
                "displacements are written to probes.csv: a comma-separated "
                "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
-               "mesh. Unit: degrees for an angle, length otherwise.");
+               "mesh. alpha_1 may be a formula, without blanks, of 'end', the "
+               "greatest alpha_1 of the surface. Unit: degrees for an angle, "
+               "length otherwise.");
   }
 
 
@@ -45,10 +47,20 @@ namespace Biface
         const auto named = split_named(entry, item, form);
         if (named.second.empty())
           throw InputError(entry, item, form);
-        const auto numbers = parse_numbers(entry, named.second, 2, form);
         if (!names.insert(named.first).second)
           throw InputError(entry, item, "the names of points must be unique");
-        points.push_back({named.first, Point<2>(numbers[0], numbers[1])});
+        NamedPoint  point;
+        std::string numbers = named.second;
+        const auto  words   = split_words(numbers);
+        point.name          = named.first;
+        if (words.size() == 2 && words[0].find("end") != std::string::npos)
+          {
+            point.alpha_1 = Coordinate(entry, words[0], item, form);
+            numbers       = "0 " + words[1];
+          }
+        const auto alpha = parse_numbers(entry, numbers, 2, form);
+        point.alpha      = Point<2>(alpha[0], alpha[1]);
+        points.push_back(point);
       }
     return points;
   }
@@ -89,8 +101,12 @@ namespace Biface
   {
     std::vector<NamedPoint> points = list;
     for (NamedPoint &point : points)
-      for (unsigned int a = 0; a < 2; ++a)
-        point.alpha[a] *= surface.coordinate_unit(a);
+      {
+        if (point.alpha_1)
+          point.alpha[0] = point.alpha_1->value(surface.end(0));
+        for (unsigned int a = 0; a < 2; ++a)
+          point.alpha[a] *= surface.coordinate_unit(a);
+      }
     return points;
   }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/plies_on_surface.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
@@ -123,7 +125,14 @@ namespace Biface
         if (!stages[i].control_point.empty())
           points.check_name(entry, stages[i].control_point);
       }
-    laminate.check(materials);
+    const bool revolution =
+      surface.type == ReferenceSurface::Parameters::Type::revolution;
+    laminate.check(
+      materials,
+      {revolution,
+       revolution &&
+         surface.meridian ==
+           ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
   }
 
 
@@ -234,9 +243,13 @@ namespace Biface
     if (!mesh.closed && is_symmetry(supports.edges[2]) &&
         is_symmetry(supports.edges[3]))
       {
-        const Layup               layup(laminate, materials);
-        const std::vector<double> lines = mesh.intervals[0].lines();
-        std::string               angled;
+        const std::shared_ptr<const ReferenceSurface> made =
+          make_surface(surface);
+        const Layup layup(
+          laminate, materials, plies_on_surface(made, ChartGrid(mesh, *made)));
+        const std::vector<double> lines =
+          mesh.intervals[0].on(made->end(0)).lines();
+        std::string angled;
         for (unsigned int p = 0; p < layup.get_plies().size(); ++p)
           {
             const PlyDescription &ply      = layup.get_plies()[p];

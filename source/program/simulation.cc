@@ -10,6 +10,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/plies_on_surface.h>
 #include <biface/program/simulation.h>
 
 #include <unistd.h>
@@ -66,10 +67,13 @@ namespace Biface
     {
       std::unique_ptr<const ReferenceSurface> surface =
         make_surface(parameters.surface);
-      const ChartGrid given =
-        (grid ? *grid : ChartGrid(parameters.mesh, *surface));
+      const ChartGrid finest(parameters.mesh, *surface);
+      const ChartGrid given = (grid ? *grid : finest);
       check_memory(given, communicator);
-      const Layup layup(parameters.laminate, parameters.materials);
+      const Layup layup(
+        parameters.laminate,
+        parameters.materials,
+        plies_on_surface(make_surface(parameters.surface), finest));
       const std::vector<NamedPoint> points = parameters.points.on(*surface);
       return std::make_unique<const ShellMesh>(communicator,
                                                std::move(surface),

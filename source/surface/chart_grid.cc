@@ -30,13 +30,17 @@ namespace Biface
       "previous one, 'start:end:n:smooth' is n cells whose lengths continue "
       "those of the adjoining interval geometrically. Unit: degrees for an "
       "angle, length otherwise.";
+    const std::string with_end =
+      " Start and end may be formulas of 'end', the greatest alpha_1 of the "
+      "surface, such as 0.3*end.";
     add_parsed(prm,
                "Mesh/",
                "Intervals alpha_1",
                intervals[0].text,
                intervals[0],
                parse_intervals,
-               "Cells along the first coordinate (the meridian)." + form);
+               "Cells along the first coordinate (the meridian)." + form +
+                 with_end);
     add_parsed(prm,
                "Mesh/",
                "Intervals alpha_2",
@@ -89,7 +93,9 @@ namespace Biface
     : closed(parameters.closed), distribution(parameters.distribution)
   {
     for (unsigned int a = 0; a < 2; ++a)
-      lines[a] = parameters.intervals[a].lines(surface.coordinate_unit(a));
+      lines[a] = parameters.intervals[a]
+                   .on(surface.end(a))
+                   .lines(surface.coordinate_unit(a));
     // the line at 0 lies there exactly, for formulas and messages
     for (std::vector<double> &coordinates : lines)
       for (double &line : coordinates)

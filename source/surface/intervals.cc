@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <biface/base/errors.h>
+#include <biface/input/coordinate.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/intervals.h>
 
@@ -22,10 +24,14 @@ namespace Biface
   {
     constexpr unsigned int max_cells = 1000000;
 
-    Interval
-    parse_interval(const std::string &entry,
-                   const std::string &text,
-                   bool              &smooth)
+    /** @return whether start and end are known: if they depend on `end`, only
+     * if this is given. */
+    bool
+    parse_interval(const std::string           &entry,
+                   const std::string           &text,
+                   const std::optional<double> &end,
+                   Interval                    &interval,
+                   bool                        &smooth)
     {
       const std::string form = "each interval must have the form "
                                "start:end:cells, start:end:cells:ratio or "
@@ -36,13 +42,20 @@ namespace Biface
       if (parts.size() < 3 || parts.size() > 4)
         throw InputError(entry, text, form);
 
-      Interval interval;
-      interval.text  = text;
-      interval.start = parse_number(entry, parts[0], form);
-      interval.end   = parse_number(entry, parts[1], form);
-      if (!(interval.end > interval.start))
-        throw InputError(
-          entry, text, "the end of an interval must be greater than its start");
+      interval.text = text;
+      const Coordinate from(entry, parts[0], text, form);
+      const Coordinate to(entry, parts[1], text, form);
+      const bool       known = end || !(from.uses_end() || to.uses_end());
+      if (known)
+        {
+          interval.start = from.value(end.value_or(0));
+          interval.end   = to.value(end.value_or(0));
+          if (!(interval.end > interval.start))
+            throw InputError(
+              entry,
+              text,
+              "the end of an interval must be greater than its start");
+        }
 
       const double n = parse_number(entry, parts[2], form);
       if (!(n >= 1 && n <= max_cells && n == std::floor(n)))
@@ -69,7 +82,7 @@ namespace Biface
                              "the longest cell of an interval must not "
                              "exceed 1e10 times the shortest");
         }
-      return interval;
+      return known;
     }
 
 
@@ -145,6 +158,7 @@ namespace Biface
   std::vector<double>
   IntervalList::lines(const double unit) const
   {
+    Assert(!intervals.empty(), ExcMessage("The coordinates depend on 'end'."));
     std::vector<double> lines(1, intervals.front().start * unit);
     for (const Interval &interval : intervals)
       {
@@ -164,49 +178,78 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    IntervalList
+    parse(const std::string           &entry,
+          const std::string           &text,
+          const std::optional<double> &end)
+    {
+      IntervalList           list;
+      std::vector<Interval> &intervals = list.intervals;
+      list.entry                       = entry;
+      list.text                        = text;
+      unsigned int      n_cells        = 0;
+      std::vector<bool> is_smooth;
+      bool              known = true;
+      for (const std::string &item : split_list(entry, text))
+        {
+          bool smooth = false;
+          intervals.emplace_back();
+          if (!parse_interval(entry, item, end, intervals.back(), smooth))
+            known = false;
+          is_smooth.push_back(smooth);
+          n_cells += intervals.back().n_cells;
+          if (n_cells > max_cells)
+            throw InputError(entry,
+                             text,
+                             "it must have at most " +
+                               std::to_string(max_cells) + " cells in total");
+        }
+      if (intervals.empty())
+        throw InputError(entry, text, "it must contain at least one interval");
+      if (!known)
+        {
+          intervals.clear();
+          return list;
+        }
+
+      for (unsigned int i = 1; i < intervals.size(); ++i)
+        if (intervals[i].start != intervals[i - 1].end)
+          throw InputError(
+            entry,
+            text,
+            "each interval must start at the end of the previous "
+            "one: '" +
+              intervals[i].text +
+              (intervals[i].start < intervals[i - 1].end
+                 ? "' overlaps '"
+                 : "' leaves a gap after '") +
+              intervals[i - 1].text + "'");
+      resolve_smooth(entry, is_smooth, intervals);
+
+      const std::vector<double> lines = list.lines();
+      for (unsigned int i = 1; i < lines.size(); ++i)
+        if (!(lines[i] - lines[i - 1] > 1e-9 * (lines.back() - lines.front())))
+          throw InputError(
+            entry,
+            text,
+            "each cell must be longer than 1e-9 of the total length");
+      return list;
+    }
+  } // namespace
+
+
   IntervalList
   parse_intervals(const std::string &entry, const std::string &text)
   {
-    IntervalList           list;
-    std::vector<Interval> &intervals = list.intervals;
-    list.text                        = text;
-    unsigned int      n_cells        = 0;
-    std::vector<bool> is_smooth;
-    for (const std::string &item : split_list(entry, text))
-      {
-        bool smooth = false;
-        intervals.push_back(parse_interval(entry, item, smooth));
-        is_smooth.push_back(smooth);
-        n_cells += intervals.back().n_cells;
-        if (n_cells > max_cells)
-          throw InputError(entry,
-                           text,
-                           "it must have at most " + std::to_string(max_cells) +
-                             " cells in total");
-      }
-    if (intervals.empty())
-      throw InputError(entry, text, "it must contain at least one interval");
+    return parse(entry, text, {});
+  }
 
-    for (unsigned int i = 1; i < intervals.size(); ++i)
-      if (intervals[i].start != intervals[i - 1].end)
-        throw InputError(entry,
-                         text,
-                         "each interval must start at the end of the previous "
-                         "one: '" +
-                           intervals[i].text +
-                           (intervals[i].start < intervals[i - 1].end
-                              ? "' overlaps '"
-                              : "' leaves a gap after '") +
-                           intervals[i - 1].text + "'");
-    resolve_smooth(entry, is_smooth, intervals);
 
-    const std::vector<double> lines = list.lines();
-    for (unsigned int i = 1; i < lines.size(); ++i)
-      if (!(lines[i] - lines[i - 1] > 1e-9 * (lines.back() - lines.front())))
-        throw InputError(
-          entry,
-          text,
-          "each cell must be longer than 1e-9 of the total length");
-    return list;
+  IntervalList
+  IntervalList::on(const double end) const
+  {
+    return parse(entry, text, end);
   }
 } // namespace Biface

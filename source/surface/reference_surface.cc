@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <limits>
+
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -13,5 +15,17 @@ namespace Biface
       for (unsigned int a = 0; a < 2; ++a)
         tangents[i][a] = point.lame[a] * point.frame[a][i];
     return tangents;
+  }
+
+
+  double
+  ReferenceSurface::end(const unsigned int a) const
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    if (a != 0)
+      return infinity;
+    const double last = range().second;
+    return last < std::numeric_limits<double>::max() ? last / coordinate_unit(0)
+                                                     : infinity;
   }
 } // namespace Biface

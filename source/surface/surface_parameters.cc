@@ -24,17 +24,22 @@ namespace Biface
     add_choice(prm,
                "Meridian",
                meridian,
-               {"circular arc", "straight line", "spline"},
+               {"circular arc", "straight line", "spline", "cord equilibrium"},
                "The meridian of a surface of revolution: a circular arc "
                "(torus, sphere; alpha_1 is its angle), a straight line "
                "(cylinder, cone, annulus; alpha_1 is the length from its "
-               "start), or a smooth curve through points of a file (alpha_1 "
-               "is the length along the polygon of the points).");
+               "start), a smooth curve through points of a file (alpha_1 "
+               "is the length along the polygon of the points), or the shape "
+               "of an inflated tire whose cords carry the pressure (alpha_1 "
+               "is the length from the crown).");
     prm.enter_subsection("Circular arc");
     circular_arc.add_parameters(prm);
     prm.leave_subsection();
     prm.enter_subsection("Straight line");
     straight_line.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Cord equilibrium");
+    cord_equilibrium.add_parameters(prm);
     prm.leave_subsection();
     prm.enter_subsection("Spline");
     add_parsed(prm,
@@ -70,6 +75,9 @@ namespace Biface
                                "the meridian 'spline' needs a file");
             return std::make_shared<SplineCurve>(parameters.points_file.pairs,
                                                  parameters.points_file.name);
+          case MeridianType::cord_equilibrium:
+            return std::make_shared<CordEquilibrium>(
+              parameters.cord_equilibrium);
         }
       Assert(false, ExcInternalError());
       return {};

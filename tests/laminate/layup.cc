@@ -2,7 +2,8 @@
 
 // Plies vary along the meridian as given by their formulas and tables; plies
 // that cover only a part exist only there, with their own number and initial
-// stress; and the reference surface follows the plies.
+// stress; the reference surface follows the plies; repeats, pairs of signs and
+// angles from the circumference are as if written out; and cords pantograph.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -18,21 +19,40 @@ using namespace Biface;
 namespace
 {
   Layup
-  layup(const std::string &plies,
-        const std::string &reference        = "inner",
-        const std::string &initial_stresses = "")
+  layup(const std::string    &plies,
+        const std::string    &reference        = "inner",
+        const std::string    &initial_stresses = "",
+        const AngleReference  angle_reference  = AngleReference::meridian,
+        const SurfaceOfPlies &surface          = SurfaceOfPlies())
   {
     Layup::Parameters parameters;
-    parameters.plies     = parse_plies("plies", plies);
+    parameters.angle_reference = angle_reference;
+    parameters.plies           = parse_plies("plies", plies);
     parameters.reference = parse_thickness_position("reference", reference);
     parameters.initial_stresses =
       parse_ply_stresses("stresses", initial_stresses);
     parameters.tables = parse_tables("tables",
                                      "t: " DATA_DIR "/ply_thickness.csv, "
-                                     "a: " DATA_DIR "/ply_angle.csv");
+                                     "a: " DATA_DIR "/ply_angle.csv, "
+                                     "beta_c: " DATA_DIR "/ply_angle.csv");
     for (TableFile &table : parameters.tables)
       table.file.read("alpha_1, value", MPI_COMM_SELF);
-    return Layup(parameters, cord_ply());
+    return Layup(parameters, cord_ply(), surface);
+  }
+
+
+  /** Material, thickness, angle in degrees and covered part of all plies at
+   * alpha_1. */
+  std::string
+  description(const Layup &layup, const double alpha_1)
+  {
+    std::string text;
+    for (const PlyDescription &ply : layup.get_plies())
+      text += ply.material + ' ' + std::to_string(ply.thickness(alpha_1)) +
+              ' ' + std::to_string(ply.angle(alpha_1) * 180 / numbers::PI) +
+              ' ' + std::to_string(ply.begin) + ' ' + std::to_string(ply.end) +
+              ';';
+    return text;
   }
 
 
@@ -128,4 +148,61 @@ main(int argc, char *argv[])
       check_faces("ply 3", alpha_1, -h, 0);
       check_faces("0.3", alpha_1, -0.3, h - 0.3);
     }
+
+  std::cout << "short forms" << std::endl;
+  const auto same = [&](const std::string &what,
+                        const std::string &short_form,
+                        const std::string &long_form) {
+    check_true("  " + what,
+               description(layup(short_form), 10) ==
+                 description(layup(long_form), 10));
+  };
+  same("signs", "cord: 1 @ +-52", "cord: 1 @ 52, cord: 1 @ -52");
+  same("signs the other way",
+       "cord: 1 @ -+50+2 from -1 to 40",
+       "cord: 1 @ -52 from -1 to 40, cord: 1 @ 52 from -1 to 40");
+  same("repeats",
+       "cord: 2 @ 0, 2 x (cord: 1 @ 5, cord: t @ +-a), cord: 3 @ 0",
+       "cord: 2 @ 0, cord: 1 @ 5, cord: t @ a, cord: t @ -a, cord: 1 @ 5, "
+       "cord: t @ a, cord: t @ -a, cord: 3 @ 0");
+  same("nested repeats",
+       "2 x (cord: (1 + 1) @ (1), 2x(cord: 1 @ 2))",
+       "cord: 2 @ 1, cord: 1 @ 2, cord: 1 @ 2, cord: 2 @ 1, cord: 1 @ 2, "
+       "cord: 1 @ 2");
+
+  std::cout << "on a surface of revolution, r = 100 - alpha_1^2/100"
+            << std::endl;
+  SurfaceOfPlies surface;
+  surface.radius = [](const double alpha_1) {
+    return 100 - alpha_1 * alpha_1 / 100;
+  };
+  surface.end              = 60;
+  surface.crown_cord_angle = 30;
+  const auto on_surface    = [&](const std::string   &plies,
+                              const AngleReference reference =
+                                AngleReference::meridian) {
+    return layup(plies, "inner", "", reference, surface);
+  };
+  check_ply(on_surface("cord: 1 + r/100 @ r"), 50, 1.75, 75);
+  // the sine of the angle from the meridian grows with the radius
+  const double lifted = std::asin(0.75 * 0.5) * 180 / numbers::PI;
+  check_ply(on_surface("cord: 1 @ lift(30)"), 0, 1, 30);
+  check_ply(on_surface("cord: 1 @ lift(30)"), 50, 1, lifted);
+  check_ply(on_surface("cord: 1 @ -lift(30) + 1"), 50, 1, -lifted + 1);
+  const AngleReference around = AngleReference::circumference;
+  check_ply(on_surface("cord: 1 @ 38", around), 50, 1, 52);
+  check_ply(on_surface("cord: 1 @ -38", around), 50, 1, -52);
+  check_ply(on_surface("cord: 1 @ lift(60)", around), 50, 1, lifted);
+  check_ply(on_surface("cord: 1 @ lift(-60)", around), 50, 1, -lifted);
+  check_ply(on_surface("cord: 1 @ -lift(30)", around), 0, 1, -60);
+  check_ply(on_surface("cord: 1 @ beta_c"), 80, 1, 40); // that of the table
+  Layup::Parameters with_crown;
+  with_crown.plies           = parse_plies("plies", "cord: 1 @ -lift(beta_c)");
+  with_crown.angle_reference = around;
+  check_ply(Layup(with_crown, cord_ply(), surface), 0, 1, -60);
+  const Layup turn_up =
+    on_surface("cord: 1 @ 0, cord: 1 @ 5 from 0.5*end to end");
+  check_true("  a part up to the end",
+             turn_up.get_plies()[1].begin == 30 &&
+               turn_up.get_plies()[1].end == 60);
 }

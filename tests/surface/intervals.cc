@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Interval lists give the specified grid lines: equal, graded by a ratio, or
-// continuing the cell sizes of their neighbor.
+// continuing the cell sizes of their neighbor, between numbers or formulas of
+// the end of the surface.
 
 #include <deal.II/base/numbers.h>
 
@@ -54,6 +55,14 @@ main()
   compare("smooth and equal",
           parse_intervals("entry", "0:2:1, 2:6:2:smooth").lines(1),
           {0, 2, 4, 6});
+
+  compare("up to the end",
+          parse_intervals("entry",
+                          "-end:-0.5*end:1, -0.5*end:0.5*end:2, "
+                          "0.5*end:end:2:smooth")
+            .on(14)
+            .lines(1),
+          parse_intervals("entry", "-14:-7:1, -7:7:2, 7:14:2:smooth").lines(1));
 
   // the bias tire: 18 cells of 5/3 degrees, then (5/3) q^k, k = 1, ..., 11,
   // fill 165 degrees to each side

@@ -9,6 +9,26 @@
 
 namespace Biface
 {
+  /** A function of one argument that a formula may call, and of variables that
+   * need not be written. Variables of functions only start with '_'. */
+  struct FormulaFunction
+  {
+    /** @param values those of the variables, in their order. */
+    using Value = double (*)(const double               argument,
+                             const std::vector<double> &values);
+
+    FormulaFunction(const std::string              &name,
+                    const std::vector<std::string> &variables,
+                    const Value                     value)
+      : name(name), variables(variables), value(value)
+    {}
+
+    std::string              name;
+    std::vector<std::string> variables;
+    Value                    value;
+  };
+
+
   /**
    * A formula of named variables, evaluated by the muParser library, with its
    * operators and functions (`sin`, `sqrt`, `abs`, `min`, ... with angles in
@@ -32,8 +52,13 @@ namespace Biface
      * InputError if the text is not a formula for any variables. */
     Formula(const std::string &entry, const std::string &text);
 
+    /** The same if it may call @p function. */
+    Formula(const std::string     &entry,
+            const std::string     &text,
+            const FormulaFunction &function);
+
     /** Set the variables. Throws InputError if the formula uses another
-     * name. */
+     * name, or a function of another variable. */
     void
     bind(const std::vector<std::string> &variables);
 
@@ -59,9 +84,11 @@ namespace Biface
   private:
     struct Parser;
 
-    /** @param allowed the allowed values of the entry, for error messages. */
+    /** @param allowed the allowed values of the entry, for error messages.
+     * @param function one that the formula may call, or null. */
     void
-    compile(const std::string &allowed);
+    compile(const std::string     &allowed,
+            const FormulaFunction *function = nullptr);
 
     std::string                   entry;
     std::string                   text;

@@ -10,8 +10,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <biface/input/coordinate.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
@@ -42,7 +44,7 @@ namespace Biface
   };
 
 
-  /** A ply as the user describes it; formulas are of alpha_1 and tables. */
+  /** A ply as the user describes it; see parse_ply_formula(). */
   struct PlyParameters
   {
     /** All of it, as written. */
@@ -52,13 +54,14 @@ namespace Biface
     Formula thickness;
     /** Unit: degrees. */
     Formula angle;
-    /** The part of the meridian it covers. */
-    double begin = -std::numeric_limits<double>::infinity();
-    double end   = std::numeric_limits<double>::infinity();
+    /** Begin and end of the part of the meridian it covers, if not all. */
+    std::optional<std::pair<Coordinate, Coordinate>> range;
   };
 
   /** Read plies, 'material: thickness @@ angle from A to B' separated by
-   * commas. Throws InputError where they are malformed. */
+   * commas. An angle '+-A' is a ply at A and one at -A, '-+A' the other way
+   * round; 'N x (...)' repeats the plies in parentheses. Throws InputError
+   * where they are malformed. */
   std::vector<PlyParameters>
   parse_plies(const std::string &entry, const std::string &text);
 
@@ -85,8 +88,8 @@ namespace Biface
   parse_thickness_position(const std::string &entry, const std::string &text);
 
 
-  /** Stresses of plies, inner ply first: sigma_L, sigma_T, tau_LT as formulas
-   * of alpha_1 and tables. */
+  /** Stresses of plies, inner ply first: sigma_L, sigma_T, tau_LT; see
+   * parse_ply_formula(). */
   using PlyStresses = std::vector<std::array<Formula, 3>>;
 
   /** Read triples of formulas without blanks, separated by commas. Throws
@@ -125,6 +128,7 @@ namespace Biface
                     "cord: 1.2 @ 52, cord: 1.2 @ -52, "
                     "cord: 1.2 @ 52, cord: 1.2 @ -52");
       std::vector<TableFile> tables;
+      AngleReference         angle_reference = AngleReference::meridian;
       /** Of all plies, or of none. */
       PlyStresses initial_stresses;
       /** Added to those of the initial stresses. */
@@ -139,13 +143,15 @@ namespace Biface
       /** Throws InputError where plies name a material that is not in
        * @p materials, or a formula a variable that there is not. */
       void
-      check(const std::vector<Material::Parameters> &materials) const;
+      check(const std::vector<Material::Parameters> &materials,
+            const PlyVariables                      &variables) const;
     };
 
-    /** Throws InputError like Parameters::check(), and if a table cannot be
-     * interpolated. */
+    /** Throws InputError like Parameters::check(), if a table cannot be
+     * interpolated, or if a ply covers nothing. */
     Layup(const Parameters                        &parameters,
-          const std::vector<Material::Parameters> &materials);
+          const std::vector<Material::Parameters> &materials,
+          const SurfaceOfPlies                    &surface = SurfaceOfPlies());
 
     /**
      * The plies that cover @p within, with their thickness and angle at

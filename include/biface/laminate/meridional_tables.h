@@ -12,6 +12,7 @@
 
 #include <biface/input/formula.h>
 #include <biface/input/read_file.h>
+#include <biface/laminate/surface_of_plies.h>
 
 namespace Biface
 {
@@ -32,32 +33,54 @@ namespace Biface
   print_tables(const std::vector<TableFile> &tables);
 
 
+  /** Read a formula of a ply: of `alpha_1`, on a surface of revolution the
+   * radius `r`, the `beta_c` of a surface that has a
+   * SurfaceOfPlies::crown_cord_angle, tables, and the function lift(). The
+   * variables are not known yet. Throws InputError like Formula. */
+  Formula
+  parse_ply_formula(const std::string &entry, const std::string &text);
+
+
+  /** The variables that formulas of plies know before the surface is made. */
+  struct PlyVariables
+  {
+    /** Whether the surface has a radius. */
+    bool radius = false;
+    /** Whether the surface has a crown cord angle. */
+    bool crown_cord_angle = false;
+
+    /** Let a formula know them and the tables. Throws InputError, see
+     * Formula::bind(). */
+    void
+    bind(Formula &formula, const std::vector<TableFile> &tables) const;
+  };
+
+
   /**
-   * The tables that formulas of plies know: linear between their rows, constant
-   * beyond their ends.
+   * The variables that formulas of plies know. Tables are linear between their
+   * rows and constant beyond their ends.
    */
   class MeridionalTables
   {
   public:
     /** Throws InputError where a table cannot be interpolated. */
-    explicit MeridionalTables(const std::vector<TableFile> &tables);
+    MeridionalTables(const std::vector<TableFile> &tables,
+                     const SurfaceOfPlies         &surface,
+                     const AngleReference          angle_reference);
 
     /**
-     * A formula of `alpha_1` and of the tables, by their names, as a function
-     * of @f$\alpha_1@f$. It does not need the tables any longer.
+     * A formula of a ply, by parse_ply_formula(), as a function of
+     * @f$\alpha_1@f$. It does not need the tables any longer.
      */
     std::function<double(const double)>
     function(Formula formula) const;
-
-    /** Let a formula know the variables. Throws InputError, see
-     * Formula::bind(). */
-    static void
-    bind(Formula &formula, const std::vector<TableFile> &tables);
 
   private:
     using Table = dealii::Functions::InterpolatedTensorProductGridData<1>;
 
     std::vector<std::string>                  names;
+    SurfaceOfPlies                            surface;
+    AngleReference                            angle_reference;
     std::vector<std::shared_ptr<const Table>> tables;
   };
 } // namespace Biface

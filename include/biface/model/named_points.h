@@ -5,10 +5,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/input/coordinate.h>
 #include <biface/model/component.h>
 #include <biface/surface/reference_surface.h>
 
@@ -23,6 +25,8 @@ namespace Biface
     std::string name;
     /** In the internal unit of the surface or in that of parameter files. */
     dealii::Point<2> alpha;
+    /** The first coordinate, if it depends on the `end` of the surface. */
+    std::optional<Coordinate> alpha_1 = {};
   };
 
   /** Read a comma-separated list of points, 'name: alpha_1 alpha_2', in the

@@ -28,11 +28,18 @@ namespace Biface
   /** Adjoining intervals in rising order. */
   struct IntervalList
   {
-    std::string           text;
+    std::string entry;
+    std::string text;
+    /** Empty if a coordinate depends on `end`. */
     std::vector<Interval> intervals;
 
+    /** The intervals on a surface whose coordinate has the greatest value
+     * @p end, infinite for none. Throws InputError like parse_intervals(). */
+    IntervalList
+    on(const double end) const;
+
     /** Rising coordinates of all grid lines, times @p unit. Neighboring
-     * intervals share a line. */
+     * intervals share a line. The coordinates must not depend on `end`. */
     std::vector<double>
     lines(const double unit = 1) const;
   };
@@ -46,6 +53,9 @@ namespace Biface
    *   geometrically away from the adjoining interval of one of the forms
    *   above, the first of them already by the common ratio: the lengths
    *   continue those of the neighbor without a jump.
+   *
+   * If start or end depend on the `end` of the surface, see Coordinate, only
+   * their form is checked here, and the rest by IntervalList::on().
    *
    * @param entry the name of the parameter, for error messages.
    *

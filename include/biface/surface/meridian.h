@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <utility>
 
 namespace Biface
@@ -45,6 +46,13 @@ namespace Biface
     /** See ReferenceSurface::coordinate_unit(). */
     virtual double
     coordinate_unit() const = 0;
+
+    /** See ReferenceSurface::crown_cord_angle(). */
+    virtual std::optional<double>
+    crown_cord_angle() const
+    {
+      return {};
+    }
   };
 } // namespace Biface
 

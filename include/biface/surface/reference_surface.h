@@ -8,6 +8,7 @@
 #include <deal.II/grid/manifold.h>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace Biface
@@ -154,6 +155,19 @@ namespace Biface
      */
     virtual double
     coordinate_unit(const unsigned int a) const = 0;
+
+    /** `end` in entries: the greatest value of the coordinate @p a in the
+     * user's unit, infinite if there is none. Only the first has one. */
+    double
+    end(const unsigned int a) const;
+
+    /** For a surface that is in equilibrium with the tension of its cords:
+     * their angle from the circumference at the crown, in degrees. */
+    virtual std::optional<double>
+    crown_cord_angle() const
+    {
+      return {};
+    }
   };
 } // namespace Biface
 

@@ -50,6 +50,12 @@ namespace Biface
     double
     coordinate_unit(const unsigned int a) const override;
 
+    std::optional<double>
+    crown_cord_angle() const override
+    {
+      return meridian->crown_cord_angle();
+    }
+
   private:
     std::shared_ptr<const Meridian> meridian;
   };

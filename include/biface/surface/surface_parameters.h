@@ -10,6 +10,7 @@
 
 #include <biface/input/read_file.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/cord_equilibrium.h>
 #include <biface/surface/reference_surface.h>
 #include <biface/surface/straight_line.h>
 
@@ -28,13 +29,15 @@ namespace Biface
     {
       circular_arc,
       straight_line,
-      spline
+      spline,
+      cord_equilibrium
     };
 
-    Type                     type     = Type::revolution;
-    MeridianType             meridian = MeridianType::circular_arc;
-    CircularArc::Parameters  circular_arc;
-    StraightLine::Parameters straight_line;
+    Type                        type     = Type::revolution;
+    MeridianType                meridian = MeridianType::circular_arc;
+    CircularArc::Parameters     circular_arc;
+    StraightLine::Parameters    straight_line;
+    CordEquilibrium::Parameters cord_equilibrium;
     /** Radius and axial coordinate. */
     PairsFile points_file;
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_surface_of_plies_h
+#define biface_laminate_surface_of_plies_h
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace Biface
+{
+  /** What plies know of the surface on which they lie: functions of
+   * @f$\alpha_1@f$, which is in the unit of parameter files. */
+  struct SurfaceOfPlies
+  {
+    /** Distance from the axis of revolution; empty if there is none. Unit:
+     * length. */
+    std::function<double(const double)> radius;
+
+    /** @f$\alpha_1@f$ of the crown, where the radius is greatest. */
+    double crown = 0;
+
+    /** For a surface that is in equilibrium with the tension of its cords:
+     * their angle from the circumference at the crown, in degrees. */
+    std::optional<double> crown_cord_angle;
+
+    /** `end` in entries, infinite if the surface has no end. */
+    double end = std::numeric_limits<double>::infinity();
+  };
+
+
+  /** The angles of plies in entries are counted from one of the coordinate
+   * lines. */
+  enum class AngleReference
+  {
+    /** From @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$. */
+    meridian,
+    /** From @f$\mathbf e_2@f$ toward @f$\mathbf e_1@f$. */
+    circumference
+  };
+
+  /**
+   * The angle at the radius @p ratio, relative to that of the crown, of cords
+   * with the angle @p crown_angle at the crown: when a flat ply is shaped to a
+   * tire, cords of constant length that are joined where they cross turn like
+   * the bars of a pantograph, and the cosine of the angle from the
+   * circumference grows with the radius @cite Purdy1963.
+   *
+   * Both angles are in degrees, in the sense of @p reference, between -90 and
+   * 90. NaN if no angle is possible.
+   */
+  double
+  lift(const double         crown_angle,
+       const double         ratio,
+       const AngleReference reference);
+} // namespace Biface
+
+#endif

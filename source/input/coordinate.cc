@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/input/coordinate.h>
+#include <biface/input/parameter_tools.h>
+
+namespace Biface
+{
+  Coordinate::Coordinate(const std::string &entry,
+                         const std::string &text,
+                         const std::string &item,
+                         const std::string &allowed)
+    : entry(entry), item(item)
+  {
+    if (text.find("end") == std::string::npos)
+      {
+        number = parse_number(entry, text, allowed);
+        return;
+      }
+    formula.emplace(entry, text, std::vector<std::string>{"end"});
+  }
+
+
+  double
+  Coordinate::value(const double end) const
+  {
+    if (!formula)
+      return number;
+    if (!std::isfinite(end))
+      throw InputError(entry,
+                       item,
+                       "it must not contain 'end', since this coordinate has "
+                       "no last value");
+    return (*formula)({end});
+  }
+} // namespace Biface
