@@ -686,11 +686,16 @@ def value_rows(benchmark):
     return rows
 
 
+def reached(run):
+    """The load factor of the last step, zero if there is none."""
+    return float(run.history[-1]["load_factor"]) if run.history else 0
+
+
 def step_rows(benchmark):
     """Steps and iterations of all runs."""
     return [[run_name(run),
              "yes" if run.complete else
-             f"no, up to load factor {float(run.history[-1]['load_factor']):.4f}",
+             f"no, up to load factor {reached(run):.4f}",
              str(len(run.history)), str(count_iterations(run))]
             for run in benchmark.runs]
 

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <optional>
-
 #include <biface/element/mixed_element.h>
+
+// The tangent is compiled twice, once for processors that multiply and add four
+// numbers at a time; the loader chooses.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+  !defined(__SANITIZE_ADDRESS__) && !defined(DEBUG)
+#  define BIFACE_VECTORIZED \
+    __attribute__((flatten, target_clones("fma", "default")))
+#else
+#  define BIFACE_VECTORIZED
+#endif
 
 namespace Biface
 {
@@ -248,149 +256,231 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    // Within a tangent, unknowns are sorted part by part, the twelve of a part
+    // vertex by vertex: loops over them are long and contiguous.
+    constexpr unsigned int n_of_part = MixedElement::n_dofs / 2;
+    using PartVector                 = std::array<double, n_of_part>;
+    using PartMatrix                 = std::array<PartVector, n_of_part>;
+
+
+    /**
+     * The variation of each strain at the four vertices, the column of an
+     * unknown holding the derivative that belongs to it: of the strain at the
+     * vertex of this unknown, or at the neighbor of that vertex.
+     */
+    struct VariationAtVertices
+    {
+      using Rows = std::array<PartVector, Resultants::n>;
+
+      /** By the displacement of the strain's face at the same vertex. */
+      alignas(64) Rows own{};
+      /** By the displacement of that face at the neighbor along
+       * @f$\alpha_a@f$. */
+      alignas(64) std::array<Rows, 2> neighbor{};
+      /** By the half difference at the same vertex. */
+      alignas(64) Rows director{};
+
+      VariationAtVertices(const ElementGeometry                     &geometry,
+                          const std::array<DisplacementGradient, 4> &gradients)
+      {
+        using namespace Resultants;
+
+        for (unsigned int q = 0; q < 4; ++q)
+          {
+            const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+            const DisplacementGradient    &u      = gradients[q];
+
+            // d(strain) = p . d(beta)
+            const auto add_beta = [&](const unsigned int  strain,
+                                      const Tensor<1, 3> &p) {
+              for (unsigned int i = 0; i < 3; ++i)
+                director[strain][3 * q + i] += 2 / vertex.thickness * p[i];
+            };
+
+            // d(strain) = p . d(g_a)
+            const auto add_g = [&](const unsigned int  strain,
+                                   const unsigned int  face,
+                                   const unsigned int  a,
+                                   const Tensor<1, 3> &p) {
+              const Tensor<1, 3> at_q =
+                vertex.slope[a] * p + p * vertex.connection[a];
+              for (unsigned int i = 0; i < 3; ++i)
+                {
+                  own[strain][3 * q + i] += at_q[i];
+                  neighbor[a][strain][3 * (q ^ (1 << a)) + i] -=
+                    vertex.slope[a] * p[i];
+                }
+              if (vertex.face_slope[face][a] != 0)
+                add_beta(strain, -vertex.face_slope[face][a] * p);
+            };
+
+            for (unsigned int face = 0; face < 2; ++face)
+              {
+                const auto &zeta = vertex.metric.zeta[face];
+                const auto &g    = u.g[face];
+                for (unsigned int a = 0; a < 2; ++a)
+                  {
+                    const unsigned int c = 1 - a;
+
+                    Tensor<1, 3> p = g[a] / (zeta[a] * zeta[a]);
+                    p[a] += 1 / zeta[a];
+                    add_g(tangential(a, face), face, a, p);
+
+                    p = g[c] / (zeta[0] * zeta[1]);
+                    p[c] += 1 / zeta[a];
+                    add_g(tangential(2, face), face, a, p);
+
+                    const double zeta_bar = vertex.metric.zeta_bar[a];
+                    p                     = u.beta / zeta_bar;
+                    p[2] += 1 / zeta_bar;
+                    add_g(transverse(a, face), face, a, p);
+
+                    p = g[a] / zeta_bar;
+                    p[a] += zeta[a] / zeta_bar;
+                    add_beta(transverse(a, face), p);
+                  }
+              }
+            Tensor<1, 3> p = u.beta;
+            p[2] += 1;
+            add_beta(thickness, p);
+          }
+      }
+    };
+
+
+    /** The sign of the face to which a strain belongs; that of the thickness
+     * depends on the director alone. */
+    double
+    sign_of_face(const unsigned int strain)
+    {
+      using namespace Resultants;
+      for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int i = 0; i < 3; ++i)
+          if (strain == tangential(i, face) ||
+              (i < 2 && strain == transverse(i, face)))
+            return MixedElement::face_sign[face];
+      return 0;
+    }
+  } // namespace
+
+
   void
   MixedElement::strain_matrix(StrainMatrix &B) const
   {
-    using namespace Resultants;
+    const VariationAtVertices variation(geometry, gradients);
 
-    for (auto &row : B)
-      row.fill(0);
-
-    for (unsigned int q = 0; q < 4; ++q)
+    for (const Modes::Group &group : Modes::groups)
       {
-        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
-        const DisplacementGradient    &u      = gradients[q];
+        // of the strain at the vertex of a column, and of that at a neighbor
+        PartVector value;
+        for (unsigned int k = 0; k < n_of_part; ++k)
+          value[k] = group.value_at_vertex(k / 3) / 4;
+        const std::array<double, 2> at_neighbor{
+          {group.varies[0] ? -1. : 1., group.varies[1] ? -1. : 1.}};
 
-        // the contribution of vertex q to the modes of a strain
-        const auto add_to_modes = [&](const unsigned int strain,
-                                      const unsigned int j,
-                                      const double       value) {
-          for (unsigned int m = 0; m < Modes::groups.size(); ++m)
-            if (Modes::mode_of[m][strain] != Modes::n)
-              B[Modes::mode_of[m][strain]][j] +=
-                Modes::groups[m].value_at_vertex(q) / 4 * value;
-        };
-
-        // d(strain) = p . d(beta)
-        const auto add_beta = [&](const unsigned int  strain,
-                                  const Tensor<1, 3> &p) {
-          for (unsigned int i = 0; i < 3; ++i)
-            add_to_modes(
-              strain, dof(q, i, half_difference), 2 / vertex.thickness * p[i]);
-        };
-
-        // d(strain) = p . d(g_a)
-        const auto add_g = [&](const unsigned int  strain,
-                               const unsigned int  face,
-                               const unsigned int  a,
-                               const Tensor<1, 3> &p) {
-          const Tensor<1, 3> own =
-            vertex.slope[a] * p + p * vertex.connection[a];
-          for (const auto part : {mean, half_difference})
-            {
-              const double sign = (part == mean ? 1. : face_sign[face]);
-              for (unsigned int i = 0; i < 3; ++i)
-                {
-                  add_to_modes(strain, dof(q, i, part), sign * own[i]);
-                  add_to_modes(strain,
-                               dof(q ^ (1 << a), i, part),
-                               -sign * vertex.slope[a] * p[i]);
-                }
-            }
-          if (vertex.face_slope[face][a] != 0)
-            add_beta(strain, -vertex.face_slope[face][a] * p);
-        };
-
-        for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int i = 0; i < group.sampled; ++i)
           {
-            const auto &zeta = vertex.metric.zeta[face];
-            const auto &g    = u.g[face];
-            for (unsigned int a = 0; a < 2; ++a)
+            const unsigned int s    = group.strains[i];
+            const double       face = sign_of_face(s);
+            auto              &row  = B[group.first_mode + i];
+            for (unsigned int k = 0; k < n_of_part; ++k)
               {
-                const unsigned int c = 1 - a;
-
-                Tensor<1, 3> p = g[a] / (zeta[a] * zeta[a]);
-                p[a] += 1 / zeta[a];
-                add_g(tangential(a, face), face, a, p);
-
-                p = g[c] / (zeta[0] * zeta[1]);
-                p[c] += 1 / zeta[a];
-                add_g(tangential(2, face), face, a, p);
-
-                const double zeta_bar = vertex.metric.zeta_bar[a];
-                p                     = u.beta / zeta_bar;
-                p[2] += 1 / zeta_bar;
-                add_g(transverse(a, face), face, a, p);
-
-                p = g[a] / zeta_bar;
-                p[a] += zeta[a] / zeta_bar;
-                add_beta(transverse(a, face), p);
+                row[k] =
+                  value[k] * (variation.own[s][k] +
+                              at_neighbor[0] * variation.neighbor[0][s][k] +
+                              at_neighbor[1] * variation.neighbor[1][s][k]);
+                row[n_of_part + k] =
+                  face * row[k] + value[k] * variation.director[s][k];
               }
           }
-        Tensor<1, 3> p = u.beta;
-        p[2] += 1;
-        add_beta(thickness, p);
+        for (unsigned int i = group.sampled; i < group.size; ++i)
+          B[group.first_mode + i].fill(0);
       }
   }
 
 
-  void
-  MixedElement::add_geometric_stiffness(const Modes::Vector &H,
-                                        NodalMatrix         &K) const
+  namespace
   {
-    const auto resultants = Modes::to_vertices(geometry.weight * H);
+    /**
+     * The second variation of the strains, weighted by resultants, as
+     * matrices: a half of each, which together with its transpose is the
+     * whole.
+     *
+     * Products of displacements of a face couple equal parts by their sum over
+     * the faces and different parts by the difference of the faces, since
+     * @f$v^\pm=\bar v\pm\tilde v@f$. The director depends on the half
+     * difference alone.
+     */
+    struct SecondVariation
+    {
+      /** Products of two displacements. */
+      alignas(64) PartMatrix sum{}, difference{};
+      /** Products of a director, the rows, and a displacement of a face. */
+      alignas(64) PartMatrix director_sum{}, director_difference{};
 
-    for (unsigned int q = 0; q < 4; ++q)
-      {
-        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
-        const GeometricCoupling        coupling =
-          GeometricCoupling(resultants[q], vertex.metric)
-            .along_faces(vertex.face_slope);
+      /** What is sampled at the vertices.
+       *
+       * @param resultants the weighted resultants at the vertices. */
+      void
+      add_vertices(const ElementGeometry                   &geometry,
+                   const std::array<Resultants::Vector, 4> &resultants);
 
-        const auto add = [&](const unsigned int  node_i,
-                             const Part          part_i,
-                             const unsigned int  node_j,
-                             const Part          part_j,
-                             const Tensor<2, 3> &block) {
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              K[dof(node_i, i, part_i)][dof(node_j, j, part_j)] += block[i][j];
-        };
-        const auto add_with_transpose = [&](const unsigned int  node_i,
-                                            const Part          part_i,
-                                            const unsigned int  node_j,
-                                            const Part          part_j,
-                                            const Tensor<2, 3> &block) {
-          add(node_i, part_i, node_j, part_j, block);
-          add(node_j, part_j, node_i, part_i, transpose(block));
-        };
-        const auto add_scalar = [&](const unsigned int node_i,
-                                    const Part         part_i,
-                                    const unsigned int node_j,
-                                    const Part         part_j,
-                                    const double       value) {
-          for (unsigned int i = 0; i < 3; ++i)
-            K[dof(node_i, i, part_i)][dof(node_j, i, part_j)] += value;
-        };
+      /** What StrainSampling::means adds.
+       *
+       * @param H the resultants times the weight of the element. */
+      void
+      add_means(const ElementGeometry   &geometry,
+                const StrainMeans::Maps &maps,
+                const Modes::Vector     &H);
+    };
 
-        const std::array<unsigned int, 2> neighbor{{q ^ 1, q ^ 2}};
-        const std::array<double, 2>      &slope  = vertex.slope;
-        const double                      d_beta = 2 / vertex.thickness;
 
-        // g_a = own_a v_q - slope_a v_neighbor
-        std::array<Tensor<2, 3>, 2> own;
-        for (unsigned int a = 0; a < 2; ++a)
-          {
-            own[a] = vertex.connection[a];
-            for (unsigned int i = 0; i < 3; ++i)
-              own[a][i][i] += slope[a];
-          }
+    void
+    SecondVariation::add_vertices(
+      const ElementGeometry                   &geometry,
+      const std::array<Resultants::Vector, 4> &resultants)
+    {
+      const auto add = [](PartMatrix         &matrix,
+                          const unsigned int  row,
+                          const unsigned int  column,
+                          const Tensor<2, 3> &block) {
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            matrix[3 * row + i][3 * column + j] += block[i][j];
+      };
+      const auto add_scalar = [](PartMatrix        &matrix,
+                                 const unsigned int row,
+                                 const unsigned int column,
+                                 const double       value) {
+        for (unsigned int i = 0; i < 3; ++i)
+          matrix[3 * row + i][3 * column + i] += value;
+      };
 
-        // equal parts are coupled by the sum over the faces, different parts by
-        // the difference
-        for (const bool equal : {true, false})
-          {
-            const double          sign = (equal ? 1. : -1.);
+      for (unsigned int q = 0; q < 4; ++q)
+        {
+          const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+          const GeometricCoupling        coupling =
+            GeometricCoupling(resultants[q], vertex.metric)
+              .along_faces(vertex.face_slope);
+
+          const std::array<unsigned int, 2> neighbor{{q ^ 1, q ^ 2}};
+          const std::array<double, 2>      &slope  = vertex.slope;
+          const double                      d_beta = 2 / vertex.thickness;
+
+          // g_a = own_a v_q - slope_a v_neighbor
+          std::array<Tensor<2, 3>, 2> own;
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              own[a] = vertex.connection[a];
+              for (unsigned int i = 0; i < 3; ++i)
+                own[a][i][i] += slope[a];
+            }
+
+          const auto add_products = [&](const double sign,
+                                        PartMatrix  &of_faces,
+                                        PartMatrix  &of_director) {
             std::array<double, 3> gg;
             for (unsigned int k = 0; k < 3; ++k)
               gg[k] = coupling.gg[1][k] + sign * coupling.gg[0][k];
@@ -402,112 +492,43 @@ namespace Biface
             const std::array<Tensor<2, 3>, 2> coupled{
               {gg[0] * own[0] + gg[2] * own[1],
                gg[1] * own[1] + gg[2] * own[0]}};
-            const Tensor<2, 3> diagonal =
-              transpose(own[0]) * coupled[0] + transpose(own[1]) * coupled[1];
-
-            for (const auto part : {mean, half_difference})
-              {
-                const Part other =
-                  (part == mean) == equal ? mean : half_difference;
-                add(q, part, q, other, diagonal);
-                for (unsigned int a = 0; a < 2; ++a)
-                  {
-                    add_with_transpose(
-                      neighbor[a], part, q, other, -slope[a] * coupled[a]);
-                    for (unsigned int c = 0; c < 2; ++c)
-                      add_scalar(neighbor[a],
-                                 part,
-                                 neighbor[c],
-                                 other,
-                                 slope[a] * slope[c] * gg[a == c ? a : 2]);
-                  }
-              }
-
-            // the director depends on the half difference alone
-            const Part part = (equal ? mean : half_difference);
-            add_with_transpose(q,
-                               half_difference,
-                               q,
-                               part,
-                               d_beta * (gb[0] * own[0] + gb[1] * own[1]));
+            add(of_faces,
+                q,
+                q,
+                0.5 * (transpose(own[0]) * coupled[0] +
+                       transpose(own[1]) * coupled[1]));
             for (unsigned int a = 0; a < 2; ++a)
               {
-                const double value = -slope[a] * d_beta * gb[a];
-                add_scalar(q, half_difference, neighbor[a], part, value);
-                add_scalar(neighbor[a], part, q, half_difference, value);
+                add(of_faces, neighbor[a], q, -slope[a] * coupled[a]);
+                add_scalar(of_faces,
+                           neighbor[a],
+                           neighbor[a],
+                           slope[a] * slope[a] * gg[a] / 2);
               }
-          }
-        add_scalar(q,
-                   half_difference,
-                   q,
-                   half_difference,
-                   d_beta * d_beta * coupling.bb);
-      }
-  }
+            add_scalar(
+              of_faces, neighbor[0], neighbor[1], slope[0] * slope[1] * gg[2]);
 
-
-  void
-  MixedElement::add_tangent(const ModeStiffness &stiffness,
-                            const Modes::Vector &H,
-                            NodalMatrix         &K) const
-  {
-    alignas(64) StrainMatrix B;
-    strain_matrix(B);
-    std::optional<StrainMeans::Maps> maps;
-    if (with_means())
-      {
-        maps.emplace(geometry);
-        add_mean_terms(*maps, B);
-      }
-
-    for (const Modes::Group &group : Modes::groups)
-      for (unsigned int i = 0; i < stiffness.size(group); ++i)
-        {
-          // row i of D B
-          alignas(64) std::array<double, n_dofs> DB;
-          DB.fill(0);
-          for (unsigned int j = 0; j < stiffness.size(group); ++j)
-            {
-              const double d = geometry.weight * group.weight(i) *
-                               stiffness(group.strains[i], group.strains[j]);
-              const auto &row = B[group.first_mode + j];
-              for (unsigned int k = 0; k < n_dofs; ++k)
-                DB[k] += d * row[k];
-            }
-
-          const auto &row = B[group.first_mode + i];
-          for (unsigned int k = 0; k < n_dofs; ++k)
-            {
-              const double b = row[k];
-              for (unsigned int l = 0; l < n_dofs; ++l)
-                K[k][l] += b * DB[l];
-            }
+            add(of_director, q, q, d_beta * (gb[0] * own[0] + gb[1] * own[1]));
+            for (unsigned int a = 0; a < 2; ++a)
+              add_scalar(
+                of_director, q, neighbor[a], -slope[a] * d_beta * gb[a]);
+          };
+          add_products(1, sum, director_sum);
+          add_products(-1, difference, director_difference);
+          add_scalar(
+            director_difference, q, q, d_beta * d_beta * coupling.bb / 2);
         }
-
-    add_geometric_stiffness(H, K);
-    if (with_means())
-      add_geometric_stiffness_of_means(H, *maps, K);
-  }
+    }
+  } // namespace
 
 
   namespace
   {
-    /** Of a node, see MixedElement::dof(): the unknowns of a column of
-     * StrainMeans::Maps. */
-    constexpr unsigned int
-    dof_of_column(const unsigned int column, const MixedElement::Part part)
-    {
-      return MixedElement::dof(column / 3, column % 3, part);
-    }
-
-
-    using Column = std::array<double, StrainMeans::Maps::n_columns>;
-
     /** The scalar product of a vector with each column of a matrix. */
-    Column
+    PartVector
     product(const Tensor<1, 3> &p, const StrainMeans::Maps::Matrix &matrix)
     {
-      Column result;
+      PartVector result;
       for (unsigned int k = 0; k < result.size(); ++k)
         result[k] =
           p[0] * matrix[0][k] + p[1] * matrix[1][k] + p[2] * matrix[2][k];
@@ -533,20 +554,20 @@ namespace Biface
                          const Tensor<1, 3> *b) {
       std::array<double, n_dofs> &row  = B[mode];
       const unsigned int          c    = 1 - a;
-      Column                      v    = product(p, maps.tangent[face][a]);
+      PartVector                  v    = product(p, maps.tangent[face][a]);
       const double                sign = face_sign[face];
       for (unsigned int k = 0; k < v.size(); ++k)
         v[k] *= Maps::sign(a, k);
       if (m)
         {
-          const Column of_mean = product(*m, maps.tangent[face][c]);
+          const PartVector of_mean = product(*m, maps.tangent[face][c]);
           for (unsigned int k = 0; k < v.size(); ++k)
             v[k] += of_mean[k];
         }
       for (unsigned int k = 0; k < v.size(); ++k)
         {
-          row[dof_of_column(k, mean)] += v[k];
-          row[dof_of_column(k, half_difference)] += sign * v[k];
+          row[k] += v[k];
+          row[n_of_part + k] += sign * v[k];
         }
 
       if (b || maps.tapered)
@@ -567,7 +588,7 @@ namespace Biface
           for (unsigned int k = 0; k < v.size(); ++k)
             {
               const Tensor<1, 3> &r = along[k / 3];
-              row[dof_of_column(k, half_difference)] +=
+              row[n_of_part + k] +=
                 2 / geometry.vertices[k / 3].thickness *
                 (r[0] * maps.director[0][k] + r[1] * maps.director[1][k] +
                  r[2] * maps.director[2][k]);
@@ -605,127 +626,197 @@ namespace Biface
   }
 
 
-  void
-  MixedElement::add_geometric_stiffness_of_means(const Modes::Vector     &H,
-                                                 const StrainMeans::Maps &maps,
-                                                 NodalMatrix &K) const
+  namespace
   {
-    using StrainMeans::Maps;
-    constexpr unsigned int      n = Maps::n_columns;
-    const StrainMeans::Coupling coupling(geometry, geometry.weight * H);
-    using Matrix = std::array<Column, n>;
+    void
+    SecondVariation::add_means(const ElementGeometry   &geometry,
+                               const StrainMeans::Maps &maps,
+                               const Modes::Vector     &H)
+    {
+      using StrainMeans::Maps;
+      constexpr unsigned int      n = Maps::n_columns;
+      const StrainMeans::Coupling coupling(geometry, H);
 
-    // Every term is a product of the slope of a tangent and one other vector,
-    // so that half of the matrix and its transpose add up to the whole:
-    // `of_face` has the displacements of a face on both sides, `of_director`
-    // the directors on one; `sum` over the faces, and `difference`.
-    alignas(64) Matrix of_face[2];
-    alignas(64) Matrix sum, difference;
-    Maps::Matrix       director_sum[2], director_difference[2];
-    for (unsigned int face = 0; face < 2; ++face)
-      {
-        alignas(64) std::array<Maps::Matrix, 2> X, Y;
-        for (unsigned int a = 0; a < 2; ++a)
+      // Every term is a product of the slope of a tangent and one other vector.
+      alignas(64) PartMatrix of_face[2];
+      Maps::Matrix           director_even[2], director_odd[2];
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          alignas(64) std::array<Maps::Matrix, 2> X, Y;
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              const double slope    = coupling.slope[face][a] / 2;
+              const double twist    = coupling.twist[face][a];
+              const double director = coupling.director[face][a];
+              for (unsigned int i = 0; i < 3; ++i)
+                for (unsigned int k = 0; k < n; ++k)
+                  {
+                    X[a][i][k] = Maps::sign(a, k) * maps.tangent[face][a][i][k];
+                    Y[a][i][k] = slope * X[a][i][k] +
+                                 twist * maps.tangent[face][1 - a][i][k];
+                    const double x = director * X[a][i][k];
+                    director_even[a][i][k] =
+                      (face == 0 ? x : director_even[a][i][k] + x);
+                    director_odd[a][i][k] =
+                      (face == 0 ? -x : director_odd[a][i][k] + x);
+                  }
+            }
+          for (unsigned int k = 0; k < n; ++k)
+            for (unsigned int l = 0; l < n; ++l)
+              of_face[face][k][l] =
+                X[0][0][k] * Y[0][0][l] + X[0][1][k] * Y[0][1][l] +
+                X[0][2][k] * Y[0][2][l] + X[1][0][k] * Y[1][0][l] +
+                X[1][1][k] * Y[1][1][l] + X[1][2][k] * Y[1][2][l];
+        }
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
           {
-            const double slope    = coupling.slope[face][a] / 2;
-            const double twist    = coupling.twist[face][a];
-            const double director = coupling.director[face][a];
+            sum[k][l] += of_face[1][k][l] + of_face[0][k][l];
+            difference[k][l] += of_face[1][k][l] - of_face[0][k][l];
+          }
+
+      const auto multiply = [&](const Maps::Matrix(&x)[2], PartMatrix &result) {
+        for (unsigned int q = 0; q < 4; ++q)
+          {
+            const double d_beta = 2 / geometry.vertices[q].thickness;
+            alignas(64) Maps::Matrix at_q;
             for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int l = 0; l < n; ++l)
+                at_q[i][l] = d_beta * (MeanVectors::sign(0, q) * x[0][i][l] +
+                                       MeanVectors::sign(1, q) * x[1][i][l]);
+            for (unsigned int j = 0; j < 3; ++j)
+              for (unsigned int l = 0; l < n; ++l)
+                result[3 * q + j][l] +=
+                  maps.director[0][3 * q + j] * at_q[0][l] +
+                  maps.director[1][3 * q + j] * at_q[1][l] +
+                  maps.director[2][3 * q + j] * at_q[2][l];
+          }
+      };
+      multiply(director_even, director_sum);
+      multiply(director_odd, director_difference);
+
+      if (maps.tapered)
+        for (unsigned int face = 0; face < 2; ++face)
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              const double slope    = coupling.slope[face][a] / 2;
+              const double twist    = coupling.twist[face][a];
+              const double director = coupling.director[face][a];
               for (unsigned int k = 0; k < n; ++k)
                 {
-                  X[a][i][k] = Maps::sign(a, k) * maps.tangent[face][a][i][k];
-                  Y[a][i][k] = slope * X[a][i][k] +
-                               twist * maps.tangent[face][1 - a][i][k];
-                  const double x = director * X[a][i][k];
-                  director_sum[a][i][k] =
-                    (face == 0 ? x : director_sum[a][i][k] + x);
-                  director_difference[a][i][k] =
-                    (face == 0 ? -x : director_difference[a][i][k] + x);
+                  const double d_beta = 2 / geometry.vertices[k / 3].thickness;
+                  const double sign_k = Maps::sign(a, k);
+                  const double tilt =
+                    d_beta * sign_k * maps.tilt[face][a][k / 3];
+                  const double tilt_c = d_beta * maps.tilt[face][1 - a][k / 3];
+                  for (unsigned int l = 0; l < n; ++l)
+                    {
+                      const double e_beta =
+                        2 / geometry.vertices[l / 3].thickness;
+                      const double sign_l = Maps::sign(a, l);
+                      double       by_own = 0, by_other = 0, both = 0;
+                      for (unsigned int i = 0; i < 3; ++i)
+                        {
+                          const double x = sign_l * maps.tangent[face][a][i][l];
+                          const double y = maps.tangent[face][1 - a][i][l];
+                          by_own += maps.director[i][k] * x;
+                          by_other += maps.director[i][k] * y;
+                          both += maps.director[i][k] * maps.director[i][l];
+                        }
+                      const double value =
+                        tilt * (2 * slope * by_own + twist * by_other) +
+                        tilt_c * twist * by_own;
+                      director_sum[k][l] += value;
+                      director_difference[k][l] +=
+                        MixedElement::face_sign[face] * value +
+                        tilt * both * e_beta *
+                          ((slope * maps.tilt[face][a][l / 3] + director) *
+                             sign_l +
+                           twist * maps.tilt[face][1 - a][l / 3]);
+                    }
                 }
-          }
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int l = 0; l < n; ++l)
-            of_face[face][k][l] =
-              X[0][0][k] * Y[0][0][l] + X[0][1][k] * Y[0][1][l] +
-              X[0][2][k] * Y[0][2][l] + X[1][0][k] * Y[1][0][l] +
-              X[1][1][k] * Y[1][1][l] + X[1][2][k] * Y[1][2][l];
+            }
+    }
+  } // namespace
+
+
+  BIFACE_VECTORIZED
+  void
+  MixedElement::add_tangent(const ModeStiffness &stiffness,
+                            const Modes::Vector &H,
+                            NodalMatrix         &K) const
+  {
+    alignas(64) StrainMatrix B;
+    strain_matrix(B);
+    SecondVariation variation;
+    variation.add_vertices(geometry, Modes::to_vertices(geometry.weight * H));
+    if (with_means())
+      {
+        const StrainMeans::Maps maps(geometry);
+        add_mean_terms(maps, B);
+        variation.add_means(geometry, maps, geometry.weight * H);
       }
 
-    const auto multiply = [&](const Maps::Matrix(&x)[2], Matrix &result) {
-      for (unsigned int q = 0; q < 4; ++q)
+    // D B with the weights
+    alignas(64) StrainMatrix DB;
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < stiffness.size(group); ++i)
         {
-          const double             d_beta = 2 / geometry.vertices[q].thickness;
-          alignas(64) Maps::Matrix at_q;
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int l = 0; l < n; ++l)
-              at_q[i][l] = d_beta * (MeanVectors::sign(0, q) * x[0][i][l] +
-                                     MeanVectors::sign(1, q) * x[1][i][l]);
-          for (unsigned int j = 0; j < 3; ++j)
-            for (unsigned int l = 0; l < n; ++l)
-              result[3 * q + j][l] = maps.director[0][3 * q + j] * at_q[0][l] +
-                                     maps.director[1][3 * q + j] * at_q[1][l] +
-                                     maps.director[2][3 * q + j] * at_q[2][l];
+          std::array<double, Resultants::n> D;
+          for (unsigned int j = 0; j < stiffness.size(group); ++j)
+            D[j] = geometry.weight * group.weight(i) *
+                   stiffness(group.strains[i], group.strains[j]);
+          alignas(64) std::array<double, n_dofs> row{};
+          for (unsigned int j = 0; j < stiffness.size(group); ++j)
+            for (unsigned int k = 0; k < n_dofs; ++k)
+              row[k] += D[j] * B[group.first_mode + j][k];
+          DB[group.first_mode + i] = row;
         }
-    };
-    multiply(director_sum, sum);
-    multiply(director_difference, difference);
 
-    Matrix of_directors{};
-    if (maps.tapered)
-      for (unsigned int face = 0; face < 2; ++face)
-        for (unsigned int a = 0; a < 2; ++a)
-          {
-            const double slope    = coupling.slope[face][a] / 2;
-            const double twist    = coupling.twist[face][a];
-            const double director = coupling.director[face][a];
-            for (unsigned int k = 0; k < n; ++k)
-              {
-                const double d_beta = 2 / geometry.vertices[k / 3].thickness;
-                const double sign_k = Maps::sign(a, k);
-                const double tilt = d_beta * sign_k * maps.tilt[face][a][k / 3];
-                const double tilt_c = d_beta * maps.tilt[face][1 - a][k / 3];
-                for (unsigned int l = 0; l < n; ++l)
-                  {
-                    const double e_beta =
-                      2 / geometry.vertices[l / 3].thickness;
-                    const double sign_l = Maps::sign(a, l);
-                    double       by_own = 0, by_other = 0, both = 0;
-                    for (unsigned int i = 0; i < 3; ++i)
-                      {
-                        const double x = sign_l * maps.tangent[face][a][i][l];
-                        const double y = maps.tangent[face][1 - a][i][l];
-                        by_own += maps.director[i][k] * x;
-                        by_other += maps.director[i][k] * y;
-                        both += maps.director[i][k] * maps.director[i][l];
-                      }
-                    const double value =
-                      tilt * (2 * slope * by_own + twist * by_other) +
-                      tilt_c * twist * by_own;
-                    sum[k][l] += value;
-                    difference[k][l] += face_sign[face] * value;
-                    of_directors[k][l] +=
-                      tilt * both * e_beta *
-                      ((slope * maps.tilt[face][a][l / 3] + director) * sign_l +
-                       twist * maps.tilt[face][1 - a][l / 3]);
-                  }
-              }
-          }
-
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int l = 0; l < n; ++l)
+    // rows of the tangent, with columns part by part
+    const auto add_row = [&](const unsigned int vertex,
+                             const unsigned int component,
+                             const Part         part,
+                             const PartVector  &by_mean,
+                             const PartVector  &by_half_difference) {
+      const unsigned int                     k = 3 * vertex + component;
+      alignas(64) std::array<double, n_dofs> row;
+      for (unsigned int l = 0; l < n_of_part; ++l)
         {
-          const double inner = of_face[0][k][l] + of_face[0][l][k];
-          const double outer = of_face[1][k][l] + of_face[1][l][k];
-          double      *row_of_mean =
-            &K[dof_of_column(k, mean)][dof_of_column(l, mean)];
-          double *row_of_half =
-            &K[dof_of_column(k, half_difference)][dof_of_column(l, mean)];
-          row_of_mean[0] += outer + inner;
-          row_of_mean[1] += outer - inner + sum[l][k];
-          row_of_half[0] += outer - inner + sum[k][l];
-          row_of_half[1] += outer + inner + difference[k][l] +
-                            difference[l][k] + of_directors[k][l] +
-                            of_directors[l][k];
+          row[l]             = by_mean[l];
+          row[n_of_part + l] = by_half_difference[l];
+        }
+      for (const Modes::Group &group : Modes::groups)
+        for (unsigned int i = 0; i < stiffness.size(group); ++i)
+          {
+            const double b = B[group.first_mode + i][n_of_part * part + k];
+            for (unsigned int l = 0; l < n_dofs; ++l)
+              row[l] += b * DB[group.first_mode + i][l];
+          }
+      auto &of_dof = K[dof(vertex, component, part)];
+      for (unsigned int q = 0; q < 4; ++q)
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const auto other : {mean, half_difference})
+            of_dof[dof(q, i, other)] += row[n_of_part * other + 3 * q + i];
+    };
+
+    for (unsigned int q = 0; q < 4; ++q)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int k = 3 * q + i;
+          PartVector         sum, difference, mean_by_half, half_by_half;
+          for (unsigned int l = 0; l < n_of_part; ++l)
+            {
+              sum[l] = variation.sum[k][l] + variation.sum[l][k];
+              const double d =
+                variation.difference[k][l] + variation.difference[l][k];
+              difference[l]   = d + variation.director_sum[k][l];
+              mean_by_half[l] = d + variation.director_sum[l][k];
+              half_by_half[l] = sum[l] + variation.director_difference[k][l] +
+                                variation.director_difference[l][k];
+            }
+          add_row(q, i, mean, sum, mean_by_half);
+          add_row(q, i, half_difference, difference, half_by_half);
         }
   }
 } // namespace Biface

@@ -201,23 +201,17 @@ namespace Biface
       return geometry.sampling == StrainSampling::means;
     }
 
+    /** A row for each mode. The columns are sorted part by part, those of a
+     * part vertex by vertex. */
     using StrainMatrix = std::array<std::array<double, n_dofs>, Modes::n>;
 
-    /** @f$\mathbf B = d\mathbf E/d\mathbf V@f$ */
+    /** @f$\mathbf B = d\mathbf E/d\mathbf V@f$ as sampled at the vertices */
     void
     strain_matrix(StrainMatrix &B) const;
 
-    void
-    add_geometric_stiffness(const Modes::Vector &H, NodalMatrix &K) const;
-
-    /** What StrainSampling::means adds to both. */
+    /** What StrainSampling::means adds. */
     void
     add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
-
-    void
-    add_geometric_stiffness_of_means(const Modes::Vector     &H,
-                                     const StrainMeans::Maps &maps,
-                                     NodalMatrix             &K) const;
   };
 
 
