@@ -433,6 +433,58 @@ namespace Biface
                 : std::remainder(90 - angle, 180)) *
              numbers::PI / 180;
     }
+
+
+    /** The distance of the cords by alpha_1, see CordAndRubber::cord_pitch. */
+    std::function<double(const double)>
+    make_cord_pitch(const CordAndRubber                       &material,
+                    const std::function<double(const double)> &angle,
+                    const SurfaceOfPlies                      &surface)
+    {
+      const double at_crown = material.cord_pitch;
+      const double sine     = std::abs(std::cos(angle(surface.crown)));
+      if (!surface.radius || sine < 1e-6)
+        return [at_crown](const double) { return at_crown; };
+      const double factor = at_crown / (surface.radius(surface.crown) * sine);
+      return [factor, angle, radius = surface.radius](const double alpha_1) {
+        return factor * radius(alpha_1) * std::abs(std::cos(angle(alpha_1)));
+      };
+    }
+
+
+    /** Let a ply with the thickness and angle given consist of cords in
+     * rubber. */
+    void
+    set_cords(const Material::Parameters &material,
+              const SurfaceOfPlies       &surface,
+              PlyDescription             &ply)
+    {
+      const CordAndRubber &cords = material.cord_and_rubber;
+      ply.cord_pitch             = make_cord_pitch(cords, ply.angle, surface);
+      if (cords.thickness == CordAndRubber::Thickness::constant_volume)
+        ply.thickness = [given    = ply.thickness,
+                         pitch    = ply.cord_pitch,
+                         at_crown = cords.cord_pitch](const double alpha_1) {
+          return given(alpha_1) * at_crown / pitch(alpha_1);
+        };
+      ply.stiffness = [material,
+                       text      = ply.text,
+                       pitch     = ply.cord_pitch,
+                       thickness = ply.thickness](const double alpha_1) {
+        const CordAndRubber &cords = material.cord_and_rubber;
+        const double         t = thickness(alpha_1), P = pitch(alpha_1);
+        if (!(P > cords.cord_diameter && t > cords.cord_diameter))
+          throw InputError("Laminate/Plies",
+                           text,
+                           "at alpha_1 = " + number_to_string(alpha_1) +
+                             " its cords of the diameter " +
+                             number_to_string(cords.cord_diameter) +
+                             " have the distance " + number_to_string(P) +
+                             " in the thickness " + number_to_string(t) +
+                             ", but both must be greater than the diameter");
+        return material.stiffness(cords.cord_area() / (P * t));
+      };
+    }
   } // namespace
 
 
@@ -459,13 +511,18 @@ namespace Biface
         PlyDescription ply;
         ply.text           = given.text;
         ply.material       = given.material;
-        ply.stiffness      = material->stiffness();
         ply.strengths      = material->get_strengths();
         ply.thickness      = tables.function(given.thickness);
         const auto degrees = tables.function(given.angle);
         ply.angle          = [degrees, angle_reference](const double alpha_1) {
           return angle_from_meridian(degrees(alpha_1), angle_reference);
         };
+        if (material->type == Material::Parameters::Type::cord_and_rubber)
+          set_cords(*material, surface, ply);
+        else
+          ply.stiffness = [stiffness = material->stiffness()](const double) {
+            return stiffness;
+          };
         if (given.range)
           {
             ply.begin = given.range->first.value(surface.end);
@@ -536,12 +593,13 @@ namespace Biface
                            "a thickness must be positive, and at alpha_1 = " +
                              number_to_string(alpha_1) + " it is " +
                              number_to_string(thickness));
-        present.push_back({ply.stiffness,
+        present.push_back({ply.stiffness(alpha_1),
                            thickness,
                            ply.angle(alpha_1),
                            ply.initial_stress ? ply.initial_stress(alpha_1)
                                               : SymmetricTensor<2, 3>(),
-                           p});
+                           p,
+                           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0});
       }
     if (present.empty())
       throw InputError(
@@ -549,5 +607,14 @@ namespace Biface
         number_to_string(within) + ".");
     const double reference_height = height(reference, present);
     return Laminate(std::move(present), law, reference_height, shear_law);
+  }
+
+
+  bool
+  Layup::has_cords() const
+  {
+    return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
+      return static_cast<bool>(ply.cord_pitch);
+    });
   }
 } // namespace Biface

@@ -113,14 +113,17 @@ namespace Biface
   void
   Material::Parameters::add_parameters(ParameterHandler &prm)
   {
-    add_choice(prm,
-               "Type",
-               type,
-               {"isotropic", "transversely isotropic", "orthotropic"},
-               "Which of the constants below are used: 'isotropic' E, nu; "
-               "'transversely isotropic' about the cords or fibers E_L to "
-               "nu_TT; 'orthotropic' the nine constants E_1 to nu_23, axis 1 "
-               "along the fibers, 3 across the ply.");
+    add_choice(
+      prm,
+      "Type",
+      type,
+      {"isotropic", "transversely isotropic", "orthotropic", "cord and rubber"},
+      "Which of the constants below are used: 'isotropic' E, nu; "
+      "'transversely isotropic' about the cords or fibers E_L to "
+      "nu_TT; 'orthotropic' the nine constants E_1 to nu_23, axis 1 "
+      "along the fibers, 3 across the ply; 'cord and rubber' E_cord "
+      "to 'Ply thickness', from which the constants of a "
+      "transversely isotropic ply are computed.");
 
     const std::vector<std::pair<std::string, double *>> moduli{{"E", &E},
                                                                {"E_L", &E_L},
@@ -155,6 +158,8 @@ namespace Biface
                         "under a stress along the first. No unit.",
                         Patterns::Double());
 
+    cord_and_rubber.add_parameters(prm);
+
     const std::vector<std::pair<std::string, double *>> all_strengths{
       {"X_t", &strengths.X_t},
       {"X_c", &strengths.X_c},
@@ -173,7 +178,7 @@ namespace Biface
 
 
   SymmetricTensor<4, 3>
-  Material::Parameters::stiffness() const
+  Material::Parameters::stiffness(const double cord_fraction) const
   {
     const std::string section = "Material " + name;
     switch (type)
@@ -196,6 +201,9 @@ namespace Biface
         case Type::orthotropic:
           return Material{E_1, E_2, E_3, G_12, G_13, G_23, nu_12, nu_13, nu_23}
             .stiffness(section);
+        case Type::cord_and_rubber:
+          cord_and_rubber.check(name);
+          return cord_and_rubber.ply_material(cord_fraction).stiffness(section);
       }
     Assert(false, ExcInternalError());
     return {};

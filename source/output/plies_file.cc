@@ -70,7 +70,8 @@ namespace Biface
     const ShellMesh   &mesh      = equations.mesh;
     const auto        &all_plies = mesh.layup.get_plies();
     const unsigned int n_heights = parameters.points_per_ply;
-    const auto         names     = ply_value_names(criteria);
+    const bool         cords     = mesh.layup.has_cords();
+    const auto         names     = ply_value_names(criteria, cords);
 
     // the number of cells, then for each height: angle, height above the
     // reference surface, tension along the fibers, and the values
@@ -115,9 +116,10 @@ namespace Biface
                     *sum++ += tension;
                     for (const double value :
                          ply_values(PlyState(laminate, p, fraction, E),
-                                    ply.angle,
+                                    ply,
                                     all_plies[ply.number],
-                                    criteria))
+                                    criteria,
+                                    cords))
                       *sum++ += value;
                   }
                 height += ply.thickness;

@@ -12,7 +12,7 @@ namespace Biface
   namespace
   {
     std::vector<std::string>
-    patch_data_names(const FailureCriteria &criteria)
+    patch_data_names(const FailureCriteria &criteria, const bool cords)
     {
       std::vector<std::string>       names{"displacement",
                                      "displacement",
@@ -21,7 +21,7 @@ namespace Biface
                                      "fiber",
                                      "fiber",
                                      "ply"};
-      const std::vector<std::string> values = ply_value_names(criteria);
+      const std::vector<std::string> values = ply_value_names(criteria, cords);
       names.insert(names.end(), values.begin(), values.end());
       return names;
     }
@@ -61,9 +61,11 @@ namespace Biface
   PlyPatches::PlyPatches(const ShellEquations  &equations,
                          const State           &state,
                          const FailureCriteria &criteria)
-    : VertexPatches<3>(patch_data_names(criteria))
+    : VertexPatches<3>(
+        patch_data_names(criteria, equations.mesh.layup.has_cords()))
   {
-    const ShellMesh &mesh = equations.mesh;
+    const ShellMesh &mesh  = equations.mesh;
+    const bool       cords = mesh.layup.has_cords();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell  &cell  = mesh.cells[c];
@@ -105,9 +107,10 @@ namespace Biface
                     patch.data(d++, i) = ply.number + 1;
                     for (const double value :
                          ply_values(PlyState(laminate, p, side, E[v]),
-                                    ply.angle,
+                                    ply,
                                     mesh.layup.get_plies()[ply.number],
-                                    criteria))
+                                    criteria,
+                                    cords))
                       patch.data(d++, i) = value;
                   }
                 height[v] += ply.thickness;

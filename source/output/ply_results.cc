@@ -77,7 +77,7 @@ namespace Biface
 
 
   std::vector<std::string>
-  ply_value_names(const FailureCriteria &criteria)
+  ply_value_names(const FailureCriteria &criteria, const bool cords)
   {
     std::vector<std::string> names{
       "e_11", "e_22", "e_33", "g_23", "g_13", "g_12", "s_11", "s_22",
@@ -87,16 +87,20 @@ namespace Biface
       names.push_back(criterion.column + "_index");
     names.push_back("interlaminar_t_23");
     names.push_back("interlaminar_t_13");
+    if (cords)
+      names.push_back("cord_tension");
     return names;
   }
 
 
   std::vector<double>
   ply_values(const PlyState        &state,
-             const double           angle,
-             const PlyDescription  &ply,
-             const FailureCriteria &criteria)
+             const Ply             &ply,
+             const PlyDescription  &description,
+             const FailureCriteria &criteria,
+             const bool             cords)
   {
+    constexpr double    nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> values;
     const auto          append = [&](const SymmetricTensor<2, 3> &tensor,
                             const double                 shear_factor) {
@@ -107,18 +111,22 @@ namespace Biface
       values.push_back(shear_factor * tensor[0][1]);
     };
     const SymmetricTensor<2, 3> stress =
-      rotate_about_normal(state.stress, -angle);
+      rotate_about_normal(state.stress, -ply.angle);
     append(state.strain, 2);
     append(state.stress, 1);
-    append(rotate_about_normal(state.strain, -angle), 2);
+    append(rotate_about_normal(state.strain, -ply.angle), 2);
     append(stress, 1);
 
     for (const FailureCriterion &criterion : criteria.requested())
-      values.push_back(ply.strengths
-                         ? criterion.index(stress, *ply.strengths)
-                         : std::numeric_limits<double>::quiet_NaN());
+      values.push_back(description.strengths
+                         ? criterion.index(stress, *description.strengths)
+                         : nan);
     values.push_back(state.interlaminar[1]);
     values.push_back(state.interlaminar[0]);
+    if (cords)
+      values.push_back(ply.cord_pitch > 0
+                         ? stress[0][0] * ply.thickness * ply.cord_pitch
+                         : nan);
     return values;
   }
 } // namespace Biface

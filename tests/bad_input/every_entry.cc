@@ -41,6 +41,12 @@ namespace
     Settings                 others = {};
   };
 
+  const Settings cords_in_rubber{{"Material rubber/Type", "cord and rubber"},
+                                 {"Material rubber/E_cord", "2400"},
+                                 {"Material rubber/E_rubber", "6"},
+                                 {"Material rubber/Cord diameter", "0.6"},
+                                 {"Material rubber/Cord pitch", "1"}};
+
   /** What is wrong for entries that the program reads as a text, and what is
    * out of range for those it reads as a number. */
   const std::map<std::string, std::vector<Wrong>> by_name{
@@ -283,6 +289,12 @@ namespace
     {"Stage 1/Strain theory",
      {{{"linear"}, {{"Stage 1/Control", "arc length"}}}}},
     {"Material rubber/E", {{{"0", "-1"}}}},
+    {"Material rubber/E_cord", {{{"0", "-1", "59"}, cords_in_rubber}}},
+    {"Material rubber/nu_cord", {{{"-0.1", "0.5"}, cords_in_rubber}}},
+    {"Material rubber/E_rubber", {{{"0", "-1"}, cords_in_rubber}}},
+    {"Material rubber/nu_rubber", {{{"0.3", "0.5"}, cords_in_rubber}}},
+    {"Material rubber/Cord diameter", {{{"0", "-1"}, cords_in_rubber}}},
+    {"Material rubber/Cord pitch", {{{"0", "-1", "0.6"}, cords_in_rubber}}},
     {"Material rubber/nu", {{{"0.5", "-1", "1"}}}},
   };
 

@@ -52,6 +52,8 @@ namespace Biface
     dealii::SymmetricTensor<2, 3> initial_stress;
     /** Its position in the layup, starting from 0 at the inner face. */
     unsigned int number = 0;
+    /** Distance of the cords, 0 if they are not described. Unit: length. */
+    double cord_pitch = 0;
   };
 
 

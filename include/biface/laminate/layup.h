@@ -28,13 +28,17 @@ namespace Biface
     std::string text;
     /** Name of the material. */
     std::string material;
-    /** Stiffness in the axes of the ply. Unit: force/area. */
-    dealii::SymmetricTensor<4, 3> stiffness;
     /** If given for the material. */
     std::optional<Strengths> strengths;
     /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
      * the user's unit. */
     std::function<double(const double)> thickness, angle;
+    /** Distance of the cords by @f$\alpha_1@f$; empty if they are not
+     * described. Unit: length. */
+    std::function<double(const double)> cord_pitch;
+    /** Stiffness in the axes of the ply, by @f$\alpha_1@f$. Unit:
+     * force/area. */
+    std::function<dealii::SymmetricTensor<4, 3>(const double)> stiffness;
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
@@ -176,6 +180,10 @@ namespace Biface
     {
       return plies;
     }
+
+    /** Whether the cords of any ply are described. */
+    bool
+    has_cords() const;
 
     /** Initial resultants beside those of Laminate::initial_resultants(). */
     const std::vector<InitialResultant> &

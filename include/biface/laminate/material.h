@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include <biface/laminate/cord_and_rubber.h>
 #include <biface/laminate/failure_criteria.h>
 
 namespace Biface
@@ -28,17 +29,19 @@ namespace Biface
       {
         isotropic,
         transversely_isotropic,
-        orthotropic
+        orthotropic,
+        cord_and_rubber
       };
 
-      std::string name;
-      Type        type = Type::isotropic;
-      double      E = 0, nu = 0;
-      double      E_L = 0, E_T = 0, G_LT = 0, G_TT = 0, nu_LT = 0, nu_TT = 0;
-      double      E_1 = 0, E_2 = 0, E_3 = 0;
-      double      G_12 = 0, G_13 = 0, G_23 = 0;
-      double      nu_12 = 0, nu_13 = 0, nu_23 = 0;
-      Strengths   strengths;
+      std::string   name;
+      Type          type = Type::isotropic;
+      double        E = 0, nu = 0;
+      double        E_L = 0, E_T = 0, G_LT = 0, G_TT = 0, nu_LT = 0, nu_TT = 0;
+      double        E_1 = 0, E_2 = 0, E_3 = 0;
+      double        G_12 = 0, G_13 = 0, G_23 = 0;
+      double        nu_12 = 0, nu_13 = 0, nu_23 = 0;
+      CordAndRubber cord_and_rubber;
+      Strengths     strengths;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -47,9 +50,12 @@ namespace Biface
        * The stiffness in the axes of the material, see
        * Material::stiffness(). Throws InputError if a constant is not
        * admissible.
+       *
+       * @param cord_fraction the volume fraction of cords, used for cords in
+       * rubber only.
        */
       dealii::SymmetricTensor<4, 3>
-      stiffness() const;
+      stiffness(const double cord_fraction = 0) const;
 
       /** The strengths, if given. Throws InputError if only some of them are
        * given. */

@@ -70,23 +70,25 @@ namespace Biface
   };
 
 
-  /** The names of the values returned by ply_values(). */
+  /** The names of the values returned by ply_values().
+   * @param cords whether they include the tension of cords. */
   std::vector<std::string>
-  ply_value_names(const FailureCriteria &criteria);
+  ply_value_names(const FailureCriteria &criteria, const bool cords);
 
   /**
    * The results at a point within a ply: strains and stresses in the frame of
    * the shell, then in the axes of the ply, then the requested failure indices,
-   * then the interlaminar stresses. Shear strains are engineering strains,
-   * twice the components. Without strengths of the ply, the indices are NaN.
-   *
-   * @param angle the angle of the ply in radians.
+   * then the interlaminar stresses, then the tension of a cord if the whole
+   * thickness of the ply had the stress at the point. Shear strains are
+   * engineering strains, twice the components. Without strengths of the ply the
+   * indices are NaN, and without cords their tension.
    */
   std::vector<double>
   ply_values(const PlyState        &state,
-             const double           angle,
-             const PlyDescription  &ply,
-             const FailureCriteria &criteria);
+             const Ply             &ply,
+             const PlyDescription  &description,
+             const FailureCriteria &criteria,
+             const bool             cords);
 
 } // namespace Biface
 

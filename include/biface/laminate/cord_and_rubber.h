@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_cord_and_rubber_h
+#define biface_laminate_cord_and_rubber_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace Biface
+{
+  struct Material;
+
+  /** A ply of parallel cords in rubber, by what its maker knows. */
+  struct CordAndRubber
+  {
+    /** How the moduli across the cords follow from those of the
+     * constituents. */
+    enum class Homogenization
+    {
+      /** The equations of Halpin and Tsai, @cite HalpinKardos1976. */
+      halpin_tsai,
+      /** Inextensible cords in incompressible rubber, @cite
+       * AkasakaHirano1972. */
+      akasaka_hirano
+    };
+
+    /** How the thickness of the ply follows the distance of the cords. */
+    enum class Thickness
+    {
+      /** Rubber keeps its volume: the product of both is constant. */
+      constant_volume,
+      /** The thickness of the ply is that given, everywhere. */
+      as_given
+    };
+
+    /** Young's moduli. Unit: force/area. */
+    double E_cord = 0, E_rubber = 0;
+    double nu_cord = 0.3, nu_rubber = 0.49;
+    /** Of a cord, a full circle. Unit: length. */
+    double cord_diameter = 0;
+    /** Distance between the centers of neighboring cords, across them, at the
+     * crown. Unit: length. */
+    double         cord_pitch     = 0;
+    Homogenization homogenization = Homogenization::halpin_tsai;
+    Thickness      thickness      = Thickness::constant_volume;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError, naming the material @p name, if a number is not
+     * admissible. */
+    void
+    check(const std::string &name) const;
+
+    /** The area of a cord. Unit: area. */
+    double
+    cord_area() const;
+
+    /**
+     * The transversely isotropic material with the volume fraction
+     * @p fraction of cords, between 0 and 1:
+     * @f[
+     *   E_L = v E_c + (1 - v) E_r ,
+     * @f]
+     * @f$\nu_{LT}, E_T, G_{LT}@f$ by the homogenization, and @f$G_{TT}@f$ from
+     * the plane strain bulk modulus @f$K_T@f$ of a composite of cylinders
+     * @cite Hill1964,
+     * @f[
+     *   \frac4{E_T} = \frac1{G_{TT}} + \frac1{K_T} + \frac{4\nu_{LT}^2}{E_L} .
+     * @f]
+     */
+    Material
+    ply_material(const double fraction) const;
+  };
+} // namespace Biface
+
+#endif
