@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/physics/transformations.h>
+
+#include <cmath>
+
 #include <biface/contact/rigid_foundation.h>
 #include <biface/input/parameter_tools.h>
 
@@ -74,4 +78,81 @@ namespace Biface
   RigidFoundation::RigidFoundation(const Parameters &parameters)
     : RigidFoundation(make_shape(parameters))
   {}
+
+
+  RigidFoundation
+  RigidFoundation::displaced(const Tensor<1, 3> &slide,
+                             const double        turn,
+                             const Point<3>     &pivot) const
+  {
+    RigidFoundation result = *this;
+    result.displacement.reset();
+    if (turn != 0 || slide.norm() > 0)
+      result.displacement = {
+        slide,
+        Physics::Transformations::Rotations::rotation_matrix_3d(
+          Point<3>(shape->direction), turn),
+        pivot};
+    return result;
+  }
+
+
+  Point<3>
+  RigidFoundation::back(const Point<3> &x) const
+  {
+    if (!displacement)
+      return x;
+    const Displacement &d = *displacement;
+    return d.pivot + transpose(d.rotation) * (x - d.slide - d.pivot);
+  }
+
+
+  Point<3>
+  RigidFoundation::present(const Point<3> &at_rest) const
+  {
+    const Point<3> x = at_rest - travel * shape->direction;
+    if (!displacement)
+      return x;
+    const Displacement &d = *displacement;
+    return d.pivot + d.slide + d.rotation * (x - d.pivot);
+  }
+
+
+  FoundationPoint
+  RigidFoundation::evaluate(const Point<3> &x) const
+  {
+    FoundationPoint at = shape->evaluate(at_rest(x));
+    if (displacement)
+      {
+        const Tensor<2, 3> &R = displacement->rotation;
+        at.normal             = R * at.normal;
+        at.normal_gradient =
+          symmetrize(R * Tensor<2, 3>(at.normal_gradient) * transpose(R));
+      }
+    return at;
+  }
+
+
+  std::array<Tensor<1, 3>, 2>
+  RigidFoundation::tangents(const Tensor<1, 3> &normal) const
+  {
+    const Tensor<1, 3> &d        = shape->direction;
+    unsigned int        farthest = 0;
+    for (unsigned int i = 1; i < 3; ++i)
+      if (std::abs(d[i]) < std::abs(d[farthest]))
+        farthest = i;
+    Tensor<1, 3> first = -d[farthest] * d;
+    first[farthest] += 1;
+    first /= first.norm();
+    std::array<Tensor<1, 3>, 2> result{{first, cross_product_3d(d, first)}};
+
+    // the shortest rotation from the direction to the normal
+    for (Tensor<1, 3> &t : result)
+      {
+        if (displacement)
+          t = displacement->rotation * t;
+        t -= (normal * t) / (1 + normal * d) * (normal + d);
+      }
+    return result;
+  }
 } // namespace Biface

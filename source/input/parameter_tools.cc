@@ -43,17 +43,6 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    std::string
-    vector_to_string(const dealii::Tensor<1, 3> &vector)
-    {
-      return number_to_string(vector[0]) + ", " + number_to_string(vector[1]) +
-             ", " + number_to_string(vector[2]);
-    }
-  } // namespace
-
-
   void
   check_finite(const std::string &entry, const dealii::Tensor<1, 3> &vector)
   {
@@ -102,6 +91,14 @@ namespace Biface
     char text[32];
     std::snprintf(text, sizeof(text), "%.10g", value);
     return text;
+  }
+
+
+  std::string
+  vector_to_string(const dealii::Tensor<1, 3> &vector)
+  {
+    return number_to_string(vector[0]) + ", " + number_to_string(vector[1]) +
+           ", " + number_to_string(vector[2]);
   }
 
 
@@ -288,5 +285,38 @@ namespace Biface
       else
         value = dealii::Utilities::string_to_double(text);
     });
+  }
+
+
+  void
+  add_optional_vector(dealii::ParameterHandler            &prm,
+                      const std::string                   &section,
+                      const std::string                   &name,
+                      std::optional<dealii::Tensor<1, 3>> &value,
+                      const std::string                   &word,
+                      const std::string                   &documentation)
+  {
+    const auto parse =
+      [word](const std::string &entry,
+             const std::string &text) -> std::optional<dealii::Tensor<1, 3>> {
+      if (text == word)
+        return {};
+      const std::string allowed =
+        "it must be three numbers, separated by commas, or '" + word + "'";
+      const std::vector<std::string> numbers = split_list(entry, text);
+      if (numbers.size() != 3)
+        throw InputError(entry, text, allowed);
+      dealii::Tensor<1, 3> vector;
+      for (unsigned int i = 0; i < 3; ++i)
+        vector[i] = parse_number(entry, numbers[i], allowed);
+      return vector;
+    };
+    add_parsed(prm,
+               section,
+               name,
+               value ? vector_to_string(*value) : word,
+               value,
+               parse,
+               documentation);
   }
 } // namespace Biface

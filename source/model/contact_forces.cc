@@ -36,7 +36,7 @@ namespace Biface
         if (!at.state.active[node])
           continue;
         const ContactInteraction::Traction traction =
-          contact.traction(at.state, at.loads, mesh.nodes[node]);
+          contact.traction(at.state, at.loads, node);
         std::array<Tensor<1, 3>, 3> columns;
         for (unsigned int j = 0; j < 3; ++j)
           columns[j] = traction.stiffness * frame(s)[j];
@@ -84,7 +84,7 @@ namespace Biface
         // of the node
         const Tensor<1, 3> change =
           -rates.travel *
-          (contact.traction(at.state, at.loads, mesh.nodes[node]).stiffness *
+          (contact.traction(at.state, at.loads, node).stiffness *
            at.loads.foundation->direction());
         for (unsigned int r = 0; r < 4; ++r)
           {

@@ -18,6 +18,7 @@ namespace Biface
   {
     foundation.add_parameters(prm);
     condition.add_parameters(prm);
+    friction.add_parameters(prm);
   }
 
 
@@ -25,6 +26,7 @@ namespace Biface
   ContactInteraction::Parameters::check() const
   {
     condition.check();
+    friction.check();
     foundation.check();
   }
 
@@ -34,7 +36,22 @@ namespace Biface
     : mesh(mesh)
     , condition(parameters.condition)
     , foundation_at_rest(parameters.foundation)
+    , friction_parameters(parameters.friction)
   {}
+
+
+  std::shared_ptr<const FrictionLaw>
+  ContactInteraction::friction(const std::string &entry,
+                               const std::string &coefficient,
+                               const bool         glued) const
+  {
+    const bool own = !coefficient.empty();
+    auto       law = std::make_shared<const FrictionLaw>(
+      own ? entry : "Contact/Friction",
+      own ? coefficient : friction_parameters.coefficient,
+      friction_parameters.regularization);
+    return law->is_zero() && !glued ? nullptr : law;
+  }
 
 
   double
@@ -66,6 +83,32 @@ namespace Biface
       throw InputError("the shell does not fit into the hollow foundation of "
                        "the section 'Contact'.");
     return travel;
+  }
+
+
+  Point<3>
+  ContactInteraction::touched_point(const State &state,
+                                    const double touching_travel) const
+  {
+    // nodes that would touch together but for round-off
+    const double tolerance = 1e-6 * mesh.thickness();
+
+    const RigidFoundation at_rest = foundation(0);
+    std::vector<double>   sums(4);
+    for (const Node &node : mesh.nodes)
+      {
+        if (!node.outer_face_free || !node.locally_owned)
+          continue;
+        const Point<3> x =
+          mesh.deformed_position(state.displacement, node, Resultants::outer);
+        if (at_rest.travel_to(x) > touching_travel + tolerance)
+          continue;
+        for (unsigned int i = 0; i < 3; ++i)
+          sums[i] += x[i];
+        sums[3] += 1;
+      }
+    Utilities::MPI::sum(sums, mesh.communicator, sums);
+    return Point<3>(sums[0], sums[1], sums[2]) / sums[3];
   }
 
 
@@ -119,9 +162,11 @@ namespace Biface
         const Node &node      = mesh.nodes[n];
         bool        active    = false;
         double      clearance = 0;
+        Contact     at{};
         if (loads.foundation && node.outer_face_free)
           {
-            clearance = this->clearance(state, loads, node);
+            at        = contact_at(state, loads, n);
+            clearance = at.foundation.clearance;
             // the multiplier that was eliminated from the last linear system
             const double multiplier =
               (state.active[n] ? condition.multiplier(clearance) : 0.);
@@ -135,10 +180,73 @@ namespace Biface
               ++n_changes;
           }
         state.multipliers[n] = 0;
-        if (active)
-          state.multipliers[n][0] = condition.multiplier(clearance);
+        if (!active)
+          continue;
+        state.multipliers[n][0] = condition.multiplier(clearance);
+        if (!loads.friction || state.grips[n] == Grip::none)
+          continue;
+        if (state.grips[n] != Grip::glued)
+          state.grips[n] =
+            (loads.friction->should_slip(
+               loads.friction->trial(slip(state, loads, n, at).tangential),
+               -state.multipliers[n][0])
+               ? Grip::slip
+               : Grip::stick);
+        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
+        const auto tangents = loads.foundation->tangents(at.foundation.normal);
+        for (unsigned int i = 0; i < 2; ++i)
+          state.multipliers[n][1 + i] = tangents[i] * friction;
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
+  }
+
+
+  void
+  ContactInteraction::let_stick(State &state) const
+  {
+    for (Grip &grip : state.grips)
+      if (grip == Grip::slip)
+        grip = Grip::stick;
+  }
+
+
+  void
+  ContactInteraction::record_history(State &state, const Loads &loads) const
+  {
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        if (!state.active[n])
+          {
+            state.grips[n]        = Grip::none;
+            state.stick_points[n] = Point<3>();
+            continue;
+          }
+        const bool holds = (loads.friction && state.grips[n] != Grip::none);
+        if (holds && state.grips[n] != Grip::slip)
+          continue;
+        // nodes slide freely without friction and in the step in which they
+        // enter
+        const Contact at = contact_at(state, loads, n);
+        Point<3>      x  = at.x;
+        if (holds)
+          x -= loads.friction->elastic_slip(
+            friction_traction(state, loads, n, at));
+        // without slip there is no direction for the traction of a node that
+        // slips
+        state.grips[n]        = (holds ? Grip::slip : Grip::stick);
+        state.stick_points[n] = loads.foundation->at_rest(x);
+      }
+  }
+
+
+  void
+  ContactInteraction::set_glued(State &state, const bool glued) const
+  {
+    for (Grip &grip : state.grips)
+      if (glued && grip != Grip::none)
+        grip = Grip::glued;
+      else if (!glued && grip == Grip::glued)
+        grip = Grip::stick;
   }
 
 
@@ -153,18 +261,115 @@ namespace Biface
   }
 
 
-  ContactInteraction::Traction
-  ContactInteraction::traction(const State &state,
-                               const Loads &loads,
-                               const Node  &node) const
+  unsigned int
+  ContactInteraction::count_slipping(const State &state,
+                                     const Loads &loads) const
   {
-    const FoundationPoint at = loads.foundation->evaluate(
-      mesh.deformed_position(state.displacement, node, Resultants::outer));
-    const double lambda = condition.multiplier(at.clearance);
-    return {lambda * at.normal,
-            condition.multiplier_stiffness() *
-                symmetrize(outer_product(at.normal, at.normal)) -
-              lambda * at.normal_gradient};
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i].locally_owned && slips(state, loads, i))
+        ++n;
+    return Utilities::MPI::sum(n, mesh.communicator);
+  }
+
+
+  ContactInteraction::Contact
+  ContactInteraction::contact_at(const State       &state,
+                                 const Loads       &loads,
+                                 const unsigned int node) const
+  {
+    const Point<3> x = mesh.deformed_position(
+      state.displacement, mesh.nodes[node], Resultants::outer);
+    return {x, loads.foundation->evaluate(x)};
+  }
+
+
+  ContactInteraction::Slip
+  ContactInteraction::slip(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node,
+                           const Contact     &at) const
+  {
+    const Tensor<1, 3> &n = at.foundation.normal;
+    const Tensor<1, 3>  total =
+      at.x - loads.foundation->present(state.stick_points[node]);
+    return {total, total - (n * total) * n};
+  }
+
+
+  Tensor<1, 3>
+  ContactInteraction::friction_traction(const State       &state,
+                                        const Loads       &loads,
+                                        const unsigned int node,
+                                        const Contact     &at) const
+  {
+    const FrictionLaw &law = *loads.friction;
+    const Tensor<1, 3> trial =
+      law.trial(slip(state, loads, node, at).tangential);
+    return state.grips[node] == Grip::slip
+             ? law.slip(trial, -condition.multiplier(at.foundation.clearance))
+                 .traction
+             : trial;
+  }
+
+
+  ContactInteraction::Traction
+  ContactInteraction::traction(const State       &state,
+                               const Loads       &loads,
+                               const unsigned int node) const
+  {
+    const Contact          contact = contact_at(state, loads, node);
+    const FoundationPoint &at      = contact.foundation;
+    const Tensor<1, 3>    &n       = at.normal;
+    const double           lambda  = condition.multiplier(at.clearance);
+    const double           epsilon = condition.multiplier_stiffness();
+    const Tensor<2, 3>     normal_gradient(at.normal_gradient);
+    Traction               result{lambda * n,
+                    epsilon * outer_product(n, n) - lambda * normal_gradient};
+    if (!loads.friction || state.grips[node] == Grip::none)
+      return result;
+
+    const FrictionLaw &law  = *loads.friction;
+    const Slip         slip = this->slip(state, loads, node, contact);
+    Tensor<1, 3>       t    = law.trial(slip.tangential);
+    // of the trial traction, by the position of the node
+    Tensor<2, 3> derivative =
+      -law.stiffness() *
+      (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
+       (n * slip.total) * normal_gradient -
+       outer_product(n, normal_gradient * slip.total));
+    if (state.grips[node] == Grip::slip)
+      {
+        const FrictionLaw::Slip limited = law.slip(t, -lambda);
+        t                               = limited.traction;
+        derivative                      = limited.per_trial * derivative +
+                     outer_product(limited.per_pressure, epsilon * n);
+      }
+    result.value += t;
+    result.stiffness -= derivative;
+    return result;
+  }
+
+
+  ContactInteraction::NodalTraction
+  ContactInteraction::traction_of_multipliers(const State       &state,
+                                              const Loads       &loads,
+                                              const unsigned int node) const
+  {
+    NodalTraction result;
+    if (!loads.foundation || !state.active[node])
+      return result;
+    const Tensor<1, 3> &lambda = state.multipliers[node];
+    const Tensor<1, 3>  normal =
+      contact_at(state, loads, node).foundation.normal;
+    if (loads.friction)
+      {
+        const auto tangents = loads.foundation->tangents(normal);
+        for (unsigned int i = 0; i < 2; ++i)
+          result.friction += lambda[1 + i] * tangents[i];
+      }
+    result.value = lambda[0] * normal + result.friction;
+    return result;
   }
 
 
@@ -182,9 +387,8 @@ namespace Biface
             const unsigned int node = cell.nodes[v];
             if (!state.active[node])
               continue;
-            const Traction traction =
-              this->traction(state, loads, mesh.nodes[node]);
-            const Tensor<1, 3> per_motion = traction.stiffness * d;
+            const Traction     traction   = this->traction(state, loads, node);
+            const Tensor<1, 3> per_motion = d * traction.stiffness;
             // each column of both masses adds up to a quarter
             const double area = cell.geometry.weight / 4;
             value -= area * (traction.value * d);
@@ -216,15 +420,10 @@ namespace Biface
           for (const unsigned int n : cell.nodes)
             if (state.active[n])
               {
-                const Tensor<1, 3> normal =
-                  loads.foundation
-                    ->evaluate(mesh.deformed_position(
-                      state.displacement, mesh.nodes[n], Resultants::outer))
-                    .normal;
                 // each column of both masses adds up to a quarter
                 area += cell.geometry.weight / 4;
                 force -= cell.geometry.weight / 4 *
-                         ((state.multipliers[n][0] * normal) * d);
+                         (traction_of_multipliers(state, loads, n).value * d);
               }
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
           if (mesh.nodes[n].locally_owned)
@@ -236,6 +435,7 @@ namespace Biface
     summary.force        = Utilities::MPI::sum(force, communicator);
     summary.area         = Utilities::MPI::sum(area, communicator);
     summary.n_nodes      = count_active(state);
+    summary.n_slipping   = count_slipping(state, loads);
     summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);
     return summary;
   }

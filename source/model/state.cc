@@ -9,5 +9,7 @@ namespace Biface
     , resultants(mesh.cells.size())
     , active(mesh.nodes.size(), 0)
     , multipliers(mesh.nodes.size())
+    , grips(mesh.nodes.size(), Grip::none)
+    , stick_points(mesh.nodes.size())
   {}
 } // namespace Biface

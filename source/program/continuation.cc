@@ -105,6 +105,8 @@ namespace Biface
         return stage > progress.stage;
       const std::set<std::string> free_entries{"Pressure",
                                                "Travel",
+                                               "Slide",
+                                               "Turn",
                                                "Load factor",
                                                "Control value",
                                                "Force",

@@ -119,6 +119,9 @@ namespace Biface
     checkpoint.check();
     check_stages(stages);
     for (unsigned int i = 0; i < stages.size(); ++i)
+      stages[i].check_slide("Stage " + std::to_string(i + 1),
+                            contact.foundation.line.direction);
+    for (unsigned int i = 0; i < stages.size(); ++i)
       {
         const std::string entry =
           "Stage " + std::to_string(i + 1) + "/Control point";

@@ -31,6 +31,26 @@ namespace Biface
     }
 
 
+    /** The grips of nodes as numbers, and back. */
+    ActiveSet
+    numbers_of(const std::vector<Grip> &grips)
+    {
+      ActiveSet numbers;
+      for (const Grip grip : grips)
+        numbers.push_back(static_cast<char>(grip));
+      return numbers;
+    }
+
+    std::vector<Grip>
+    grips_of(const std::vector<double> &numbers)
+    {
+      std::vector<Grip> grips;
+      for (const double number : numbers)
+        grips.push_back(static_cast<Grip>(number));
+      return grips;
+    }
+
+
     /** The distributed part of the state of the shell, by name. */
     std::vector<CheckpointFile::Table>
     tables_of(const ShellEquations &equations,
@@ -46,6 +66,11 @@ namespace Biface
         {"resultants", rows_of(state.resultants, mesh)},
         {"active", rows_of(state.active, mesh)},
         {"multipliers", rows_of(state.multipliers, mesh)},
+        {"grips", rows_of(numbers_of(state.grips), mesh)},
+        {"stick points",
+         rows_of(std::vector<Tensor<1, 3>>(state.stick_points.begin(),
+                                           state.stick_points.end()),
+                 mesh)},
         {"initial resultants", rows_of(history.initial_resultants, mesh)},
         {"initial strains", rows_of(history.initial_strains, mesh)}};
       if (history.linearization_point)
@@ -172,6 +197,9 @@ namespace Biface
     state.resultants   = modes("resultants");
     state.active       = active_from(reader->rows("active", all_nodes));
     state.multipliers  = vectors_from(reader->rows("multipliers", all_nodes));
+    state.grips        = grips_of(reader->rows("grips", all_nodes));
+    const auto points  = vectors_from(reader->rows("stick points", all_nodes));
+    state.stick_points.assign(points.begin(), points.end());
 
     InternalForces::History history;
     history.initial_resultants = modes("initial resultants");

@@ -113,7 +113,9 @@ namespace Biface
       , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
-    {}
+    {
+      contact.let_stick(state);
+    }
 
     State                   &state;
     const ParametrizedLoads &parametrized;
@@ -133,14 +135,15 @@ namespace Biface
 
     NewtonResult result;
 
-    /** Whether the active set has settled. What a coarser mesh gave takes an
-     * iteration to be checked, and an equation one to be satisfied. */
+    /** Whether the active set has settled. What a coarser mesh gave and which
+     * nodes slip take an iteration to be checked, and an equation one to be
+     * satisfied. */
     bool
     is_at_rest() const
     {
-      return result.iterations == 0
-               ? parametrized.equation == nullptr && !zone_given
-               : n_changes == 0;
+      return result.iterations == 0 ? parametrized.equation == nullptr &&
+                                        !zone_given && !loads.friction
+                                    : n_changes == 0;
     }
 
     ControlEquation::Iteration
@@ -192,6 +195,7 @@ namespace Biface
               }
             TimerOutput::Scope scope(timer, "Update of the state");
             equations.internal_forces().settle_resultants(state);
+            contact.record_history(state, iterate.loads);
             result.converged = true;
             return result;
           }
@@ -242,7 +246,16 @@ namespace Biface
                   update,
                   contact.count_active(iterate.state),
                   iterate.n_changes);
-    out << line << std::endl;
+    out << line;
+    if (iterate.loads.friction)
+      {
+        std::snprintf(line,
+                      sizeof(line),
+                      "  slipping %4u",
+                      contact.count_slipping(iterate.state, iterate.loads));
+        out << line;
+      }
+    out << std::endl;
   }
 
 

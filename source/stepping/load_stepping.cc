@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/load_stepping.h>
 
@@ -53,7 +54,15 @@ namespace Biface
       {
         const Stage   &stage   = stages[progress.stage];
         const auto     control = make_control(stage, parameters.control);
-        const StageRun run{stage, *control, progress, state};
+        const StageRun run{
+          stage,
+          *control,
+          progress,
+          state,
+          contact.friction("Stage " + std::to_string(progress.stage + 1) +
+                             "/Friction",
+                           stage.friction,
+                           stage.glued)};
 
         if (progress.stage_begun)
           control->restore(progress.control);
@@ -84,7 +93,12 @@ namespace Biface
     if (stage.from_prestress)
       start_from_prestress(run);
     if (stage.contact && !progress.touching_travel)
-      progress.touching_travel = contact.touching_travel(run.state);
+      {
+        progress.touching_travel = contact.touching_travel(run.state);
+        progress.touched_point =
+          contact.touched_point(run.state, *progress.touching_travel);
+      }
+    contact.set_glued(run.state, stage.glued);
     equations.internal_forces().set_theory(stage.theory, run.state);
 
     run.control.begin(last_converged(run));
@@ -99,6 +113,8 @@ namespace Biface
   {
     Progress &progress       = run.progress;
     progress.reached.travel  = 0;
+    progress.reached.slide   = Tensor<1, 3>();
+    progress.reached.turn    = 0;
     progress.factor_of_shape = progress.reached.factor;
     progress.touching_travel.reset();
     progress.last_change.clear();
@@ -203,7 +219,13 @@ namespace Biface
     out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
         << ": pressure " << first.pressure << ", load factor " << first.factor;
     if (run.stage.contact)
-      out << ", approach " << first.travel;
+      {
+        out << ", approach " << first.travel;
+        if (first.slide.norm() > 0)
+          out << ", slide " << vector_to_string(first.slide);
+        if (first.turn != 0)
+          out << ", turn " << first.turn;
+      }
     out << (trial.equation ? " at its start" : "") << std::endl;
 
     const NewtonIteration iteration = newton.parameters.iteration;
@@ -336,8 +358,14 @@ namespace Biface
   {
     Loads loads = loads_without_foundation(level, run);
     if (run.stage.contact)
-      loads.foundation =
-        contact.foundation(*run.progress.touching_travel + level.travel);
+      {
+        loads.foundation =
+          contact.foundation(*run.progress.touching_travel + level.travel)
+            .displaced(level.slide,
+                       level.turn * numbers::PI / 180,
+                       run.progress.touched_point);
+        loads.friction = run.friction;
+      }
     return loads;
   }
 } // namespace Biface

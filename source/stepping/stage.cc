@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include <biface/base/errors.h>
+#include <biface/contact/friction.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/stage.h>
@@ -44,6 +47,36 @@ namespace Biface
       "Travel of the foundation against 'Direction' at the end of the stage, "
       "measured from where it first touched the shell. 'unchanged': as at "
       "the end of the previous stage. Unit: length.");
+    add_optional_vector(
+      prm,
+      "Stage " + std::to_string(number) + "/",
+      "Slide",
+      slide,
+      unchanged,
+      "Components x, y, z of the motion of the foundation sideways, orthogonal "
+      "to 'Contact/Direction', at the end of the stage. 'unchanged': as at the "
+      "end of the previous stage. Unit: length.");
+    add_optional_number(
+      prm,
+      "Turn",
+      turn,
+      unchanged,
+      "Angle by which the foundation has turned at the end of the stage, "
+      "right-handed about 'Contact/Direction' through the point where it first "
+      "touched the shell; this axis slides with the foundation. 'unchanged': "
+      "as at the end of the previous stage. Unit: degrees.");
+    prm.add_parameter("Friction",
+                      friction,
+                      "Coefficient of friction in the stage, instead of that "
+                      "of the section 'Contact'; empty for that one. A number, "
+                      "or a formula of the contact pressure p. No unit.",
+                      Patterns::Anything());
+    prm.add_parameter("Glued",
+                      glued,
+                      "Whether the nodes in contact at the start of the stage "
+                      "cannot slip, as long as they are in contact. Nodes that "
+                      "come into contact later have friction.",
+                      Patterns::Bool());
     add_optional_number(
       prm,
       "Load factor",
@@ -135,6 +168,11 @@ namespace Biface
     check_load("Pressure", pressure);
     check_load("Travel", travel);
     check_load("Load factor", factor);
+    check_load("Turn", turn);
+    if (slide)
+      check_finite(section + "/Slide", *slide);
+    if (!friction.empty())
+      check_friction(section + "/Friction", friction);
     if (control != "load" && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",
@@ -147,6 +185,33 @@ namespace Biface
       throw InputError(section + "/Travel",
                        number_to_string(*travel),
                        "it must be 0 unless 'Contact = true'");
+    if (!contact && slide && slide->norm() > 0)
+      throw InputError(section + "/Slide",
+                       vector_to_string(*slide),
+                       "it must be 0 unless 'Contact = true'");
+    if (!contact && turn.value_or(0) != 0)
+      throw InputError(section + "/Turn",
+                       number_to_string(*turn),
+                       "it must be 0 unless 'Contact = true'");
+    if (!contact && !friction.empty())
+      throw InputError(
+        section + "/Friction", friction, "it needs 'Contact = true'");
+    if (!contact && glued)
+      throw InputError(section + "/Glued", "true", "it needs 'Contact = true'");
+  }
+
+
+  void
+  Stage::check_slide(const std::string  &section,
+                     const Tensor<1, 3> &direction) const
+  {
+    if (slide &&
+        std::abs(*slide * direction) > 1e-6 * slide->norm() * direction.norm())
+      throw InputError(section + "/Slide",
+                       vector_to_string(*slide),
+                       "it must be orthogonal to 'Contact/Direction', " +
+                         vector_to_string(direction) +
+                         "; 'Travel' moves the foundation along it");
   }
 
 
@@ -159,9 +224,17 @@ namespace Biface
         const Stage      &stage   = stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
         stage.check(section);
+        if (stage.glued &&
+            (i == 0 || !stages[i - 1].contact || stage.from_prestress))
+          throw InputError(section + "/Glued",
+                           "true",
+                           "the stage before must have 'Contact = true', since "
+                           "the nodes in contact at its end are glued");
         if (stage.from_prestress)
           {
             start.travel        = 0;
+            start.slide         = Tensor<1, 3>();
+            start.turn          = 0;
             start.is_undeformed = true;
           }
         const auto control = make_control(stage);

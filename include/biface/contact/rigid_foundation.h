@@ -4,16 +4,21 @@
 #define biface_contact_rigid_foundation_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include <biface/contact/foundation_shapes.h>
 
 namespace Biface
 {
   /**
-   * A rigid foundation at a given travel. Queries shift the point by the
-   * travel; the shape itself never moves. Copies share the shape.
+   * A rigid foundation at a given travel, which may also have moved sideways
+   * and turned. Queries move the point back; the shape itself never moves.
+   * Copies share the shape.
    */
   class RigidFoundation
   {
@@ -54,14 +59,42 @@ namespace Biface
     RigidFoundation
     moved(const double further) const
     {
-      return RigidFoundation(shape, travel + further);
+      RigidFoundation result = *this;
+      result.travel += further;
+      return result;
     }
 
+    /** The same foundation moved sideways by a vector and turned by an angle in
+     * radians, right-handed about its direction. The axis of the turn passes
+     * through the given point before the foundation slides, and slides with
+     * it. */
+    RigidFoundation
+    displaced(const dealii::Tensor<1, 3> &slide,
+              const double                turn,
+              const dealii::Point<3>     &pivot) const;
+
     FoundationPoint
-    evaluate(const dealii::Point<3> &x) const
+    evaluate(const dealii::Point<3> &x) const;
+
+    /** The point of the foundation at rest, before all motions, that is now at
+     * @p x. */
+    dealii::Point<3>
+    at_rest(const dealii::Point<3> &x) const
     {
-      return shape->evaluate(x + travel * shape->direction);
+      return back(x) + travel * shape->direction;
     }
+
+    /** The present position of a point of the foundation at rest. */
+    dealii::Point<3>
+    present(const dealii::Point<3> &at_rest) const;
+
+    /** Two unit vectors orthogonal to a normal and to each other, which turn
+     * with the foundation. With the normal along the direction of the
+     * foundation they are the axis that is farthest from it, made orthogonal to
+     * it, and the cross product of the direction and the first; they are
+     * rotated to other normals by the shortest rotation. */
+    std::array<dealii::Tensor<1, 3>, 2>
+    tangents(const dealii::Tensor<1, 3> &normal) const;
 
     double
     clearance(const dealii::Point<3> &x) const
@@ -73,7 +106,7 @@ namespace Biface
     double
     travel_to(const dealii::Point<3> &x) const
     {
-      return shape->travel_to(x) - travel;
+      return shape->travel_to(back(x)) - travel;
     }
 
     /** The unit vector opposite to the direction of travel. */
@@ -84,8 +117,21 @@ namespace Biface
     }
 
   private:
+    /** The motion other than the travel. */
+    struct Displacement
+    {
+      dealii::Tensor<1, 3> slide;
+      dealii::Tensor<2, 3> rotation;
+      dealii::Point<3>     pivot;
+    };
+
+    /** A point before this motion. */
+    dealii::Point<3>
+    back(const dealii::Point<3> &x) const;
+
     std::shared_ptr<const FoundationShape> shape;
     double                                 travel;
+    std::optional<Displacement>            displacement;
   };
 } // namespace Biface
 

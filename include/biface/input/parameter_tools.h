@@ -58,6 +58,10 @@ namespace Biface
   std::string
   number_to_string(const double value);
 
+  /** The components of a vector in the form of parameter files. */
+  std::string
+  vector_to_string(const dealii::Tensor<1, 3> &vector);
+
   /** The same for a coordinate in a message: 0 if it is only round-off of
    * numbers of size @p scale. */
   std::string
@@ -149,6 +153,16 @@ namespace Biface
                       std::optional<double>    &value,
                       const std::string        &word,
                       const std::string        &documentation);
+
+  /** Declare the entry @p name of @p section ("Section/"), whose value is a
+   * vector of three components, separated by commas, or @p word for none. */
+  void
+  add_optional_vector(dealii::ParameterHandler            &prm,
+                      const std::string                   &section,
+                      const std::string                   &name,
+                      std::optional<dealii::Tensor<1, 3>> &value,
+                      const std::string                   &word,
+                      const std::string                   &documentation);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator at the position of the text in @p names. */

@@ -11,12 +11,14 @@ namespace Biface
   /**
    * The forces of the foundation on the active nodes.
    *
-   * The force on node r is @f$\sum_s M_{rs}\lambda_s\mathbf n_s@f$ with the
-   * normal at node s, like the multiplier: the traction @f$\lambda\mathbf n@f$
-   * is interpolated. The forces therefore add up to ContactInteraction::force()
-   * for both multiplier masses. With the lumped mass they have the potential
+   * The force on node r is
+   * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
+   * node s, like the multipliers: the traction is interpolated. The forces
+   * therefore add up to ContactInteraction::force() for both multiplier masses.
+   * Without friction, with the lumped mass, they have the potential
    * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
-   * symmetric tangent. Neither would be true with the normal at node r.
+   * symmetric tangent. Neither would be true with the normal at node r. With
+   * friction, the tangent is not symmetric.
    */
   class ContactForces : public ForceTerm
   {
@@ -42,7 +44,8 @@ namespace Biface
     is_symmetric(const Loads &loads) const override
     {
       return !loads.foundation ||
-             contact.condition.mass() == MultiplierMass::lumped;
+             (contact.condition.mass() == MultiplierMass::lumped &&
+              !loads.friction);
     }
 
     Source

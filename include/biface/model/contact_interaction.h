@@ -4,11 +4,15 @@
 #define biface_model_contact_interaction_h
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <string>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
@@ -21,6 +25,8 @@ namespace Biface
     /** Compressive force on the foundation, along its direction. */
     double       force   = 0;
     unsigned int n_nodes = 0;
+    /** Of these, how many slip at the limit of friction; 0 without friction. */
+    unsigned int n_slipping = 0;
     /** Sum of the areas of the active nodes on the middle surface. */
     double area         = 0;
     double max_pressure = 0;
@@ -39,6 +45,7 @@ namespace Biface
     {
       RigidFoundation::Parameters  foundation;
       ContactCondition::Parameters condition;
+      FrictionLaw::Parameters      friction;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -59,11 +66,27 @@ namespace Biface
       return foundation_at_rest.moved(travel);
     }
 
+    /** The law of friction.
+     * @param entry the entry of the coefficient.
+     * @param coefficient that of a stage; empty for that of the parameters.
+     * @param glued whether some nodes are glued, so that even without friction
+     * there is a law.
+     * @return null without friction. */
+    std::shared_ptr<const FrictionLaw>
+    friction(const std::string &entry,
+             const std::string &coefficient,
+             const bool         glued) const;
+
     /** The travel at which the foundation just touches a free node of the
      * deformed outer face, one that can come into contact. Throws InputError if
      * it misses the shell, or if the shell does not fit into it. */
     double
     touching_travel(const State &state) const;
+
+    /** The mean of the deformed positions of the nodes that the foundation
+     * touches at the given travel. */
+    dealii::Point<3>
+    touched_point(const State &state, const double touching_travel) const;
 
     /** The nodes of this rank that the foundation has passed through: supports
      * hold their outer face, so they cannot come into contact. */
@@ -82,31 +105,77 @@ namespace Biface
 
     /** One iteration of the primal-dual active set method: compute the
      * multipliers of the active nodes from the displacements of the state,
-     * update the active set, and compute the multipliers of the new set.
+     * update the active set, decide which of its nodes stick and which slip,
+     * and compute the multipliers of the new set.
      * @param held nodes that remain active in any case; empty for none.
-     * @return the number of changes, on all ranks. */
+     * @return the number of changes of the active set, on all ranks. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
 
+    /** Let all nodes stick that have a stick point. In the first iteration of a
+     * step nothing is known about the slip; a node that slips in it has too
+     * little stiffness, and the iteration fails in large steps. */
+    void
+    let_stick(State &state) const;
+
+    /** Record the history of friction at the end of a step: the nodes that have
+     * entered and left, and the new stick points of those that slip. */
+    void
+    record_history(State &state, const Loads &loads) const;
+
+    /** Glue the nodes in contact to their stick points, or release those that
+     * are glued. */
+    void
+    set_glued(State &state, const bool glued) const;
+
     /** Number of active nodes on all ranks. */
     unsigned int
     count_active(const State &state) const;
 
+    /** Number of nodes that slip at the limit of friction, on all ranks. */
+    unsigned int
+    count_slipping(const State &state, const Loads &loads) const;
+
+    /** Whether a node slips at the limit of friction. */
+    bool
+    slips(const State &state, const Loads &loads, const unsigned int node) const
+    {
+      return loads.friction && state.active[node] &&
+             state.grips[node] == Grip::slip;
+    }
+
     /** The contact traction at an active node. */
     struct Traction
     {
-      /** The traction on the shell, @f$\lambda\mathbf n@f$. Unit:
+      /** The traction on the shell, @f$\lambda\mathbf n+\mathbf t@f$. Unit:
        * force/area. */
       dealii::Tensor<1, 3> value;
-      /** Minus its derivative with respect to the position of the node,
+      /** Minus its derivative with respect to the position of the node; without
+       * friction
        * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
-      dealii::SymmetricTensor<2, 3> stiffness;
+      dealii::Tensor<2, 3> stiffness;
     };
 
+    /** @param node the position of an active node in ShellMesh::nodes. */
     Traction
-    traction(const State &state, const Loads &loads, const Node &node) const;
+    traction(const State       &state,
+             const Loads       &loads,
+             const unsigned int node) const;
+
+    /** The traction on the shell at any node, from the multipliers of the
+     * state, and its tangential part. Unit: force/area. */
+    struct NodalTraction
+    {
+      dealii::Tensor<1, 3> value;
+      dealii::Tensor<1, 3> friction;
+    };
+
+    NodalTraction
+    traction_of_multipliers(const State       &state,
+                            const Loads       &loads,
+                            const unsigned int node) const;
 
     /** The compressive force on the foundation, see ContactSummary, from the
      * multipliers of the displacements, with its derivatives for a fixed active
@@ -131,7 +200,40 @@ namespace Biface
     const ContactCondition condition;
 
   private:
-    const RigidFoundation foundation_at_rest;
+    /** The geometry of contact at a node. */
+    struct Contact
+    {
+      dealii::Point<3> x;
+      FoundationPoint  foundation;
+    };
+
+    Contact
+    contact_at(const State       &state,
+               const Loads       &loads,
+               const unsigned int node) const;
+
+    /** The vector from the stick point of a node to the node, and its
+     * tangential part. */
+    struct Slip
+    {
+      dealii::Tensor<1, 3> total, tangential;
+    };
+
+    Slip
+    slip(const State       &state,
+         const Loads       &loads,
+         const unsigned int node,
+         const Contact     &at) const;
+
+    /** The tangential traction at an active node. */
+    dealii::Tensor<1, 3>
+    friction_traction(const State       &state,
+                      const Loads       &loads,
+                      const unsigned int node,
+                      const Contact     &at) const;
+
+    const RigidFoundation         foundation_at_rest;
+    const FrictionLaw::Parameters friction_parameters;
   };
 } // namespace Biface
 

@@ -3,13 +3,16 @@
 #ifndef biface_model_state_h
 #define biface_model_state_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
 #include <biface/element/modes.h>
 #include <biface/model/shell_mesh.h>
@@ -44,9 +47,17 @@ namespace Biface
      * face, @cite GrigolyukKulikovPlotnikova2004, eq. (10): the traction on the
      * shell per area of the middle surface. The first component, along the
      * normal of the foundation, is minus the pressure; the two tangential
-     * components are zero without friction. Unit: force/area.
+     * components, see RigidFoundation::tangents(), are zero without friction.
+     * Unit: force/area.
      */
     std::vector<dealii::Tensor<1, 3>> multipliers;
+
+    /** How the foundation holds the nodes of this rank sideways, and the points
+     * of the foundation at rest to which they stick. In a step a node may begin
+     * and cease to slip; everything else is the history of friction up to the
+     * end of the last step, see ContactInteraction::record_history(). */
+    std::vector<Grip>             grips;
+    std::vector<dealii::Point<3>> stick_points;
 
     /** Contact pressure at a node, by its position in ShellMesh::nodes. */
     double
@@ -71,6 +82,9 @@ namespace Biface
     double factor_of_shape = 0;
 
     std::optional<RigidFoundation> foundation;
+
+    /** Null without friction. */
+    std::shared_ptr<const FrictionLaw> friction;
   };
 
 

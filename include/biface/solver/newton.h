@@ -52,7 +52,10 @@ namespace Biface
    * resultants of every element @cite GrigolyukKulikovPlotnikova2004, with the
    * primal-dual active set method for contact inside: the active set is updated
    * after every iteration, and the iteration has converged when the set is
-   * unchanged and the residual or the update is small. If the set is cycling,
+   * unchanged and the residual or the update is small. Which nodes slip is
+   * decided with the active set; in the first iteration none does. The residual
+   * is a continuous function of the displacements across this decision, so that
+   * it alone decides on convergence. If the active set is cycling,
    * the nodes that toggle are held in contact until the iteration has
    * converged, and then released, once per step.
    */

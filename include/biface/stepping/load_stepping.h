@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -100,6 +101,8 @@ namespace Biface
       Control     &control;
       Progress    &progress;
       State       &state;
+      /** Null without friction. */
+      std::shared_ptr<const FrictionLaw> friction;
     };
 
     /** The result of an attempt at a step. */

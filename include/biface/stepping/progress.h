@@ -3,6 +3,8 @@
 #ifndef biface_stepping_progress_h
 #define biface_stepping_progress_h
 
+#include <deal.II/base/point.h>
+
 #include <optional>
 #include <vector>
 
@@ -29,6 +31,8 @@ namespace Biface
     /** See ShellEquations::touching_travel(), at the start of the first stage
      * with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
+    /** See ContactInteraction::touched_point(), at the same time. */
+    dealii::Point<3> touched_point;
     /** The load factor in the shape from which displacements count: 0, or that
      * at the start of the last stage from a prestress. Prescribed displacements
      * are proportional to what exceeds it. */
@@ -62,6 +66,7 @@ namespace Biface
       bool   touched = touching_travel.has_value();
       double travel  = touching_travel.value_or(0);
       archive &n_steps &stage &stage_begun &reached &touched &travel;
+      archive                                                &touched_point;
       archive                                                &factor_of_shape;
       archive &control                                       &predictor;
       touching_travel =

@@ -4,6 +4,7 @@
 #define biface_stepping_stage_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
 
 #include <optional>
 #include <string>
@@ -13,19 +14,22 @@
 
 namespace Biface
 {
-  /** Loads and travel of the foundation at an instant of an analysis. */
+  /** Loads and motion of the foundation at an instant of an analysis. */
   struct LoadLevel
   {
     double pressure = 0;
     double factor   = 0;
     /** Since the foundation first touched the shell. */
     double travel = 0;
+    /** See RigidFoundation::displaced(); the turn is in degrees. */
+    dealii::Tensor<1, 3> slide;
+    double               turn = 0;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &pressure &factor &travel;
+      archive &pressure &factor &travel &slide &turn;
     }
   };
 
@@ -58,6 +62,15 @@ namespace Biface
      * stage. */
     bool                  contact = false;
     std::optional<double> travel;
+    /** Its motion sideways, and its turn in degrees, at the end of the stage.
+     */
+    std::optional<dealii::Tensor<1, 3>> slide;
+    std::optional<double>               turn;
+    /** The coefficient of friction, see FrictionLaw; empty for that of the
+     * section 'Contact'. */
+    std::string friction;
+    /** Whether the nodes in contact at the start of the stage cannot slip. */
+    bool glued = false;
     /** Factor of the dead loads and prescribed displacements at the end of the
      * stage. */
     std::optional<double> factor;
@@ -85,7 +98,9 @@ namespace Biface
     {
       return {pressure.value_or(start.pressure),
               factor.value_or(start.factor),
-              travel.value_or(start.travel)};
+              travel.value_or(start.travel),
+              slide.value_or(start.slide),
+              turn.value_or(start.turn)};
     }
 
     /** @param number the number of the stage, for its default name. */
@@ -95,6 +110,12 @@ namespace Biface
     /** Throws InputError if a value is invalid. */
     void
     check(const std::string &section) const;
+
+    /** Check that the foundation slides across its direction of travel. Throws
+     * InputError. */
+    void
+    check_slide(const std::string          &section,
+                const dealii::Tensor<1, 3> &direction) const;
 
     template <class Archive>
     void
@@ -106,6 +127,11 @@ namespace Biface
         archive &given &number;
         value = (given ? std::optional<double>(number) : std::nullopt);
       };
+      bool                 slides = slide.has_value();
+      dealii::Tensor<1, 3> by     = slide.value_or(dealii::Tensor<1, 3>());
+      archive &slides &by &friction &glued;
+      slide = (slides ? std::optional<dealii::Tensor<1, 3>>(by) : std::nullopt);
+      add_optional(turn);
       add_optional(pressure);
       add_optional(travel);
       add_optional(factor);

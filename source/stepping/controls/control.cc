@@ -88,6 +88,8 @@ namespace Biface
     return {stage.pressure ? stage.pressure : start.pressure,
             stage.factor ? stage.factor : start.factor,
             stage.travel ? stage.travel : start.travel,
+            stage.slide ? stage.slide : start.slide,
+            stage.turn ? stage.turn : start.turn,
             false};
   }
 
@@ -124,7 +126,8 @@ namespace Biface
   {
     const bool same_way =
       stage.pressure == now.pressure && stage.factor == now.factor &&
-      stage.travel == now.travel && stage.force == now.force &&
+      stage.travel == now.travel && stage.slide == now.slide &&
+      stage.turn == now.turn && stage.force == now.force &&
       stage.control_value == now.control_value;
     if (same_way && stage.n_steps == now.n_steps &&
         stage.adaptive == now.adaptive)
@@ -160,9 +163,13 @@ namespace Biface
   std::vector<Control::Way>
   Control::ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const
   {
-    return {{start.pressure, reached.pressure, end.pressure},
-            {start.factor, reached.factor, end.factor},
-            {start.travel, reached.travel, end.travel}};
+    std::vector<Way> ways{{start.pressure, reached.pressure, end.pressure},
+                          {start.factor, reached.factor, end.factor},
+                          {start.turn, reached.turn, end.turn}};
+    for (unsigned int i = 0; i < 3; ++i)
+      ways.push_back({start.slide[i], reached.slide[i], end.slide[i]});
+    ways.push_back({start.travel, reached.travel, end.travel});
+    return ways;
   }
 
 
@@ -174,7 +181,9 @@ namespace Biface
       return end;
     return {start.pressure + fraction * (end.pressure - start.pressure),
             start.factor + fraction * (end.factor - start.factor),
-            start.travel + fraction * (end.travel - start.travel)};
+            start.travel + fraction * (end.travel - start.travel),
+            start.slide + fraction * (end.slide - start.slide),
+            start.turn + fraction * (end.turn - start.turn)};
   }
 
 
@@ -192,8 +201,7 @@ namespace Biface
   void
   check_loads_follow(const Stage &stage, const Control::KnownStart &start)
   {
-    const auto stays = [](const std::optional<double> &begin,
-                          const std::optional<double> &end) {
+    const auto stays = [](const auto &begin, const auto &end) {
       return !end || (begin && *begin == *end);
     };
     const std::string what = "the stage '" + stage.name +
@@ -203,7 +211,9 @@ namespace Biface
         stays(start.factor, stage.factor))
       throw InputError(what + "neither its pressure nor its load factor "
                               "differs from the previous stage.");
-    if (stage.contact && start.travel && !stays(start.travel, stage.travel))
+    if (stage.contact &&
+        ((start.travel && !stays(start.travel, stage.travel)) ||
+         !stays(start.slide, stage.slide) || !stays(start.turn, stage.turn)))
       throw InputError(what + "its foundation moves, too.");
   }
 

@@ -50,20 +50,27 @@ namespace Biface
     /** What is known before the run about the start of a stage. */
     struct KnownStart
     {
-      std::optional<double> pressure, factor, travel;
+      std::optional<double>               pressure, factor, travel;
+      std::optional<dealii::Tensor<1, 3>> slide;
+      std::optional<double>               turn;
       /** Whether all displacements are zero. */
       bool is_undeformed = false;
 
       static KnownStart
       undeformed()
       {
-        return {0., 0., 0., true};
+        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., true};
       }
 
       static KnownStart
       at(const LoadLevel &level)
       {
-        return {level.pressure, level.factor, level.travel, false};
+        return {level.pressure,
+                level.factor,
+                level.travel,
+                level.slide,
+                level.turn,
+                false};
       }
     };
 
@@ -234,7 +241,7 @@ namespace Biface
     static std::optional<double>
     common_part(const std::vector<Way> &ways);
 
-    /** The paths of the loads. */
+    /** The paths of the loads; the last one is that of the travel. */
     std::vector<Way>
     ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_friction_h
+#define biface_contact_friction_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <biface/input/formula.h>
+
+namespace Biface
+{
+  /** How the foundation holds a node sideways. */
+  enum class Grip : char
+  {
+    /** Not in contact at the end of the last step, so that the node has no
+     * history: friction begins at the end of the step in which it enters. */
+    none,
+    /** It sticks to its point of the foundation. */
+    stick,
+    /** It slips at the limit of friction. */
+    slip,
+    /** It sticks, however large the traction. */
+    glued
+  };
+
+
+  /**
+   * Coulomb's law of friction, regularized like the contact condition of
+   * @cite GrigolyukKulikovPlotnikova2004, eq. (14.1).
+   *
+   * Each node in contact has a stick point on the foundation. With the
+   * tangential part @f$\mathbf s@f$ of the vector from this point to the node,
+   * the trial traction is @f$\mathbf q=-\varepsilon_t\mathbf s@f$. The traction
+   * on the shell is
+   * - if the node sticks: @f$\mathbf q@f$, with
+   *   @f$|\mathbf q|\le\tau(p)=\mu(p)\,p@f$;
+   * - if it slips: @f$\tau(p)\,\mathbf q/|\mathbf q|@f$. The stick point
+   * follows the node such that at the end of the step @f$\mathbf q@f$ equals
+   * it, the implicit Euler method for the flow rule of perfect plasticity
+   *   @cite SimoLaursen1992.
+   */
+  class FrictionLaw
+  {
+  public:
+    struct Parameters
+    {
+      std::string coefficient    = "0";
+      double      regularization = 1e2;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError if a value is invalid. */
+      void
+      check() const;
+    };
+
+    /** @param entry the entry of the coefficient, for error messages.
+     * @param coefficient a number or a formula of the contact pressure `p`.
+     * @param regularization the parameter @f$\varepsilon_t@f$.
+     *
+     * Throws InputError if the coefficient is neither, or negative. */
+    FrictionLaw(const std::string &entry,
+                const std::string &coefficient,
+                const double       regularization);
+
+    /** Whether the coefficient is the number 0. */
+    bool
+    is_zero() const
+    {
+      return constant && *constant == 0;
+    }
+
+    /** The greatest traction @f$\tau(p)@f$. Where a formula is negative it
+     * counts as 0; it is not a number where the formula is none. */
+    double
+    limit(const double pressure) const;
+
+    /** The derivative @f$\tau'(p)@f$. */
+    double
+    limit_derivative(const double pressure) const;
+
+    /** The trial traction @f$\mathbf q@f$. */
+    dealii::Tensor<1, 3>
+    trial(const dealii::Tensor<1, 3> &elastic_slip) const
+    {
+      return -regularization * elastic_slip;
+    }
+
+    /** The part @f$\mathbf s@f$ of the slip that belongs to a traction. */
+    dealii::Tensor<1, 3>
+    elastic_slip(const dealii::Tensor<1, 3> &traction) const
+    {
+      return -1 / regularization * traction;
+    }
+
+    /** Minus the derivative of the trial traction by @f$\mathbf s@f$. */
+    double
+    stiffness() const
+    {
+      return regularization;
+    }
+
+    /** Whether a node slips in the next iteration, for the trial traction and
+     * the pressure of the last solution. */
+    bool
+    should_slip(const dealii::Tensor<1, 3> &trial, const double pressure) const
+    {
+      return !(trial.norm() <= limit(pressure));
+    }
+
+    /** The traction of a node that slips, with its derivatives. */
+    struct Slip
+    {
+      dealii::Tensor<1, 3> traction;
+      dealii::Tensor<2, 3> per_trial;
+      dealii::Tensor<1, 3> per_pressure;
+    };
+
+    Slip
+    slip(const dealii::Tensor<1, 3> &trial, const double pressure) const;
+
+  private:
+    Formula               coefficient;
+    std::optional<double> constant;
+    const double          regularization;
+  };
+
+
+  /** Check a coefficient of friction, see FrictionLaw. */
+  void
+  check_friction(const std::string &entry, const std::string &coefficient);
+} // namespace Biface
+
+#endif

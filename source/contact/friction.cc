@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/contact/friction.h>
+#include <biface/input/parameter_tools.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  FrictionLaw::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Friction",
+                      coefficient,
+                      "Coefficient of Coulomb friction between the shell and "
+                      "the foundation: a number, or a formula of the contact "
+                      "pressure p such as 0.8 - 0.5*p; below 0 it counts as "
+                      "0. Stages may have their own. No unit.",
+                      Patterns::Anything());
+    prm.add_parameter("Tangential regularization",
+                      regularization,
+                      "The parameter epsilon_t of friction: a node that sticks "
+                      "under a tangential traction t moves by t/epsilon_t. "
+                      "Positive. Unit: pressure/length.",
+                      Patterns::Double());
+  }
+
+
+  void
+  FrictionLaw::Parameters::check() const
+  {
+    check_friction("Contact/Friction", coefficient);
+    check_positive("Contact/Tangential regularization", regularization);
+  }
+
+
+  FrictionLaw::FrictionLaw(const std::string &entry,
+                           const std::string &coefficient,
+                           const double       regularization)
+    : coefficient(entry, coefficient, {"p"}), regularization(regularization)
+  {
+    if (this->coefficient.used_names().empty())
+      {
+        constant = this->coefficient({0.});
+        check_not_negative(entry, *constant);
+      }
+    else
+      for (const double pressure : {1e-3, 1e-2, 1e-1, 1., 1e1, 1e2, 1e3})
+        this->coefficient({pressure});
+  }
+
+
+  double
+  FrictionLaw::limit(const double pressure) const
+  {
+    if (!(pressure > 0))
+      return 0;
+    if (constant)
+      return *constant * pressure;
+    try
+      {
+        return std::max(0., coefficient({pressure})) * pressure;
+      }
+    catch (const InputError &)
+      {
+        // not on all ranks: the step fails
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+  }
+
+
+  double
+  FrictionLaw::limit_derivative(const double pressure) const
+  {
+    if (!(pressure > 0))
+      return 0;
+    if (constant)
+      return *constant;
+    const double step = 1e-5 * pressure;
+    return (limit(pressure + step) - limit(pressure - step)) / (2 * step);
+  }
+
+
+  FrictionLaw::Slip
+  FrictionLaw::slip(const Tensor<1, 3> &trial, const double pressure) const
+  {
+    Slip         result;
+    const double norm = trial.norm();
+    if (norm == 0)
+      return result;
+    const Tensor<1, 3> direction = trial / norm;
+    const double       limit     = this->limit(pressure);
+    result.traction              = limit * direction;
+    result.per_trial             = limit / norm *
+                       (Tensor<2, 3>(unit_symmetric_tensor<3>()) -
+                        outer_product(direction, direction));
+    result.per_pressure = limit_derivative(pressure) * direction;
+    return result;
+  }
+
+
+  void
+  check_friction(const std::string &entry, const std::string &coefficient)
+  {
+    const FrictionLaw law(entry, coefficient, 1);
+  }
+} // namespace Biface

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// With nodes that stick, slip and are glued, on each shape of foundation, slid
+// and turned, and for both multiplier masses, the tangent is the derivative of
+// the residual, also by the travel, and the force on the foundation has the
+// derivatives that it reports.
+
+#include <cmath>
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  using Shape = RigidFoundation::Parameters::Shape;
+
+
+  void
+  test(const std::string &name, const Shape shape, const MultiplierMass mass)
+  {
+    const Layup layup(Layup::Parameters(), cord_ply());
+    const auto  mesh = coarse_torus(layup);
+
+    ContactInteraction::Parameters parameters;
+    parameters.condition.mass            = mass;
+    parameters.condition.regularization  = 1;
+    parameters.friction.coefficient      = "0.4 + 0.1*p";
+    parameters.friction.regularization   = 0.7;
+    parameters.foundation.shape          = shape;
+    parameters.foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.foundation.drum.radius    = 80;
+    parameters.foundation.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
+    parameters.foundation.sphere.radius  = 120;
+    const ContactInteraction contact(*mesh, parameters);
+    ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    const double   touching = contact.touching_travel(state);
+    const Point<3> pivot    = contact.touched_point(state, touching);
+    Loads          loads;
+    loads.foundation = contact.foundation(touching + 14);
+    const Tensor<1, 3> across =
+      cross_product_3d(loads.foundation->direction(), Tensor<1, 3>({1, 2, 3}));
+    loads.foundation = loads.foundation->displaced(across, 0.1, pivot);
+    loads.friction   = contact.friction("", "", false);
+    contact.update_active_set(state, loads);
+    contact.record_history(state, loads);
+
+    // the foundation moves on, and some nodes are said to do something else
+    loads.foundation =
+      contact.foundation(touching + 15).displaced(1.3 * across, 0.12, pivot);
+    contact.update_active_set(state, loads);
+    const unsigned int n_active = contact.count_active(state);
+    for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
+      if (state.grips[n] != Grip::none)
+        switch (mesh->nodes[n].number % 3)
+          {
+            case 0:
+              state.grips[n] = Grip::stick;
+              break;
+            case 1:
+              state.grips[n] = Grip::slip;
+              break;
+            default:
+              state.grips[n] = Grip::glued;
+          }
+
+    const double     step    = 1e-5;
+    const LA::Vector dV      = some_displacement(*mesh, 1, 4);
+    LA::Vector       product = mesh->owned_vector();
+    equations.assemble(state, loads);
+    equations.tangent().vmult(product, dV);
+    const double scale          = product.l2_norm();
+    const auto   force          = contact.force(state, loads);
+    double       gradient       = force.gradient * dV;
+    const double gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
+    for (const double sign : {-1., 1.})
+      {
+        LA::Vector V = mesh->owned_vector();
+        V            = state.displacement;
+        V.add(sign * step, dV);
+        const State moved = at(equations, state, V);
+        equations.assemble(moved, loads);
+        product.add(sign / (2 * step), equations.residual());
+        gradient -= sign / (2 * step) * contact.force(moved, loads).value;
+      }
+
+    LoadRates rates;
+    rates.travel                = 1;
+    LA::Vector   direction      = equations.load_direction(state, loads, rates);
+    const double direction_norm = direction.l2_norm();
+    double       per_travel     = force.per_travel;
+    for (const double sign : {-1., 1.})
+      {
+        Loads moved      = loads;
+        moved.foundation = loads.foundation->moved(sign * step);
+        equations.assemble(state, moved);
+        direction.add(-sign / (2 * step), equations.residual());
+        per_travel -= sign / (2 * step) * contact.force(state, moved).value;
+      }
+
+    const double       deviation  = product.l2_norm() / scale;
+    const double       by_travel  = direction.l2_norm();
+    const unsigned int n_slipping = contact.count_slipping(state, loads);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    std::cout << name << std::endl;
+    check_range("  nodes in contact", n_active, 4, 30);
+    check_range("  nodes that slip", n_slipping, 1, 10);
+    check_small("  tangent", deviation, 1e-8);
+    check_small("  residual by travel", by_travel, 1e-8, direction_norm);
+    check_small("  force by displacements", gradient, 1e-8, gradient_scale);
+    check_small("  force by travel", per_travel, 1e-8, force.per_travel);
+    check_true("  not symmetric", !equations.is_symmetric(loads));
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  for (const auto mass : {MultiplierMass::lumped, MultiplierMass::consistent})
+    {
+      const std::string kind =
+        (mass == MultiplierMass::lumped ? ", lumped mass"
+                                        : ", consistent mass");
+      test("plane" + kind, Shape::plane, mass);
+      test("drum" + kind, Shape::drum, mass);
+      test("sphere" + kind, Shape::sphere, mass);
+    }
+}
