@@ -12,11 +12,11 @@ namespace Biface
                "Strain sampling",
                sampling,
                {"vertices", "means"},
-               "Where the element takes its strains from. 'vertices', its four "
-               "vertices, is the element of Grigolyuk, Kulikov and Plotnikova "
-               "(2004). 'means' takes the quadratic terms of the constant "
-               "strains as means over the element and adds two modes of "
-               "twist: it does not buckle from node to node where the shell "
-               "is compressed.");
+               "Where the element takes its strains from. 'means', from its four "
+               "vertices, but with the quadratic terms of the constant strains "
+               "as means over the element and with two modes of twist: it does "
+               "not buckle from node to node where the shell "
+               "is compressed. 'vertices', from the vertices alone, is the "
+               "element of Grigolyuk, Kulikov and Plotnikova (2004).");
   }
 } // namespace Biface

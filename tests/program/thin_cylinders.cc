@@ -46,16 +46,17 @@ main(int argc, char *argv[])
   for (const bool fixed : {false, true})
     for (const std::string thickness : {"1e-2", "1e-3", "1e-4", "1e-5"})
       {
-        const double coarse = energy(thickness, 8, fixed),
-                     medium = energy(thickness, 16, fixed),
-                     fine   = energy(thickness, 32, fixed);
+        // on finer meshes round-off of the thinnest shell reaches their error
+        const double coarse = energy(thickness, 6, fixed),
+                     medium = energy(thickness, 12, fixed),
+                     fine   = energy(thickness, 24, fixed);
         std::cout << (fixed ? "fixed" : "free") << " ends, t/L = " << thickness
                   << std::endl;
         check_range(
           "  order", std::log2((medium - coarse) / (fine - medium)), 1.8, 2.7);
-        check_range("  change from 8 to 16 cells",
+        check_range("  change from 6 to 12 cells",
                     std::abs(medium - coarse) / fine,
-                    0.02,
-                    0.04);
+                    0.035,
+                    0.075);
       }
 }

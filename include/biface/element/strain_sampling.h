@@ -22,7 +22,7 @@ namespace Biface
   /** Entries of the section 'Element'. */
   struct ElementParameters
   {
-    StrainSampling sampling = StrainSampling::vertices;
+    StrainSampling sampling = StrainSampling::means;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
