@@ -38,7 +38,7 @@ namespace Biface
                "Thickness and angle are numbers, or formulas of "
                "alpha_1 and of the 'Tables', such as 1.2 + "
                "0.01*abs(alpha_1). On a surface of revolution they know "
-               "the radius r of the reference surface and the function "
+               "'end', the radius r of the reference surface and the function "
                "lift(A), the angle of cords that have the angle A at the "
                "crown, the greatest radius of the mesh, and pantograph: "
                "the cosine of their angle from the circumference is "

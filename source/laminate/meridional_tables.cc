@@ -52,6 +52,7 @@ namespace Biface
       };
       if (known.radius)
         {
+          add("end");
           add("r");
           names.insert(
             names.end(), lift_variables.begin(), lift_variables.end());
@@ -175,7 +176,8 @@ namespace Biface
       if (surface.radius)
         {
           const double r = surface.radius(alpha_1);
-          values.insert(values.end(), {r, r / crown_radius, reference});
+          values.insert(values.end(),
+                        {surface.end, r, r / crown_radius, reference});
         }
       if (surface.crown_cord_angle)
         values.push_back(*surface.crown_cord_angle);

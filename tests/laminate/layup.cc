@@ -183,7 +183,7 @@ main(int argc, char *argv[])
                                 AngleReference::meridian) {
     return layup(plies, "inner", "", reference, surface);
   };
-  check_ply(on_surface("cord: 1 + r/100 @ r"), 50, 1.75, 75);
+  check_ply(on_surface("cord: 1 + r/100 @ r + end - 60"), 50, 1.75, 75);
   // the sine of the angle from the meridian grows with the radius
   const double lifted = std::asin(0.75 * 0.5) * 180 / numbers::PI;
   check_ply(on_surface("cord: 1 @ lift(30)"), 0, 1, 30);

@@ -33,8 +33,8 @@ namespace Biface
   print_tables(const std::vector<TableFile> &tables);
 
 
-  /** Read a formula of a ply: of `alpha_1`, on a surface of revolution the
-   * radius `r`, the `beta_c` of a surface that has a
+  /** Read a formula of a ply: of `alpha_1`, on a surface of revolution its
+   * `end` and the radius `r`, the `beta_c` of a surface that has a
    * SurfaceOfPlies::crown_cord_angle, tables, and the function lift(). The
    * variables are not known yet. Throws InputError like Formula. */
   Formula
@@ -44,7 +44,7 @@ namespace Biface
   /** The variables that formulas of plies know before the surface is made. */
   struct PlyVariables
   {
-    /** Whether the surface has a radius. */
+    /** Whether the surface has a radius and an end. */
     bool radius = false;
     /** Whether the surface has a crown cord angle. */
     bool crown_cord_angle = false;

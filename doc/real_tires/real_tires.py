@@ -1,0 +1,433 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compute aircraft tires from the words of a databook, and write real_tires.md.
+
+Each row of a table of tires becomes a run of prm/aircraft_tire.prm with --set,
+by rules that are the same for all rows; see Construction. The page compares the
+forces with the rated loads and the footprints with NASA's formulas.
+
+With --tires another table is used, with --only some of its rows; then nothing
+but the table of results is printed.
+"""
+
+import argparse
+import csv
+import math
+import statistics
+import subprocess
+import sys
+import textwrap
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+# ------------------------------------------------------- rules of construction
+
+CORD = {"modulus": 2400, "diameter": 0.6, "pitch": 1, "force": 125}
+PLY, LINER, SIDEWALL, RUBBER = 1.1, 1.5, 2.5, 6
+BURST = 4  # over the rated pressure
+CLEARANCE = 2  # between the carcass and half the rim width
+
+
+class Netting:
+    """The curve of the meridian 'cord equilibrium', as theory.md has it."""
+
+    def __init__(self, crown, half_width, end, end_half_width):
+        self.crown, self.half_width = crown, half_width
+
+        def excess(degrees):
+            self.set_angle(degrees)
+            width = self.width_at(end)
+            return -crown if math.isnan(width) else width - end_half_width
+
+        # the end moves outward with the angle
+        low, high = 25, 90
+        if excess(high) < 0:
+            raise ValueError("no cord angle reaches the flange")
+        self.set_angle(bisect(excess, low, high))
+
+    def set_angle(self, degrees):
+        self.degrees = degrees
+        self.cosine = math.cos(math.radians(degrees))
+        self.sine = math.sin(math.radians(degrees))
+        least = self.crown * math.sqrt(max(0, 3 - 2 / self.cosine**2))
+
+        def excess(widest):
+            self.widest = widest
+            return self.half_width - self.width_at(widest)
+
+        self.widest = bisect(excess, least + 1e-6 * self.crown,
+                             self.crown * (1 - 1e-6))
+
+    def width_at(self, radius, points=200):
+        """The integral of tan(phi) over the radius, by the midpoint rule; with
+        r_c - r = depth t^2 it is regular at the crown."""
+        depth, total = self.crown - radius, 0
+        for i in range(points):
+            t = (i + 0.5) / points
+            drop = depth * t * t * (2 * self.crown - depth * t * t)
+            a = drop / (self.crown**2 - self.widest**2)
+            q = drop * (self.cosine / (self.crown * self.sine))**2
+            b = q / (1 + math.sqrt(1 + q))
+            lack = a - b + a * b  # 1 - sin(phi)
+            if not 0 < lack < 2:
+                return math.nan
+            total += (1 - lack) / math.sqrt(lack * (2 - lack)) * t
+        return total * 2 * depth / points
+
+
+def bisect(function, low, high):
+    """The place where an increasing function changes its sign."""
+    for _ in range(50):
+        middle = (low + high) / 2
+        if function(middle) < 0:
+            low = middle
+        else:
+            high = middle
+    return (low + high) / 2
+
+
+class Construction:
+    """A tire by the rules, from a row of the table."""
+
+    def __init__(self, row, diameter=None, plies=None):
+        self.row = row
+        number = {key: float(value) for key, value in row.items()
+                  if key != "name" and value}
+        self.pressure = number["pressure_MPa"]
+        self.diameter = diameter or number["D_mm"]
+        self.width = number["W_mm"]
+        self.load = number["rated_load_kN"]
+        self.deflection = number["deflection_mm"]
+        self.tread = 4 + 0.022 * self.width
+        self.end = number["flange_diameter_mm"] / 2
+        self.rim_width = number["rim_width_mm"]
+        # the least even number of plies whose cords hold the burst pressure
+        self.plies = plies or 2
+        while True:
+            carcass = self.plies * PLY
+            self.crown = self.diameter / 2 - self.tread - carcass / 2
+            self.half_width = self.width / 2 - SIDEWALL - carcass / 2
+            self.end_half_width = self.rim_width / 2 - CLEARANCE - carcass / 2
+            self.curve = Netting(self.crown, self.half_width, self.end,
+                                 self.end_half_width)
+            force = (BURST * self.pressure * CORD["pitch"]
+                     * (self.crown**2 - self.curve.widest**2)
+                     / (2 * self.plies * self.crown * self.curve.sine**2))
+            if plies or force <= CORD["force"]:
+                break
+            self.plies += 2
+
+    def layup(self):
+        """The entry 'Laminate/Plies': liner, carcass, turn-ups of half its
+        plies, sidewall and tread."""
+        cord = f"cord: {PLY} @ "
+        turn_up = [f"{self.plies // 4} x ({cord}+-lift(beta_c) RANGE)"]
+        if self.plies % 4:
+            turn_up.append(f"{cord}lift(beta_c) RANGE")
+        if self.plies < 4:
+            turn_up = turn_up[1:]
+        return ", ".join(
+            [f"rubber: {LINER} @ 0",
+             f"{self.plies // 2} x ({cord}+-lift(beta_c))"]
+            + [ply.replace("RANGE", part) for part in
+               ("from -end to -0.7*end", "from 0.7*end to end")
+               for ply in turn_up]
+            + [f"rubber: {SIDEWALL} + {self.tread - SIDEWALL:.6g}"
+               "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
+
+    def settings(self):
+        """The entries marked by a star in the parameter file."""
+        meridian = "Surface/Cord equilibrium/"
+        return {
+            meridian + "Crown radius": f"{self.crown:.10g}",
+            meridian + "Half width": f"{self.half_width:.10g}",
+            meridian + "End radius": f"{self.end:.10g}",
+            meridian + "End half width": f"{self.end_half_width:.10g}",
+            "Laminate/Reference surface": f"ply {1 + self.plies // 2}",
+            "Laminate/Plies": self.layup(),
+            "Stage 1/Pressure": f"{self.pressure:.10g}",
+            "Stage 2/Pressure": f"{self.pressure:.10g}",
+            "Stage 2/Travel": f"{self.deflection:.10g}",
+        }
+
+
+# ------------------------------------------------------------------ NASA TR R-64
+
+
+def nasa(tire):
+    """Force (kN), footprint length and width (mm) at the rated pressure and
+    deflection."""
+    d, w, delta = tire.diameter, tire.width, tire.deflection
+    force = (2.4 * 1.08 * tire.pressure * w * math.sqrt(w * d)
+             * (delta / w - 0.03) / 1000)
+    return (force, 1.7 * math.sqrt(delta * (d - delta)),
+            1.7 * math.sqrt(delta * (w - delta)))
+
+
+# ---------------------------------------------------------------------- results
+
+
+def run(arguments, name, settings):
+    """Run the program, and return the directory of its results; with --keep,
+    those of an earlier run if they are complete."""
+    directory = arguments.scratch / name.replace(" ", "_")
+    program, template = arguments.program, arguments.template
+    if arguments.keep and (directory / "history.csv").exists():
+        done = (directory / "run.log").read_text(encoding="utf-8")
+        if "Results in" in done:
+            return directory
+    command = [program, "--quiet", "--set", f"Output/Directory={directory}",
+               "--set", "Output/Write VTU=false"]
+    for entry, value in settings.items():
+        command += ["--set", f"{entry}={value}"]
+    done = subprocess.run(command + [template], capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        print(f"{name}: {(done.stdout + done.stderr).strip()[-600:]}",
+              file=sys.stderr)
+        return None
+    return directory
+
+
+def last_force(directory):
+    """The force at the end, in kN."""
+    with open(directory / "history.csv", encoding="utf-8") as file:
+        return float(list(csv.DictReader(file))[-1]["force"]) / 1000
+
+
+def footprint(directory):
+    """Length and width of the contact zone. Its edges lie halfway between the
+    last node in contact and the first one beyond."""
+    with open(sorted(directory.glob("contact-*.csv"))[-1],
+              encoding="utf-8") as file:
+        nodes = [{key: float(value) for key, value in line.items()}
+                 for line in csv.DictReader(file)]
+    sizes = []
+    for along, across, place in (("alpha_2", "alpha_1", "z"),
+                                 ("alpha_1", "alpha_2", "y")):
+        line = [node for node in nodes if abs(node[across]) < 1e-9]
+        edges = []
+        for side in (1, -1):
+            half = [node for node in line if side * node[along] >= 0]
+            inside = max((n for n in half if n["active"]),
+                         key=lambda n: abs(n[along]))
+            outside = min((n for n in half if not n["active"]
+                           and abs(n[along]) > abs(inside[along])),
+                          key=lambda n: abs(n[along]))
+            edges.append((inside[place] + outside[place]) / 2)
+        sizes.append(abs(edges[0] - edges[1]))
+    return sizes
+
+
+def mean_and_deviation(values):
+    return statistics.mean(values), statistics.pstdev(values)
+
+
+def table(header, lines):
+    """A table in Markdown."""
+    rows = [header, ["---"] + ["---:"] * (len(header) - 1)] + lines
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+
+
+def fill(text):
+    return "\n\n".join(textwrap.fill(" ".join(part.split()), 88)
+                       for part in text.strip().split("\n\n"))
+
+
+def compute(arguments, rows):
+    """For each row: the construction, force over rated load, footprint; None
+    where the run fails."""
+    def one(row):
+        tire = Construction(row)
+        directory = run(arguments, row["name"], tire.settings())
+        if directory is None:
+            return tire, None, None
+        result = last_force(directory), footprint(directory)
+        print(f"{row['name']:16} {tire.plies:3} plies, "
+              f"{tire.curve.degrees:.1f} degrees, "
+              f"{result[0] / tire.load:.3f} of the rated load", flush=True)
+        return tire, *result
+
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        return list(pool.map(one, rows))
+
+
+def vary(arguments, row):
+    """Lines of what-if: what one input does to the force of a tire."""
+    tire = Construction(row)
+    meridian = "Surface/Cord equilibrium/"
+    cases = [("by the rules", tire.settings())]
+    for column, words in (("D_min_mm", "least diameter of the databook"),
+                          ("D_max_mm", "greatest diameter")):
+        cases.append((words, Construction(
+            row, diameter=float(row[column])).settings()))
+    for factor, words in ((0.5, "half the cord modulus"),
+                          (2, "twice the cord modulus")):
+        cases.append((words, {**tire.settings(), "Material cord/E_cord":
+                              f"{factor * CORD['modulus']}"}))
+    for plies in (6, 12):
+        cases.append((f"{plies} plies instead of {tire.plies}",
+                      Construction(row, plies=plies).settings()))
+    for angle in (35, 45):
+        cases.append((f"crown cord angle of {angle}° instead of "
+                      f"{tire.curve.degrees:.1f}°",
+                      {**tire.settings(),
+                       meridian + "Crown cord angle": f"{angle}",
+                       meridian + "End half width": "from crown cord angle"}))
+    cases.append(("dead instead of true pressure",
+                  {**tire.settings(), "Loads/Pressure type": "dead"}))
+
+    def one(case):
+        directory = run(arguments, "what if " + case[0].replace("°", ""),
+                        case[1])
+        return [case[0], "failed" if directory is None else
+                f"{last_force(directory) / tire.load:.2f}"]
+
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        return list(pool.map(one, cases))
+
+
+def results_table(results):
+    lines = []
+    for tire, force, sizes in results:
+        name = tire.row["name"]
+        if force is None:
+            lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
+                          f"{tire.load:.1f}", "failed", "", "", "", ""])
+            continue
+        nasa_force, length, width = nasa(tire)
+        lines.append([
+            name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
+            f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
+            f"{nasa_force / tire.load:.3f}",
+            f"{sizes[0]:.0f} ({sizes[0] / length:.2f})",
+            f"{sizes[1]:.0f} ({sizes[1] / width:.2f})"])
+    return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
+                  "Ratio", "NASA", "Length, mm", "Width, mm"], lines)
+
+
+def summary(results):
+    """Mean and deviation of the ratios, in words."""
+    good = [(tire, force, sizes) for tire, force, sizes in results
+            if force is not None]
+    ratio = mean_and_deviation([force / tire.load for tire, force, _ in good])
+    law = mean_and_deviation([nasa(tire)[0] / tire.load for tire, _, _ in good])
+    length = mean_and_deviation(
+        [sizes[0] / nasa(tire)[1] for tire, _, sizes in good])
+    width = mean_and_deviation(
+        [sizes[1] / nasa(tire)[2] for tire, _, sizes in good])
+    return len(good), ratio, law, length, width
+
+
+def page(results, variations, varied):
+    n, ratio, law, length, width = summary(results)
+    failed = [tire.row["name"] for tire, force, _ in results if force is None]
+    least = min((f / t.load, t.row["name"]) for t, f, _ in results if f)
+    most = max((f / t.load, t.row["name"]) for t, f, _ in results if f)
+    return "\n\n".join([
+        "<!-- Written by doc/real_tires/real_tires.py: cmake --build build "
+        "--target real_tires -->",
+        "# Real tires",
+        fill(f"""
+        A databook says little about a tire: outside diameter and width when
+        inflated, rim, ply rating, pressure, rated load and loaded radius.
+        [aircraft_tire.prm](../prm/aircraft_tire.prm) computes a bias-ply aircraft
+        tire from these words. This page does it for the {len(results)} tires of
+        [aircraft_tires.csv](real_tires/aircraft_tires.csv) and compares the
+        force at the rated deflection with the rated load. The rules below are
+        the same for all tires, and none of them is fitted to a load.
+        """),
+        "## Rules",
+        "\n".join("- " + textwrap.fill(" ".join(rule.split()), 86,
+                                       subsequent_indent="  ")
+                  for rule in (
+            """The middle of the carcass is the meridian `cord equilibrium`: its
+            crown radius is D/2 less the tread and half the carcass, its half
+            width W/2 less the sidewall and half the carcass. It ends at the
+            radius of the rim flange, at half the rim width less half the carcass
+            and 2 mm. The cord angle follows.""",
+            f"""The least even number of plies for which the force of a cord at the
+            burst pressure, {BURST} times the rated one, is at most
+            {CORD['force']} N, by the netting formula of
+            [theory.md](theory.md), section 1.""",
+            f"""Nylon 840/2 cords: modulus {CORD['modulus']} MPa, diameter
+            {CORD['diameter']} mm, distance {CORD['pitch']} mm at the crown, in
+            plies of {PLY} mm; rubber of {RUBBER} MPa.""",
+            f"""Liner {LINER} mm, sidewall {SIDEWALL} mm, tread 4 mm + 0.022 W over the
+            middle 40 % of the section, tapering to the sidewall at 60 %.""",
+            """Turn-ups: half the plies again on the outer 30 % of each side. The
+            ends are clamped.""",
+            """The known shape is that under pressure (`Start from prestress`).
+            True pressure, no friction.""")),
+        "## Results",
+        fill(f"""
+        The force over the rated load is {ratio[0]:.3f} in the mean, with a
+        standard deviation of {ratio[1]:.3f}, from {least[0]:.2f} ({least[1]}) to
+        {most[0]:.2f} ({most[1]}); {n} of {len(results)} runs converge
+        {'' if not failed else '(not: ' + ', '.join(failed) + ')'}. The
+        empirical formulas of [NASA TR R-64](references.bib#SmileyHorne1958) give
+        {law[0]:.3f} and {law[1]:.3f} for the same tires. The length of the
+        footprint is {length[0]:.2f} ± {length[1]:.2f} and its width
+        {width[0]:.2f} ± {width[1]:.2f} of theirs, which are in parentheses in
+        the table. The edges of the footprint are known to half a cell, 2 % of
+        its length.
+        """),
+        results_table(results),
+        "## What an input does",
+        fill(f"""
+        The databook has ranges instead of numbers, and says nothing about the
+        inside. For {varied} the force over the rated load is
+        """),
+        table(["Input", "Ratio"], variations),
+        "## Another tire",
+        fill("""
+        A row of the same columns in another file is computed by the same rules:
+        """),
+        "```sh\npython3 doc/real_tires/real_tires.py --program build/biface "
+        "--tires my_tires.csv\n```",
+    ]) + "\n"
+
+
+def main():
+    here = Path(__file__).resolve().parent
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--program", required=True, help="the program biface")
+    parser.add_argument("--template", default=here.parents[1] /
+                        "prm/aircraft_tire.prm")
+    parser.add_argument("--tires", type=Path, help="another table of tires")
+    parser.add_argument("--only", action="append", default=[],
+                        help="only rows of this name")
+    parser.add_argument("--scratch", type=Path, default=Path("real_tires_runs"))
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--keep", action="store_true",
+                        help="use complete results of earlier runs")
+    parser.add_argument("--output", type=Path,
+                        help="where to write real_tires.md")
+    arguments = parser.parse_args()
+    arguments.scratch = arguments.scratch.resolve()
+    arguments.scratch.mkdir(parents=True, exist_ok=True)
+
+    tires = arguments.tires or here / "aircraft_tires.csv"
+    with open(tires, encoding="utf-8") as file:
+        rows = list(csv.DictReader(
+            line for line in file if not line.startswith("#")))
+    if arguments.only:
+        rows = [row for row in rows if row["name"] in arguments.only]
+    results = compute(arguments, rows)
+    if any(force is not None for _, force, _ in results):
+        n, ratio, _, length, width = summary(results)
+        print(f"{n} of {len(results)} runs converge; force over rated load "
+              f"{ratio[0]:.3f} +- {ratio[1]:.3f}, footprint length "
+              f"{length[0]:.3f} +- {length[1]:.3f}, width {width[0]:.3f} +- "
+              f"{width[1]:.3f} of NASA's")
+    if arguments.output:
+        varied = "32x8.8 14PR"
+        row = next(row for row in rows if row["name"] == varied)
+        variations = vary(arguments, row)
+        (arguments.output / "real_tires.md").write_text(
+            page(results, variations, varied), encoding="utf-8")
+    return 0 if all(force is not None for _, force, _ in results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
