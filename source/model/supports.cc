@@ -16,8 +16,8 @@ namespace Biface
 
   namespace
   {
-    const std::array<double, 2> inner{{1, 0}};
-    const std::array<double, 2> outer{{0, 1}};
+    const std::array<double, 2> inner_only{{1, 0}};
+    const std::array<double, 2> outer_only{{0, 1}};
     const std::array<double, 2> middle{{0.5, 0.5}};
     const std::array<double, 2> difference{{-1, 1}};
 
@@ -88,8 +88,8 @@ namespace Biface
       for (unsigned int i = 0; i < n; ++i)
         {
           conditions.push_back(conditions[i]);
-          conditions[i].coefficients     = inner;
-          conditions.back().coefficients = outer;
+          conditions[i].coefficients     = inner_only;
+          conditions.back().coefficients = outer_only;
         }
       return conditions;
     };
@@ -97,15 +97,15 @@ namespace Biface
     if (text == "free")
       return {};
     if (text == "fixed")
-      return both(all_components(inner));
+      return both(all_components(inner_only));
     if (text == "hinged")
       return all_components(middle);
     if (text == "hinged inner")
-      return all_components(inner);
+      return all_components(inner_only);
     if (text == "hinged outer")
-      return all_components(outer);
+      return all_components(outer_only);
     if (text == "symmetry" && across < 3)
-      return both({{static_cast<Component>(across), inner, 0}});
+      return both({{static_cast<Component>(across), inner_only, 0}});
 
     const std::string form =
       std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
@@ -133,10 +133,10 @@ namespace Biface
           throw InputError(entry, text, form);
 
         SupportCondition condition{
-          static_cast<Component>(name - names.begin()), inner, value};
+          static_cast<Component>(name - names.begin()), inner_only, value};
         const std::map<std::string, std::array<double, 2>> faces{
-          {"inner", inner},
-          {"outer", outer},
+          {"inner", inner_only},
+          {"outer", outer_only},
           {"middle", middle},
           {"difference", difference}};
         if (words[1] == "both")
