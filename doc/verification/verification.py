@@ -87,6 +87,10 @@ HEADINGS = {
     "ren_panel_10": "Panel [90/0/90], radius over thickness 10",
     "ren_panel_50": "Panel [90/0/90], radius over thickness 50",
     "scordelis_lo": "Scordelis-Lo roof",
+    "slack_strip": "Strip of cords with two moduli, pulled and pushed",
+    "slack_strip_bending": "Strip of cords with two moduli, bent",
+    "slack_strip_bending_one_ply":
+        "Strip of cords with two moduli, bent, a single ply",
     "slit_annulus": "Slit annular plate",
     "stepped_strip": "Strip with a step of thickness",
     "strip_on_drum": "Strip on a drum",

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <biface/laminate/face_moments.h>
@@ -29,6 +33,30 @@ namespace Biface
       for (const Ply &ply : plies)
         values.push_back(ply.thickness);
       return values;
+    }
+
+
+    /** The direction of the cords, in terms of the tangential strains 11, 22,
+     * 2*12: their strain is the scalar product. */
+    std::array<double, 3>
+    cord_direction(const double angle)
+    {
+      const double c = std::cos(angle), s = std::sin(angle);
+      return {{c * c, s * s, c * s}};
+    }
+
+
+    /** The strain along the cords that causes the initial stress of a ply. */
+    double
+    initial_cord_strain(const Ply &ply)
+    {
+      if (ply.compression_loss == 0 || ply.initial_stress.norm() == 0)
+        return 0;
+      const SymmetricTensor<4, 3> compliance = invert(ply.stiffness);
+      const double strain = (compliance * ply.initial_stress)[0][0];
+      return strain >= 0
+               ? strain
+               : strain / (1 - ply.compression_loss * compliance[0][0][0][0]);
     }
 
 
@@ -161,6 +189,58 @@ namespace Biface
   }
 
 
+  std::vector<CordPoint>
+  Laminate::cord_points() const
+  {
+    const QGauss<1>        quadrature(2);
+    const double           h = thickness();
+    std::vector<CordPoint> points;
+    double                 z = 0;
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      {
+        const Ply &ply = plies[k];
+        if (ply.compression_loss > 0)
+          {
+            const std::array<double, 3> direction = cord_direction(ply.angle);
+            for (unsigned int g = 0; g < quadrature.size(); ++g)
+              {
+                const double along =
+                  (z + quadrature.point(g)[0] * ply.thickness) / h;
+                CordPoint point;
+                for (unsigned int ab = 0; ab < 3; ++ab)
+                  {
+                    point.direction[Resultants::tangential(ab, 0)] =
+                      (1 - along) * direction[ab];
+                    point.direction[Resultants::tangential(ab, 1)] =
+                      along * direction[ab];
+                  }
+                point.thickness      = quadrature.weight(g) * ply.thickness;
+                point.loss           = ply.compression_loss;
+                point.initial_strain = initial_cord_strain(ply);
+                points.push_back(point);
+              }
+          }
+        z += ply.thickness;
+      }
+    return points;
+  }
+
+
+  double
+  Laminate::cord_strain(const Resultants::Vector &E,
+                        const unsigned int        ply,
+                        const double              z) const
+  {
+    const double h     = thickness();
+    const auto   along = cord_direction(plies[ply].angle);
+    double       e     = initial_cord_strain(plies[ply]);
+    for (unsigned int ab = 0; ab < 3; ++ab)
+      e += along[ab] * ((1 - z / h) * E[Resultants::tangential(ab, 0)] +
+                        z / h * E[Resultants::tangential(ab, 1)]);
+    return e;
+  }
+
+
   Resultants::Vector
   Laminate::initial_resultants() const
   {
@@ -243,6 +323,18 @@ namespace Biface
       transverse_shear.stress(transverse_strains(E), ply, z);
     for (unsigned int a = 0; a < 2; ++a)
       stress[a][2] = shear[a];
+
+    const Ply &p = plies[ply];
+    if (p.compression_loss > 0)
+      {
+        const auto   along = cord_direction(p.angle);
+        const double missing =
+          p.compression_loss * (std::min(0., cord_strain(E, ply, z)) -
+                                std::min(0., initial_cord_strain(p)));
+        for (unsigned int ab = 0; ab < 3; ++ab)
+          stress[Resultants::tangential_pairs[ab][0]]
+                [Resultants::tangential_pairs[ab][1]] -= missing * along[ab];
+      }
     return stress;
   }
 

@@ -390,6 +390,16 @@ namespace Biface
           throw InputError(
             "Laminate/Plies", ply.text, "its material must be one of " + names);
         material->stiffness();
+        if (material->has_slack_cords() &&
+            material->type ==
+              Material::Parameters::Type::transversely_isotropic)
+          material->compression_loss(material->E_L);
+        if (material->has_slack_cords() && !initial_resultants.empty())
+          throw InputError("the entry 'Laminate/Initial resultants' must be "
+                           "empty with cords that go slack ('Material " +
+                           material->name +
+                           "/E_L compression'), since these resultants belong "
+                           "to no ply; 'Laminate/Initial ply stresses' do.");
         material->get_strengths();
         for (Formula formula : {ply.thickness, ply.angle})
           variables.bind(formula, tables);
@@ -523,6 +533,13 @@ namespace Biface
           ply.stiffness = [stiffness = material->stiffness()](const double) {
             return stiffness;
           };
+        if (material->has_slack_cords())
+          ply.compression_loss = [material = *material,
+                                  stiffness =
+                                    ply.stiffness](const double alpha_1) {
+            return material.compression_loss(
+              1 / invert(stiffness(alpha_1))[0][0][0][0]);
+          };
         if (given.range)
           {
             ply.begin = given.range->first.value(surface.end);
@@ -593,13 +610,15 @@ namespace Biface
                            "a thickness must be positive, and at alpha_1 = " +
                              number_to_string(alpha_1) + " it is " +
                              number_to_string(thickness));
-        present.push_back({ply.stiffness(alpha_1),
-                           thickness,
-                           ply.angle(alpha_1),
-                           ply.initial_stress ? ply.initial_stress(alpha_1)
-                                              : SymmetricTensor<2, 3>(),
-                           p,
-                           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0});
+        present.push_back(
+          {ply.stiffness(alpha_1),
+           thickness,
+           ply.angle(alpha_1),
+           ply.initial_stress ? ply.initial_stress(alpha_1)
+                              : SymmetricTensor<2, 3>(),
+           p,
+           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
+           ply.compression_loss ? ply.compression_loss(alpha_1) : 0});
       }
     if (present.empty())
       throw InputError(
@@ -615,6 +634,15 @@ namespace Biface
   {
     return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
       return static_cast<bool>(ply.cord_pitch);
+    });
+  }
+
+
+  bool
+  Layup::has_slack_cords() const
+  {
+    return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
+      return static_cast<bool>(ply.compression_loss);
     });
   }
 } // namespace Biface

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/material.h>
 
@@ -159,6 +160,14 @@ namespace Biface
                         Patterns::Double());
 
     cord_and_rubber.add_parameters(prm);
+    prm.add_parameter("E_L compression",
+                      E_L_compression,
+                      "Young's modulus E_L where the strain along the cords is "
+                      "negative, for cords that go slack: a number or a "
+                      "formula of E_L such as E_L/100, above 0 and at most "
+                      "E_L. Only for 'transversely isotropic' and 'cord and "
+                      "rubber'. Unit: force/area.",
+                      Patterns::Anything());
 
     const std::vector<std::pair<std::string, double *>> all_strengths{
       {"X_t", &strengths.X_t},
@@ -207,6 +216,37 @@ namespace Biface
       }
     Assert(false, ExcInternalError());
     return {};
+  }
+
+
+  bool
+  Material::Parameters::has_slack_cords() const
+  {
+    if (E_L_compression == Parameters().E_L_compression)
+      return false;
+    const std::string entry = "Material " + name + "/E_L compression";
+    if (type != Type::transversely_isotropic && type != Type::cord_and_rubber)
+      throw InputError(entry,
+                       E_L_compression,
+                       "it may only be given with 'Type = transversely "
+                       "isotropic' or 'cord and rubber'");
+    Formula(entry, E_L_compression, {"E_L"});
+    return true;
+  }
+
+
+  double
+  Material::Parameters::compression_loss(const double E_L) const
+  {
+    const std::string entry   = "Material " + name + "/E_L compression";
+    const double      modulus = Formula(entry, E_L_compression, {"E_L"})({E_L});
+    // round-off must not refuse E_L itself
+    if (!(modulus > 0 && modulus <= (1 + 1e-12) * E_L))
+      throw InputError(entry,
+                       E_L_compression,
+                       "it must be above 0 and at most E_L, " +
+                         number_to_string(E_L));
+    return std::max(0., E_L - modulus);
   }
 
 

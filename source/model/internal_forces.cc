@@ -12,7 +12,10 @@ namespace Biface
     : mesh(mesh), symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
   {
     for (const Strip &strip : mesh.strips)
-      stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
+      {
+        stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
+        cords.emplace_back(strip.laminate.cord_points(), mesh.sampling);
+      }
     history.initial_strains.resize(mesh.cells.size());
     history.initial_resultants = resultants_of_laminate();
   }
@@ -47,15 +50,87 @@ namespace Biface
   InternalForces::add(const CellState &at, CellForces &forces) const
   {
     const MixedElement  element(at.cell.geometry, at.V);
-    const Modes::Vector H = stiffness_of(at.cell).resultants(element.strain());
+    const Modes::Vector E = element.strain();
     if (forces.with_tangent)
-      element.add_tangent(stiffness_of(at.cell),
-                          total_resultants(at.state, at.index),
-                          forces.tangent);
-    const MixedElement::NodalVector force =
-      element.internal_force(H, history.initial_resultants[at.index]);
+      {
+        const auto &predicted = at.state.predicted_strains;
+        add_tangent(
+          element, at, predicted.empty() ? E : predicted[at.index], forces);
+      }
+    const MixedElement::NodalVector force = element.internal_force(
+      resultants_of(at.index, E), history.initial_resultants[at.index]);
     forces.force -= force;
     forces.square += force.norm_square();
+  }
+
+
+  void
+  InternalForces::add_linearized(const CellState                 &at,
+                                 const MixedElement::NodalVector &dV,
+                                 CellForces                      &forces) const
+  {
+    const MixedElement element(at.cell.geometry, at.V);
+    Modes::Vector      E = element.strain();
+    Modes::Vector      H = resultants_of(at.index, E);
+    if (!cords_of(at.cell).empty())
+      {
+        const Modes::Vector dE = element.strain_variation(dV);
+        E += dE;
+        // the product with the taut tangent below contains the second term
+        H = resultants_of(at.index, E) - stiffness_of(at.cell).resultants(dE);
+      }
+    if (forces.with_tangent)
+      add_tangent(element, at, E, forces);
+    forces.force -=
+      element.internal_force(H, history.initial_resultants[at.index]);
+    forces.force -= taut_tangent_product(at, dV);
+  }
+
+
+  Modes::Vector
+  InternalForces::resultants_of(const unsigned int   c,
+                                const Modes::Vector &E) const
+  {
+    const Cell         &cell = mesh.cells[c];
+    const Modes::Vector H    = stiffness_of(cell).resultants(E);
+    const SlackCords   &cord = cords_of(cell);
+    if (cord.empty())
+      return H;
+    const Modes::Vector &E_0 = history.initial_strains[c];
+    return H - (cord.resultants(E_0 + E) - cord.resultants(E_0));
+  }
+
+
+  double
+  InternalForces::energy_of(const unsigned int c, const Modes::Vector &E) const
+  {
+    const Cell  &cell = mesh.cells[c];
+    const double taut =
+      Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2;
+    const SlackCords &cord = cords_of(cell);
+    if (cord.empty())
+      return taut;
+    const Modes::Vector &E_0 = history.initial_strains[c];
+    return taut - (cord.energy(E_0 + E) - cord.energy(E_0) -
+                   Modes::mean_product(cord.resultants(E_0), E));
+  }
+
+
+  void
+  InternalForces::add_tangent(const MixedElement  &element,
+                              const CellState     &at,
+                              const Modes::Vector &E,
+                              CellForces          &forces) const
+  {
+    const Modes::Vector H = total_resultants(at.state, at.index);
+    if (cords_of(at.cell).empty())
+      {
+        element.add_tangent(stiffness_of(at.cell), H, forces.tangent);
+        return;
+      }
+    const SlackStiffness slack =
+      cords_of(at.cell).stiffness(history.initial_strains[at.index] + E);
+    element.add_tangent(stiffness_of(at.cell), H, forces.tangent, &slack);
   }
 
 
@@ -108,8 +183,8 @@ namespace Biface
 
 
   MixedElement::NodalVector
-  InternalForces::tangent_product(const CellState                 &at,
-                                  const MixedElement::NodalVector &dV) const
+  InternalForces::taut_tangent_product(
+    const CellState &at, const MixedElement::NodalVector &dV) const
   {
     return MixedElement(at.cell.geometry, at.V)
       .tangent_product(
@@ -173,11 +248,8 @@ namespace Biface
   InternalForces::settle_resultants(State &state) const
   {
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        const Cell &cell = mesh.cells[c];
-        state.resultants[c] =
-          stiffness_of(cell).resultants(strains(state, cell));
-      }
+      state.resultants[c] = resultants_of(c, strains(state, mesh.cells[c]));
+    state.predicted_strains.clear();
   }
 
 
@@ -185,15 +257,52 @@ namespace Biface
   InternalForces::predict_resultants(State            &state,
                                      const LA::Vector &increment) const
   {
+    if (mesh.layup.has_slack_cords())
+      state.predicted_strains.resize(mesh.cells.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell        &cell = mesh.cells[c];
-        const MixedElement element(cell.geometry,
+        const Cell         &cell = mesh.cells[c];
+        const MixedElement  element(cell.geometry,
                                    mesh.cell_values(state.displacement, cell));
-        state.resultants[c] = stiffness_of(cell).resultants(
+        const Modes::Vector E =
           element.strain() +
-          element.strain_variation(mesh.cell_values(increment, cell)));
+          element.strain_variation(mesh.cell_values(increment, cell));
+        state.resultants[c] = resultants_of(c, E);
+        if (!state.predicted_strains.empty())
+          state.predicted_strains[c] = E;
       }
+  }
+
+
+  std::array<double, Modes::n_gauss_points>
+  InternalForces::slack_fractions(const State       &state,
+                                  const unsigned int c) const
+  {
+    const SlackCords &cord = cords_of(mesh.cells[c]);
+    if (cord.empty())
+      return {};
+    auto fractions = cord.slack_thickness(total_strains(state, c));
+    for (double &fraction : fractions)
+      fraction /= cord.thickness();
+    return fractions;
+  }
+
+
+  double
+  InternalForces::slack_fraction(const State &state) const
+  {
+    double slack = 0, all = 0;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell  &cell   = mesh.cells[c];
+        const double volume = cell.geometry.weight * cords_of(cell).thickness();
+        for (const double fraction : slack_fractions(state, c))
+          slack += volume * fraction / Modes::n_gauss_points;
+        all += volume;
+      }
+    slack = Utilities::MPI::sum(slack, mesh.communicator);
+    all   = Utilities::MPI::sum(all, mesh.communicator);
+    return all > 0 ? slack / all : 0.;
   }
 
 
@@ -205,9 +314,8 @@ namespace Biface
     const MixedElement  element(cell.geometry, V);
     const Modes::Vector E = element.strain();
     return cell.geometry.weight *
-           (Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2 +
-            Modes::mean_product(history.initial_resultants[c],
-                                element.nonlinear_strain()));
+           (energy_of(c, E) + Modes::mean_product(history.initial_resultants[c],
+                                                  element.nonlinear_strain()));
   }
 
 
@@ -234,7 +342,20 @@ namespace Biface
         forces.clear();
         add(at, forces);
         energy += strain_energy(c, V_0) - forces.force * dV +
-                  tangent_product(at, dV) * dV / 2;
+                  taut_tangent_product(at, dV) * dV / 2;
+        if (cords_of(cell).empty())
+          continue;
+        // the energy is quadratic but for the cords that go slack
+        const MixedElement  element(cell.geometry, V_0);
+        const Modes::Vector E    = element.strain();
+        const Modes::Vector dE   = element.strain_variation(dV);
+        const auto          taut = [&](const Modes::Vector &E) {
+          return stiffness_of(cell).resultants(E);
+        };
+        energy +=
+          cell.geometry.weight * (energy_of(c, E + dE) - energy_of(c, E) -
+                                  Modes::mean_product(resultants_of(c, E), dE) -
+                                  Modes::mean_product(taut(dE), dE) / 2);
       }
     return Utilities::MPI::sum(energy, mesh.communicator);
   }

@@ -84,11 +84,7 @@ namespace Biface
             forces.force[i] -= forces.tangent[i][j] * dV[j];
         // the first term: the internal forces
         if (begin == 0)
-          {
-            add(0, 1, *base, V_0);
-            forces.force -=
-              internal.tangent_product({c, cell, V_0, *base, loads}, dV);
-          }
+          internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
         forces.square = forces.force.norm_square();
       }
     else

@@ -11,7 +11,7 @@ namespace Biface
   namespace
   {
     std::string
-    history_header(const FailureCriteria &criteria)
+    history_header(const FailureCriteria &criteria, const Layup &layup)
     {
       std::string header =
         "step,stage,approach,force,contact_nodes,contact_area,"
@@ -20,6 +20,8 @@ namespace Biface
       for (const FailureCriterion &criterion : criteria.requested())
         for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
           header += ',' + criterion.column + '_' + what;
+      if (layup.has_slack_cords())
+        header += ",slack_cords";
       return header;
     }
   } // namespace
@@ -28,8 +30,11 @@ namespace Biface
   HistoryFile::HistoryFile(const FailureCriteria &criteria,
                            ResultsDirectory      &directory,
                            const ShellEquations  &equations)
-    : StepTable(
-        "history.csv", history_header(criteria), 1, directory, equations)
+    : StepTable("history.csv",
+                history_header(criteria, equations.mesh.layup),
+                1,
+                directory,
+                equations)
     , criteria(criteria)
   {}
 
@@ -62,6 +67,9 @@ namespace Biface
         line << ',' << csv_number(maximum.index) << ','
              << csv_number(maximum.alpha[0]) << ','
              << csv_number(maximum.alpha[1]) << ',' << maximum.ply;
+    if (equations.mesh.layup.has_slack_cords())
+      line << ','
+           << csv_number(equations.internal_forces().slack_fraction(state));
     line << '\n';
     append(line.str());
   }

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +71,8 @@ namespace Biface
     const ShellMesh   &mesh      = equations.mesh;
     const auto        &all_plies = mesh.layup.get_plies();
     const unsigned int n_heights = parameters.points_per_ply;
-    const bool         cords     = mesh.layup.has_cords();
-    const auto         names     = ply_value_names(criteria, cords);
+    const QGauss<1>    gauss(2);
+    const auto         names = ply_value_names(criteria, mesh.layup);
 
     // the number of cells, then for each height: angle, height above the
     // reference surface, tension along the fibers, and the values
@@ -103,11 +104,14 @@ namespace Biface
                 const Ply &ply = laminate.get_plies()[p];
                 double *sum = &sums[ply.number * (1 + n_heights * n_columns)];
                 *sum++ += 1;
-                // the stress is linear over the ply
-                const double tension =
-                  ply.thickness *
-                  rotate_about_normal(PlyState(laminate, p, 0.5, E).stress,
-                                      -ply.angle)[0][0];
+                // exact unless a part of the cords in the ply is slack
+                double tension = 0;
+                for (unsigned int g = 0; g < gauss.size(); ++g)
+                  tension +=
+                    gauss.weight(g) * ply.thickness *
+                    rotate_about_normal(
+                      PlyState(laminate, p, gauss.point(g)[0], E).stress,
+                      -ply.angle)[0][0];
                 for (unsigned int i = 0; i < n_heights; ++i)
                   {
                     const double fraction = height_of(i, n_heights);
@@ -117,9 +121,8 @@ namespace Biface
                     for (const double value :
                          ply_values(PlyState(laminate, p, fraction, E),
                                     ply,
-                                    all_plies[ply.number],
                                     criteria,
-                                    cords))
+                                    mesh.layup))
                       *sum++ += value;
                   }
                 height += ply.thickness;

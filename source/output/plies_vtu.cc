@@ -12,7 +12,7 @@ namespace Biface
   namespace
   {
     std::vector<std::string>
-    patch_data_names(const FailureCriteria &criteria, const bool cords)
+    patch_data_names(const FailureCriteria &criteria, const Layup &layup)
     {
       std::vector<std::string>       names{"displacement",
                                      "displacement",
@@ -21,7 +21,7 @@ namespace Biface
                                      "fiber",
                                      "fiber",
                                      "ply"};
-      const std::vector<std::string> values = ply_value_names(criteria, cords);
+      const std::vector<std::string> values = ply_value_names(criteria, layup);
       names.insert(names.end(), values.begin(), values.end());
       return names;
     }
@@ -61,11 +61,9 @@ namespace Biface
   PlyPatches::PlyPatches(const ShellEquations  &equations,
                          const State           &state,
                          const FailureCriteria &criteria)
-    : VertexPatches<3>(
-        patch_data_names(criteria, equations.mesh.layup.has_cords()))
+    : VertexPatches<3>(patch_data_names(criteria, equations.mesh.layup))
   {
-    const ShellMesh &mesh  = equations.mesh;
-    const bool       cords = mesh.layup.has_cords();
+    const ShellMesh &mesh = equations.mesh;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell  &cell  = mesh.cells[c];
@@ -108,9 +106,8 @@ namespace Biface
                     for (const double value :
                          ply_values(PlyState(laminate, p, side, E[v]),
                                     ply,
-                                    mesh.layup.get_plies()[ply.number],
                                     criteria,
-                                    cords))
+                                    mesh.layup))
                       patch.data(d++, i) = value;
                   }
                 height[v] += ply.thickness;

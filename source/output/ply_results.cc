@@ -73,11 +73,12 @@ namespace Biface
     stress = laminate.stress(E, ply, z) +
              rotate_about_normal(plies[ply].initial_stress, plies[ply].angle);
     interlaminar = laminate.interlaminar_stress(E, ply, z);
+    slack        = laminate.is_slack(E, ply, z);
   }
 
 
   std::vector<std::string>
-  ply_value_names(const FailureCriteria &criteria, const bool cords)
+  ply_value_names(const FailureCriteria &criteria, const Layup &layup)
   {
     std::vector<std::string> names{
       "e_11", "e_22", "e_33", "g_23", "g_13", "g_12", "s_11", "s_22",
@@ -87,8 +88,10 @@ namespace Biface
       names.push_back(criterion.column + "_index");
     names.push_back("interlaminar_t_23");
     names.push_back("interlaminar_t_13");
-    if (cords)
+    if (layup.has_cords())
       names.push_back("cord_tension");
+    if (layup.has_slack_cords())
+      names.push_back("slack");
     return names;
   }
 
@@ -96,9 +99,8 @@ namespace Biface
   std::vector<double>
   ply_values(const PlyState        &state,
              const Ply             &ply,
-             const PlyDescription  &description,
              const FailureCriteria &criteria,
-             const bool             cords)
+             const Layup           &layup)
   {
     constexpr double    nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> values;
@@ -117,16 +119,17 @@ namespace Biface
     append(rotate_about_normal(state.strain, -ply.angle), 2);
     append(stress, 1);
 
+    const auto &strengths = layup.get_plies()[ply.number].strengths;
     for (const FailureCriterion &criterion : criteria.requested())
-      values.push_back(description.strengths
-                         ? criterion.index(stress, *description.strengths)
-                         : nan);
+      values.push_back(strengths ? criterion.index(stress, *strengths) : nan);
     values.push_back(state.interlaminar[1]);
     values.push_back(state.interlaminar[0]);
-    if (cords)
+    if (layup.has_cords())
       values.push_back(ply.cord_pitch > 0
                          ? stress[0][0] * ply.thickness * ply.cord_pitch
                          : nan);
+    if (layup.has_slack_cords())
+      values.push_back(state.slack ? 1 : 0);
     return values;
   }
 } // namespace Biface

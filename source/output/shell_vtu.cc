@@ -8,23 +8,30 @@ namespace Biface
 
   namespace
   {
-    const std::vector<std::string> dataset_names{"displacement",
-                                                 "displacement",
-                                                 "displacement",
-                                                 "contact_pressure",
-                                                 "active",
-                                                 "outer_face",
-                                                 "H_11",
-                                                 "H_22",
-                                                 "H_12",
-                                                 "H_13",
-                                                 "H_23",
-                                                 "H_33"};
+    std::vector<std::string>
+    dataset_names(const Layup &layup)
+    {
+      std::vector<std::string> names{"displacement",
+                                     "displacement",
+                                     "displacement",
+                                     "contact_pressure",
+                                     "active",
+                                     "outer_face",
+                                     "H_11",
+                                     "H_22",
+                                     "H_12",
+                                     "H_13",
+                                     "H_23",
+                                     "H_33"};
+      if (layup.has_slack_cords())
+        names.push_back("slack_cords");
+      return names;
+    }
   } // namespace
 
 
   FacePatches::FacePatches(const ShellEquations &equations, const State &state)
-    : VertexPatches<2>(dataset_names)
+    : VertexPatches<2>(dataset_names(equations.mesh.layup))
   {
     using namespace Resultants;
 
@@ -34,6 +41,8 @@ namespace Biface
         const Cell &cell = mesh.cells[c];
         const auto  H    = Modes::at_vertices(
           equations.internal_forces().total_resultants(state, c));
+        const auto slack =
+          equations.internal_forces().slack_fractions(state, c);
 
         for (unsigned int face = 0; face < 2; ++face)
           {
@@ -59,6 +68,8 @@ namespace Biface
                 for (unsigned int a = 0; a < 2; ++a)
                   patch.data(d++, v) = H[v][transverse(a, face)];
                 patch.data(d++, v) = H[v][thickness];
+                if (mesh.layup.has_slack_cords())
+                  patch.data(d++, v) = slack[v];
               }
             patches.push_back(patch);
           }

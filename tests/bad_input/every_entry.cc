@@ -323,6 +323,14 @@ namespace
     {"Material rubber/Cord diameter", {{{"0", "-1"}, cords_in_rubber}}},
     {"Material rubber/Cord pitch", {{{"0", "-1", "0.6"}, cords_in_rubber}}},
     {"Material rubber/nu", {{{"0.5", "-1", "1"}}}},
+    {"Material rubber/E_L compression",
+     {{{"", "1", "E_L/10", "E_L compression"}},
+      {{"", "0", "-1", "2.5", "2*E_L", "E_T", "1/0", "nan", "1e999", "1 1"},
+       {{"Material rubber/Type", "transversely isotropic"},
+        {"Material rubber/E_L", "2"},
+        {"Material rubber/E_T", "1"},
+        {"Material rubber/G_LT", "1"},
+        {"Material rubber/G_TT", "1"}}}}},
   };
 
   /** The analysis that each wrong value is put into. */

@@ -32,13 +32,16 @@ namespace
        const PressureKind   pressure_kind = PressureKind::dead,
        const std::string   &plies         = bias_plies,
        const Shape          foundation    = Shape::plane,
-       const std::string   &shear         = "constant strain")
+       const std::string   &shear         = "constant strain",
+       const std::string   &compression   = "E_L")
   {
     Layup::Parameters parameters;
-    parameters.plies     = parse_plies("plies", plies);
-    parameters.law       = law;
-    parameters.shear_law = parse_transverse_shear("shear", shear);
-    const Layup layup(parameters, cord_ply());
+    parameters.plies             = parse_plies("plies", plies);
+    parameters.law               = law;
+    parameters.shear_law         = parse_transverse_shear("shear", shear);
+    auto materials               = cord_ply();
+    materials[0].E_L_compression = compression;
+    const Layup layup(parameters, materials);
     const auto  mesh = coarse_torus(layup);
 
     // a foundation as soft as the shell, so that neither hides the other
@@ -177,6 +180,17 @@ main(int argc, char *argv[])
        bias_plies,
        Shape::plane,
        "equilibrium");
+  for (const auto theory : {StrainTheory::nonlinear, StrainTheory::linear})
+    test(std::string("slack cords") +
+           (theory == StrainTheory::linear ? ", linear theory" : ""),
+         ThicknessLaw::symmetric,
+         MultiplierMass::lumped,
+         theory,
+         PressureKind::dead,
+         bias_plies,
+         Shape::plane,
+         "equilibrium",
+         "E_L/100");
   test("follower pressure",
        ThicknessLaw::symmetric,
        MultiplierMass::lumped,

@@ -9,6 +9,7 @@
 
 #include <biface/element/modes.h>
 #include <biface/element/shell_fe_values.h>
+#include <biface/element/slack_cords.h>
 #include <biface/element/strain.h>
 #include <biface/element/strain_means.h>
 
@@ -171,11 +172,13 @@ namespace Biface
      * @param H all resultants that do work on the second variation of the
      * strains, including initial ones.
      * @param K what it is added to.
+     * @param slack what slack cords lack of the stiffness; null for nothing.
      */
     void
-    add_tangent(const ModeStiffness &stiffness,
-                const Modes::Vector &H,
-                NodalMatrix         &K) const;
+    add_tangent(const ModeStiffness  &stiffness,
+                const Modes::Vector  &H,
+                NodalMatrix          &K,
+                const SlackStiffness *slack = nullptr) const;
 
     /**
      * The product of the tangent of add_tangent() and @p dV, computed from
@@ -212,6 +215,13 @@ namespace Biface
     /** What StrainSampling::means adds. */
     void
     add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
+
+    /** Subtract what slack cords lack from @f$\mathbf D\mathbf B@f$ with the
+     * weights of element and modes. */
+    void
+    subtract_slack_cords(const SlackStiffness &slack,
+                         const StrainMatrix   &B,
+                         StrainMatrix         &DB) const;
   };
 
 

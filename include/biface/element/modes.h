@@ -95,6 +95,75 @@ namespace Biface
 
     using Vector = dealii::Tensor<1, n>;
 
+    /** The points @f$\xi_1,\xi_2=\pm1/\sqrt3@f$ of the element, numbered like
+     * the vertices next to them. With the weight 1/4 each they integrate
+     * products of modes exactly. */
+    constexpr unsigned int n_gauss_points = 4;
+
+    /** The value of the function of a group at a Gauss point. */
+    constexpr double
+    value_at_gauss_point(const Group &group, const unsigned int g)
+    {
+      constexpr double xi = 0.57735026918962576451; // 1/sqrt(3)
+      return group.value_at_vertex(g) * (group.varies[0] ? xi : 1.) *
+             (group.varies[1] ? xi : 1.);
+    }
+
+    /** The tangential strains of both faces at a Gauss point. */
+    inline dealii::Tensor<1, Resultants::n_tangential>
+    tangential_at_gauss_point(const Vector &modes, const unsigned int g)
+    {
+      constexpr unsigned int inner = Resultants::tangential(2, 0);
+      constexpr unsigned int outer = Resultants::tangential(2, 1);
+
+      dealii::Tensor<1, Resultants::n_tangential> strains;
+      for (const Group &group : groups)
+        for (unsigned int i = 0; i < group.size; ++i)
+          {
+            const unsigned int s = group.strains[i];
+            const double       value =
+              value_at_gauss_point(group, g) * modes[group.first_mode + i];
+            if (s < Resultants::n_tangential)
+              strains[s] += value;
+            else if (s == twist)
+              {
+                strains[inner] -= value;
+                strains[outer] += value;
+              }
+          }
+      return strains;
+    }
+
+    /** The modes of resultants given at the Gauss points: those for which
+     * @f$\sum_m w_m H_m E_m@f$ is the mean of their products with
+     * tangential_at_gauss_point().
+     * @param with_twist whether the twist is a mode. */
+    inline Vector
+    from_gauss_points(
+      const std::array<dealii::Tensor<1, Resultants::n_tangential>,
+                       n_gauss_points> &at_points,
+      const bool                        with_twist)
+    {
+      constexpr unsigned int inner = Resultants::tangential(2, 0);
+      constexpr unsigned int outer = Resultants::tangential(2, 1);
+
+      Vector modes;
+      for (const Group &group : groups)
+        for (unsigned int g = 0; g < n_gauss_points; ++g)
+          for (unsigned int i = 0; i < group.size; ++i)
+            {
+              const unsigned int s      = group.strains[i];
+              const double       factor = value_at_gauss_point(group, g) /
+                                    (n_gauss_points * group.weight(i));
+              if (s < Resultants::n_tangential)
+                modes[group.first_mode + i] += factor * at_points[g][s];
+              else if (s == twist && with_twist)
+                modes[group.first_mode + i] +=
+                  factor * (at_points[g][outer] - at_points[g][inner]);
+            }
+      return modes;
+    }
+
     /** The modes of strains given at the vertices; none of the twist. */
     inline Vector
     from_vertices(const std::array<Resultants::Vector, 4> &at_vertices)

@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include <biface/laminate/cord_point.h>
 #include <biface/laminate/resultants.h>
 #include <biface/laminate/transverse_shear.h>
 
@@ -54,6 +55,9 @@ namespace Biface
     unsigned int number = 0;
     /** Distance of the cords, 0 if they are not described. Unit: length. */
     double cord_pitch = 0;
+    /** By how much the modulus along axis 1 is smaller in compression, see
+     * CordPoint. Unit: force/area. */
+    double compression_loss = 0;
   };
 
 
@@ -91,12 +95,36 @@ namespace Biface
 
     /**
      * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,
-     * eq. (9), in the order of Resultants. Unit: force/length.
+     * eq. (9), in the order of Resultants; where cords are slack, without what
+     * they lack. Unit: force/length.
      */
     const Resultants::Matrix &
     stiffness() const
     {
       return D;
+    }
+
+    /** The cords that can go slack, at two Gauss points per ply. */
+    std::vector<CordPoint>
+    cord_points() const;
+
+    /**
+     * The strain along the cords at the height @p z above the inner face,
+     * counted from the state without stress: that of strain() and the one that
+     * causes the initial stress of the ply.
+     */
+    double
+    cord_strain(const Resultants::Vector &E,
+                const unsigned int        ply,
+                const double              z) const;
+
+    /** Whether the cords are slack there. */
+    bool
+    is_slack(const Resultants::Vector &E,
+             const unsigned int        ply,
+             const double              z) const
+    {
+      return plies[ply].compression_loss > 0 && cord_strain(E, ply, z) < 0;
     }
 
     /**

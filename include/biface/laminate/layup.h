@@ -39,6 +39,9 @@ namespace Biface
     /** Stiffness in the axes of the ply, by @f$\alpha_1@f$. Unit:
      * force/area. */
     std::function<dealii::SymmetricTensor<4, 3>(const double)> stiffness;
+    /** Material::Parameters::compression_loss() by @f$\alpha_1@f$; empty if
+     * there are no cords that can go slack. */
+    std::function<double(const double)> compression_loss;
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
@@ -184,6 +187,9 @@ namespace Biface
     /** Whether the cords of any ply are described. */
     bool
     has_cords() const;
+    /** Whether there are cords that can go slack. */
+    bool
+    has_slack_cords() const;
 
     /** Initial resultants beside those of Laminate::initial_resultants(). */
     const std::vector<InitialResultant> &

@@ -41,7 +41,10 @@ namespace Biface
       double        G_12 = 0, G_13 = 0, G_23 = 0;
       double        nu_12 = 0, nu_13 = 0, nu_23 = 0;
       CordAndRubber cord_and_rubber;
-      Strengths     strengths;
+      /** A formula of @f$E_L@f$ for Young's modulus along the cords where they
+       * are compressed. */
+      std::string E_L_compression = "E_L";
+      Strengths   strengths;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -56,6 +59,17 @@ namespace Biface
        */
       dealii::SymmetricTensor<4, 3>
       stiffness(const double cord_fraction = 0) const;
+
+      /** Whether cords can go slack. Throws InputError if the type of the
+       * material has no cords, or if E_L_compression is no formula. */
+      bool
+      has_slack_cords() const;
+
+      /** By how much the modulus along the cords is smaller where they are
+       * compressed, see CordPoint, if it is @p E_L in tension. Unit:
+       * force/area. Throws InputError if it is not admissible. */
+      double
+      compression_loss(const double E_L) const;
 
       /** The strengths, if given. Throws InputError if only some of them are
        * given. */

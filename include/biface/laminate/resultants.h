@@ -37,6 +37,9 @@ namespace Biface
       return 2 * ab + face;
     }
 
+    /** The number of tangential strains, which come first. */
+    constexpr unsigned int n_tangential = 6;
+
     /** The components of a tensor that a tangential strain stands for, by
      * @p ab. */
     constexpr unsigned int tangential_pairs[3][2] = {{0, 0}, {1, 1}, {0, 1}};

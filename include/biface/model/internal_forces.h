@@ -3,10 +3,12 @@
 #ifndef biface_model_internal_forces_h
 #define biface_model_internal_forces_h
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <biface/element/modes.h>
+#include <biface/element/slack_cords.h>
 #include <biface/model/force_term.h>
 
 namespace Biface
@@ -33,11 +35,14 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
-    /** The product of the tangent of a cell with @p dV, see
-     * MixedElement::tangent_product(). */
-    MixedElement::NodalVector
-    tangent_product(const CellState                 &at,
-                    const MixedElement::NodalVector &dV) const;
+    /** Add the forces of linear strain theory to a cell. Cords go slack by the
+     * linearized strains.
+     * @param at the cell in the state about which the strains are linearized.
+     * @param dV the displacements since then. */
+    void
+    add_linearized(const CellState                 &at,
+                   const MixedElement::NodalVector &dV,
+                   CellForces                      &forces) const;
 
     bool
     is_symmetric(const Loads &) const override
@@ -141,6 +146,16 @@ namespace Biface
       return state.resultants[cell] + history.initial_resultants[cell];
     }
 
+    /** The fraction of the cords in a cell that are slack, by thickness, at the
+     * Gauss point next to each vertex. Refers to cords that can go slack. */
+    std::array<double, Modes::n_gauss_points>
+    slack_fractions(const State &state, const unsigned int cell) const;
+
+    /** The fraction of the cords that are slack on all ranks, by volume. Refers
+     * to cords that can go slack; 0 if there are none. */
+    double
+    slack_fraction(const State &state) const;
+
     /** Strain energy of the state on all ranks, whose derivative is the
      * internal force: @f$\frac12\mathbf H\cdot\mathbf E@f$ plus the work of
      * initial resultants on the nonlinear part of the strains. In linear strain
@@ -174,9 +189,39 @@ namespace Biface
       return stiffness[cell.strip];
     }
 
+    const SlackCords &
+    cords_of(const Cell &cell) const
+    {
+      return cords[cell.strip];
+    }
+
+    /** The resultants of strains of a cell. Cords go slack by all strains,
+     * including those that caused the prestress. */
+    Modes::Vector
+    resultants_of(const unsigned int cell, const Modes::Vector &E) const;
+
+    /** The energy of these resultants, per area. */
+    double
+    energy_of(const unsigned int cell, const Modes::Vector &E) const;
+
+    /** Add the tangent of a cell.
+     * @param E the strains at which the law is linearized. */
+    void
+    add_tangent(const MixedElement  &element,
+                const CellState     &at,
+                const Modes::Vector &E,
+                CellForces          &forces) const;
+
+    /** The product of the tangent of a cell without slack cords with @p dV, see
+     * MixedElement::tangent_product(). */
+    MixedElement::NodalVector
+    taut_tangent_product(const CellState                 &at,
+                         const MixedElement::NodalVector &dV) const;
+
     const ShellMesh &mesh;
     /** By ShellMesh::strips. */
     std::vector<ModeStiffness> stiffness;
+    std::vector<SlackCords>    cords;
     bool                       symmetric_stiffness;
     History                    history;
   };

@@ -56,6 +56,8 @@ namespace Biface
     dealii::SymmetricTensor<2, 3> stress;
     /** See Laminate::interlaminar_stress(). Unit: force/area. */
     dealii::Tensor<1, 2> interlaminar;
+    /** See Laminate::is_slack(). */
+    bool slack;
 
     /**
      * @param laminate the laminate at the point.
@@ -70,25 +72,26 @@ namespace Biface
   };
 
 
-  /** The names of the values returned by ply_values().
-   * @param cords whether they include the tension of cords. */
+  /** The names of the values returned by ply_values(). */
   std::vector<std::string>
-  ply_value_names(const FailureCriteria &criteria, const bool cords);
+  ply_value_names(const FailureCriteria &criteria, const Layup &layup);
 
   /**
    * The results at a point within a ply: strains and stresses in the frame of
    * the shell, then in the axes of the ply, then the requested failure indices,
-   * then the interlaminar stresses, then the tension of a cord if the whole
-   * thickness of the ply had the stress at the point. Shear strains are
+   * then the interlaminar stresses. If there are cords in @p layup, the tension
+   * of a cord follows, if the whole thickness of the ply had the stress at the
+   * point, and if they can go slack, whether they are. Shear strains are
    * engineering strains, twice the components. Without strengths of the ply the
    * indices are NaN, and without cords their tension.
+   *
+   * @param ply of the layup.
    */
   std::vector<double>
   ply_values(const PlyState        &state,
              const Ply             &ply,
-             const PlyDescription  &description,
              const FailureCriteria &criteria,
-             const bool             cords);
+             const Layup           &layup);
 
 } // namespace Biface
 
