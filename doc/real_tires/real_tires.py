@@ -25,6 +25,7 @@ from pathlib import Path
 CORD = {"modulus": 2400, "diameter": 0.6, "pitch": 1, "force": 125}
 PLY, LINER, SIDEWALL, RUBBER = 1.1, 1.5, 2.5, 6
 BURST = 4  # over the rated pressure
+TURN = 0.2  # degrees, of the ground in the parameter file
 CLEARANCE = 2  # between the carcass and half the rim width
 
 
@@ -135,6 +136,10 @@ class Construction:
             + [f"rubber: {SIDEWALL} + {self.tread - SIDEWALL:.6g}"
                "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
 
+    def slide(self):
+        """The motion of the ground by which stiffnesses are computed."""
+        return self.deflection / 100
+
     def settings(self):
         """The entries marked by a star in the parameter file."""
         meridian = "Surface/Cord equilibrium/"
@@ -148,6 +153,8 @@ class Construction:
             "Stage 1/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Travel": f"{self.deflection:.10g}",
+            "Stage 3/Slide": f"0, {self.slide():.10g}, 0",
+            "Stage 4/Slide": f"0, {self.slide():.10g}, {self.slide():.10g}",
         }
 
 
@@ -155,51 +162,89 @@ class Construction:
 
 
 def nasa(tire):
-    """Force (kN), footprint length and width (mm) at the rated pressure and
-    deflection."""
-    d, w, delta = tire.diameter, tire.width, tire.deflection
-    force = (2.4 * 1.08 * tire.pressure * w * math.sqrt(w * d)
-             * (delta / w - 0.03) / 1000)
+    """The formulas for force (kN), footprint length and width (mm), lateral and
+    fore-and-aft stiffness (kN/mm) and torsional stiffness (kN m per degree) at
+    the rated pressure and deflection."""
+    d, w, delta, p = tire.diameter, tire.width, tire.deflection, tire.pressure
+    force = 2.4 * 1.08 * p * w * math.sqrt(w * d) * (delta / w - 0.03) / 1000
+    lateral = 2 * w * 1.24 * p * (1 - 0.7 * delta / w) / 1000
+    fore_aft = 0.6 * d * 5 * p * (delta / d)**(1 / 3) / 1000
+    turn = (250 * (delta / d)**2 if delta / d <= 0.03
+            else 15 * (delta / d - 0.015))
+    torsion = 1.8 * p * w**3 * turn * math.pi / 180 / 1e6
     return (force, 1.7 * math.sqrt(delta * (d - delta)),
-            1.7 * math.sqrt(delta * (w - delta)))
+            1.7 * math.sqrt(delta * (w - delta)), lateral, fore_aft, torsion)
 
 
 # ---------------------------------------------------------------------- results
 
 
 def run(arguments, name, settings):
-    """Run the program, and return the directory of its results; with --keep,
-    those of an earlier run if they are complete."""
+    """Run the program, and return the directory of its results, None if the tire
+    could not be loaded; with --keep, those of an earlier run."""
     directory = arguments.scratch / name.replace(" ", "_")
-    program, template = arguments.program, arguments.template
-    if arguments.keep and (directory / "history.csv").exists():
-        done = (directory / "run.log").read_text(encoding="utf-8")
-        if "Results in" in done:
-            return directory
-    command = [program, "--quiet", "--set", f"Output/Directory={directory}",
+    command = [arguments.program, "--quiet",
+               "--set", f"Output/Directory={directory}",
                "--set", "Output/Write VTU=false"]
     for entry, value in settings.items():
         command += ["--set", f"{entry}={value}"]
-    done = subprocess.run(command + [template], capture_output=True, text=True,
-                          check=False)
-    if done.returncode != 0:
-        print(f"{name}: {(done.stdout + done.stderr).strip()[-600:]}",
-              file=sys.stderr)
-        return None
-    return directory
+    travel = float(settings["Stage 2/Travel"])
+    if not (arguments.keep and is_loaded(directory, travel)):
+        done = subprocess.run(command + [arguments.template], check=False,
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            print(f"{name}: {(done.stdout + done.stderr).strip()[-1500:]}",
+                  file=sys.stderr)
+    return directory if is_loaded(directory, travel) else None
+
+
+def is_loaded(directory, travel):
+    """Whether the stage 'contact' has reached its end."""
+    if not (directory / "history.csv").exists():
+        return False
+    step = contact_step(directory)
+    return step is not None and float(step["approach"]) > travel * (1 - 1e-9)
+
+
+def contact_step(directory):
+    """The last step of the stage 'contact', from history.csv, or None."""
+    with open(directory / "history.csv", encoding="utf-8") as file:
+        steps = [line for line in csv.DictReader(file)
+                 if line["stage"] == "contact"]
+    return steps[-1] if steps else None
 
 
 def last_force(directory):
-    """The force at the end, in kN."""
-    with open(directory / "history.csv", encoding="utf-8") as file:
-        return float(list(csv.DictReader(file))[-1]["force"]) / 1000
+    """The force of the loaded tire, in kN."""
+    return float(contact_step(directory)["force"]) / 1000
+
+
+def stiffnesses(directory, slide):
+    """Lateral and fore-and-aft (kN/mm) and torsional (kN m per degree): changes
+    from stage to stage, see the parameter file. NaN if a stage has failed."""
+    with open(directory / "forces.csv", encoding="utf-8") as file:
+        lines = {line["stage"]: line for line in csv.DictReader(file)
+                 if line["body"] == "foundation"}
+    log = (directory / "run.log").read_text(encoding="utf-8")
+    if "did not converge" in log:
+        # the last steps of the stage are missing
+        lines.pop(list(lines)[-1])
+
+    def change(stage, before, column):
+        if stage not in lines or before not in lines:
+            return math.nan
+        return abs(float(lines[stage][column]) - float(lines[before][column]))
+
+    return (change("lateral", "contact", "F_y") / slide / 1000,
+            change("fore-aft", "lateral", "F_z") / slide / 1000,
+            change("torsion", "fore-aft", "M_x") / TURN / 1e6)
 
 
 def footprint(directory):
     """Length and width of the contact zone. Its edges lie halfway between the
     last node in contact and the first one beyond."""
-    with open(sorted(directory.glob("contact-*.csv"))[-1],
-              encoding="utf-8") as file:
+    step = int(contact_step(directory)["step"])
+    with open(directory / f"contact-{step:04}.csv", encoding="utf-8") as file:
         nodes = [{key: float(value) for key, value in line.items()}
                  for line in csv.DictReader(file)]
     sizes = []
@@ -242,7 +287,8 @@ def compute(arguments, rows):
         directory = run(arguments, row["name"], tire.settings())
         if directory is None:
             return tire, None, None
-        result = last_force(directory), footprint(directory)
+        result = (last_force(directory),
+                  [*footprint(directory), *stiffnesses(directory, tire.slide())])
         print(f"{row['name']:16} {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
@@ -295,7 +341,7 @@ def results_table(results):
             lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
                           f"{tire.load:.1f}", "failed", "", "", "", ""])
             continue
-        nasa_force, length, width = nasa(tire)
+        nasa_force, length, width = nasa(tire)[:3]
         lines.append([
             name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
             f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
@@ -304,6 +350,26 @@ def results_table(results):
             f"{sizes[1]:.0f} ({sizes[1] / width:.2f})"])
     return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
                   "Ratio", "NASA", "Length, mm", "Width, mm"], lines)
+
+
+def stiffness_table(results):
+    lines = []
+    for tire, force, sizes in results:
+        if force is not None:
+            lines.append([tire.row["name"]] + [
+                "failed" if math.isnan(sizes[i]) else
+                f"{sizes[i]:.3g} ({sizes[i] / nasa(tire)[i + 1]:.2f})"
+                for i in (2, 3, 4)])
+    return table(["Tire", "Lateral, kN/mm", "Fore-and-aft, kN/mm",
+                  "Torsional, kN m per degree"], lines)
+
+
+def ratio_to_nasa(results, i):
+    """Mean and deviation, in words, of the ratio of a number to NASA's."""
+    mean, deviation = mean_and_deviation(
+        [sizes[i] / nasa(tire)[i + 1] for tire, force, sizes in results
+         if force is not None and not math.isnan(sizes[i])])
+    return f"{mean:.2f} ± {deviation:.2f}"
 
 
 def summary(results):
@@ -358,27 +424,45 @@ def page(results, variations, varied):
             """Turn-ups: half the plies again on the outer 30 % of each side. The
             ends are clamped.""",
             """The known shape is that under pressure (`Start from prestress`).
-            True pressure, no friction.""")),
+            True pressure; the ground is pressed on without friction.""")),
         "## Results",
         fill(f"""
         The force over the rated load is {ratio[0]:.3f} in the mean, with a
         standard deviation of {ratio[1]:.3f}, from {least[0]:.2f} ({least[1]}) to
-        {most[0]:.2f} ({most[1]}); {n} of {len(results)} runs converge
-        {'' if not failed else '(not: ' + ', '.join(failed) + ')'}. The
+        {most[0]:.2f} ({most[1]}); {n} of {len(results)} runs
+        {'converge' if not failed else 'converge, not ' + ', '.join(failed)}. The
         empirical formulas of [NASA TR R-64](references.bib#SmileyHorne1958) give
         {law[0]:.3f} and {law[1]:.3f} for the same tires. The length of the
         footprint is {length[0]:.2f} ± {length[1]:.2f} and its width
         {width[0]:.2f} ± {width[1]:.2f} of theirs, which are in parentheses in
-        the table. The edges of the footprint are known to half a cell, 2 % of
-        its length.
+        the table. The edges of the footprint are taken halfway between the last
+        node in contact and the first one beyond, and are uncertain by half a
+        cell: 2 % of the length, 3 % of the width. The width depends on the
+        profile of the tread, of which the databook says nothing.
         """),
         results_table(results),
+        "## Stiffness of the loaded tire",
+        fill(f"""
+        The ground slides by 1 % of the deflection along the axle, then along the
+        tread, and turns by 0.2°; the nodes in contact do not slip. In parentheses: relative to
+        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 2)}
+        (lateral), {ratio_to_nasa(results, 3)} (fore-and-aft) and
+        {ratio_to_nasa(results, 4)} (torsional). Measured stiffnesses are secants
+        over larger displacements, in which a part of the footprint slips, so
+        that they are lower than those without slip. A stage that does not
+        converge, because a node at the edge of the footprint leaves and enters
+        the contact in turn, is marked as failed.
+        """),
+        stiffness_table(results),
         "## What an input does",
         fill(f"""
         The databook has ranges instead of numbers, and says nothing about the
         inside. For {varied} the force over the rated load is
         """),
         table(["Input", "Ratio"], variations),
+        fill("""
+        With the diameter the number of plies may change, too.
+        """),
         "## Another tire",
         fill("""
         A row of the same columns in another file is computed by the same rules:
