@@ -104,6 +104,9 @@ def summary(run, footprint):
     rows += failure_rows(run)
     if "strain_energy" in history:
         rows.append(row("Strain energy", run.last("strain_energy"), "energy"))
+    if "slack_cords" in history:
+        rows.append(row("Slack cords", 100 * run.last("slack_cords"), "",
+                        "% by volume, of those that can go slack", 3))
     rows += [row("Steps", len(run.steps), "",
                  count(len(dict.fromkeys(history["stage"])), "stage")),
              row("Newton iterations", history["iterations"].sum(), "",
