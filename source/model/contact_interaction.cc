@@ -13,6 +13,32 @@ namespace Biface
 {
   using namespace dealii;
 
+  ContactTraction
+  contact_traction(const ShellMesh   &mesh,
+                   const State       &state,
+                   const Loads       &loads,
+                   const unsigned int node)
+  {
+    ContactTraction result;
+    if (!loads.foundation || !state.active[node])
+      return result;
+    const Tensor<1, 3> &lambda = state.multipliers[node];
+    const Tensor<1, 3>  normal =
+      loads.foundation
+        ->evaluate(mesh.deformed_position(
+          state.displacement, mesh.nodes[node], Resultants::outer))
+        .normal;
+    if (loads.friction)
+      {
+        const auto tangents = loads.foundation->tangents(normal);
+        for (unsigned int i = 0; i < 2; ++i)
+          result.friction += lambda[1 + i] * tangents[i];
+      }
+    result.total = lambda[0] * normal + result.friction;
+    return result;
+  }
+
+
   void
   ContactInteraction::Parameters::add_parameters(ParameterHandler &prm)
   {
@@ -351,25 +377,22 @@ namespace Biface
   }
 
 
-  ContactInteraction::NodalTraction
-  ContactInteraction::traction_of_multipliers(const State       &state,
-                                              const Loads       &loads,
-                                              const unsigned int node) const
+  double
+  ContactInteraction::friction_work(const State &before,
+                                    const State &after,
+                                    const Loads &loads) const
   {
-    NodalTraction result;
-    if (!loads.foundation || !state.active[node])
-      return result;
-    const Tensor<1, 3> &lambda = state.multipliers[node];
-    const Tensor<1, 3>  normal =
-      contact_at(state, loads, node).foundation.normal;
+    double work = 0;
     if (loads.friction)
-      {
-        const auto tangents = loads.foundation->tangents(normal);
-        for (unsigned int i = 0; i < 2; ++i)
-          result.friction += lambda[1 + i] * tangents[i];
-      }
-    result.value = lambda[0] * normal + result.friction;
-    return result;
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (slips(after, loads, n) && before.grips[n] != Grip::none)
+            // each column of both masses adds up to a quarter
+            work -= cell.geometry.weight / 4 *
+                    (contact_traction(mesh, after, loads, n).friction *
+                     (loads.foundation->present(after.stick_points[n]) -
+                      loads.foundation->present(before.stick_points[n])));
+    return Utilities::MPI::sum(work, mesh.communicator);
   }
 
 
@@ -423,7 +446,7 @@ namespace Biface
                 // each column of both masses adds up to a quarter
                 area += cell.geometry.weight / 4;
                 force -= cell.geometry.weight / 4 *
-                         (traction_of_multipliers(state, loads, n).value * d);
+                         (contact_traction(mesh, state, loads, n).total * d);
               }
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
           if (mesh.nodes[n].locally_owned)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/contact_interaction.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 
@@ -32,7 +33,9 @@ namespace Biface
 
           const Point<3> x =
             mesh.deformed_position(state.displacement, node, Resultants::outer);
-          const double          pressure = state.contact_pressure(n);
+          const double       pressure = state.contact_pressure(n);
+          const Tensor<1, 3> friction =
+            contact_traction(mesh, state, report.loads, n).friction;
           const ThicknessMetric metric(node.surface.curvature,
                                        node.face_heights);
           rows.push_back({chart_coordinate(surface, node, 0),
@@ -43,10 +46,15 @@ namespace Biface
                           report.loads.foundation->clearance(x),
                           pressure,
                           static_cast<double>(state.active[n]),
-                          pressure * metric.area_ratio(Resultants::outer)});
+                          pressure * metric.area_ratio(Resultants::outer),
+                          slips(state, report.loads, n) ? 1. : 0.,
+                          friction[0],
+                          friction[1],
+                          friction[2]});
         }
     write_csv(path(report.step),
-              "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure",
+              "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure,"
+              "slipping,friction_x,friction_y,friction_z",
               rows,
               communicator);
   }

@@ -16,7 +16,8 @@ namespace Biface
       std::string header =
         "step,stage,approach,force,contact_nodes,contact_area,"
         "max_pressure,iterations,seconds,pressure,load_factor,"
-        "strain_energy";
+        "strain_energy,load_work,foundation_work,friction_work,slide_x,"
+        "slide_y,slide_z,turn,slipping_nodes";
       for (const FailureCriterion &criterion : criteria.requested())
         for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
           header += ',' + criterion.column + '_' + what;
@@ -58,7 +59,13 @@ namespace Biface
          << ',' << csv_number(report.seconds) << ','
          << csv_number(report.loads.pressure) << ','
          << csv_number(report.loads.factor) << ','
-         << csv_number(equations.internal_forces().strain_energy(state));
+         << csv_number(equations.internal_forces().strain_energy(state)) << ','
+         << csv_number(report.work.loads) << ','
+         << csv_number(report.work.foundation) << ','
+         << csv_number(report.work.friction) << ',';
+    for (unsigned int i = 0; i < 3; ++i)
+      line << csv_number(report.slide[i]) << ',';
+    line << csv_number(report.turn) << ',' << report.contact.n_slipping;
     failure_maxima = find_failure_maxima(equations, state, criteria);
     for (const FailureMaximum &maximum : failure_maxima)
       if (std::isnan(maximum.index))

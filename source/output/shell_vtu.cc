@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/contact_interaction.h>
 #include <biface/output/shell_vtu.h>
 
 namespace Biface
@@ -22,7 +23,11 @@ namespace Biface
                                      "H_12",
                                      "H_13",
                                      "H_23",
-                                     "H_33"};
+                                     "H_33",
+                                     "slipping",
+                                     "friction",
+                                     "friction",
+                                     "friction"};
       if (layup.has_slack_cords())
         names.push_back("slack_cords");
       return names;
@@ -30,7 +35,9 @@ namespace Biface
   } // namespace
 
 
-  FacePatches::FacePatches(const ShellEquations &equations, const State &state)
+  FacePatches::FacePatches(const ShellEquations &equations,
+                           const State          &state,
+                           const Loads          &loads)
     : VertexPatches<2>(dataset_names(equations.mesh.layup))
   {
     using namespace Resultants;
@@ -68,6 +75,14 @@ namespace Biface
                 for (unsigned int a = 0; a < 2; ++a)
                   patch.data(d++, v) = H[v][transverse(a, face)];
                 patch.data(d++, v) = H[v][thickness];
+                Tensor<1, 3> friction;
+                if (face == outer)
+                  friction = contact_traction(mesh, state, loads, cell.nodes[v])
+                               .friction;
+                patch.data(d++, v) =
+                  (face == outer && slips(state, loads, cell.nodes[v]) ? 1 : 0);
+                for (unsigned int i = 0; i < 3; ++i)
+                  patch.data(d++, v) = friction[i];
                 if (mesh.layup.has_slack_cords())
                   patch.data(d++, v) = slack[v];
               }
@@ -97,7 +112,7 @@ namespace Biface
   void
   ShellVtu::write(const StepReport &report, const State &state)
   {
-    FacePatches patches(equations, state);
+    FacePatches patches(equations, state, report.loads);
     write_patches(patches, report.step);
   }
 } // namespace Biface

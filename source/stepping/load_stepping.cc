@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/work.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/load_stepping.h>
 
@@ -113,6 +114,7 @@ namespace Biface
   {
     Progress &progress       = run.progress;
     progress.reached.travel  = 0;
+    progress.work            = Work();
     progress.reached.slide   = Tensor<1, 3>();
     progress.reached.turn    = 0;
     progress.factor_of_shape = progress.reached.factor;
@@ -286,8 +288,16 @@ namespace Biface
         run.state, attempt.state, attempt.mu - trial.mu, trial.size);
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
+    const Loads     before = loads_at(progress.reached, run);
+    const LoadLevel level  = trial.level(attempt.mu);
+    progress.work += work_of_step(equations,
+                                  contact,
+                                  run.state,
+                                  before,
+                                  attempt.state,
+                                  loads_at(level, run));
     run.state        = attempt.state;
-    progress.reached = trial.level(attempt.mu);
+    progress.reached = level;
     progress.control = run.control.get_memory();
     ++progress.n_steps;
 
@@ -298,6 +308,12 @@ namespace Biface
     report.in_contact = run.stage.contact;
     report.loads      = loads_at(progress.reached, run);
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
+    report.work       = progress.work;
+    if (run.stage.contact)
+      {
+        report.slide = progress.reached.slide;
+        report.turn  = progress.reached.turn;
+      }
     report.contact    = contact.summarize(run.state, report.loads);
     report.controlled = run.control.controlled();
     if (run.stage.contact)

@@ -33,6 +33,32 @@ namespace Biface
   };
 
 
+  /** Whether a node slips at the limit of friction. */
+  inline bool
+  slips(const State &state, const Loads &loads, const unsigned int node)
+  {
+    return loads.friction && state.active[node] &&
+           state.grips[node] == Grip::slip;
+  }
+
+
+  /** The traction of the foundation on the shell. Unit: force/area. */
+  struct ContactTraction
+  {
+    dealii::Tensor<1, 3> total;
+    /** Its tangential part. */
+    dealii::Tensor<1, 3> friction;
+  };
+
+  /** The traction at a node, by its position in ShellMesh::nodes, from the
+   * multipliers of the state; zero at inactive nodes. */
+  ContactTraction
+  contact_traction(const ShellMesh   &mesh,
+                   const State       &state,
+                   const Loads       &loads,
+                   const unsigned int node);
+
+
   /**
    * The contact between the outer face of the shell and the foundation: the
    * active set, the tractions, and the figures of the contact zone. It has no
@@ -138,13 +164,12 @@ namespace Biface
     unsigned int
     count_slipping(const State &state, const Loads &loads) const;
 
-    /** Whether a node slips at the limit of friction. */
-    bool
-    slips(const State &state, const Loads &loads, const unsigned int node) const
-    {
-      return loads.friction && state.active[node] &&
-             state.grips[node] == Grip::slip;
-    }
+    /** The work of friction in a step, that is, the heat: at each node the
+     * traction at the end of the step times the motion of the stick point. */
+    double
+    friction_work(const State &before,
+                  const State &after,
+                  const Loads &loads) const;
 
     /** The contact traction at an active node. */
     struct Traction
@@ -163,19 +188,6 @@ namespace Biface
     traction(const State       &state,
              const Loads       &loads,
              const unsigned int node) const;
-
-    /** The traction on the shell at any node, from the multipliers of the
-     * state, and its tangential part. Unit: force/area. */
-    struct NodalTraction
-    {
-      dealii::Tensor<1, 3> value;
-      dealii::Tensor<1, 3> friction;
-    };
-
-    NodalTraction
-    traction_of_multipliers(const State       &state,
-                            const Loads       &loads,
-                            const unsigned int node) const;
 
     /** The compressive force on the foundation, see ContactSummary, from the
      * multipliers of the displacements, with its derivatives for a fixed active

@@ -111,6 +111,12 @@ namespace Biface
     std::vector<LA::Vector>
     nodal_forces(const State &state, const Loads &loads) const;
 
+    /** The sum of those of one source. */
+    LA::Vector
+    nodal_forces(const ForceTerm::Source source,
+                 const State            &state,
+                 const Loads            &loads) const;
+
     const std::vector<const ForceTerm *> &
     get_terms() const
     {
@@ -158,6 +164,13 @@ namespace Biface
     const ShellMesh &mesh;
 
   private:
+    /** Add the forces of a term on all nodes; compress them afterwards. */
+    void
+    add_nodal_forces(const unsigned int term,
+                     const State       &state,
+                     const Loads       &loads,
+                     LA::Vector        &nodal_forces) const;
+
     /** Add the forces of the terms in a range, which linear theory linearizes
      * either all or not at all, on a cell. */
     void

@@ -17,7 +17,9 @@ namespace Biface
   class FacePatches : public VertexPatches<2>
   {
   public:
-    FacePatches(const ShellEquations &equations, const State &state);
+    FacePatches(const ShellEquations &equations,
+                const State          &state,
+                const Loads          &loads = Loads());
   };
 
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include <biface/model/work.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stage.h>
@@ -38,6 +39,9 @@ namespace Biface
      * are proportional to what exceeds it. */
     double factor_of_shape = 0;
 
+    /** In all steps, or in those since the last start from a prestress. */
+    Work work;
+
     /** See Control::Equilibrium. */
     LA::Vector last_change;
 
@@ -67,7 +71,7 @@ namespace Biface
       double travel  = touching_travel.value_or(0);
       archive &n_steps &stage &stage_begun &reached &touched &travel;
       archive                                                &touched_point;
-      archive                                                &factor_of_shape;
+      archive &factor_of_shape                               &work;
       archive &control                                       &predictor;
       touching_travel =
         (touched ? std::optional<double>(travel) : std::nullopt);

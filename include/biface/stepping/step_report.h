@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/model/state.h>
+#include <biface/model/work.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
@@ -28,7 +29,12 @@ namespace Biface
     /** The controlled quantity, if not a load, in words, and its value. */
     std::optional<std::pair<std::string, double>> controlled;
     /** Travel of the foundation since it first touched the shell. */
-    double         approach = 0;
+    double approach = 0;
+    /** Its motion sideways and turn, in degrees. */
+    dealii::Tensor<1, 3> slide;
+    double               turn = 0;
+    /** See Progress. */
+    Work           work;
     ContactSummary contact;
     unsigned int   iterations = 0;
     /** Relative residuals before each iteration and after the last. */

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_work_h
+#define biface_model_work_h
+
+#include <biface/model/contact_interaction.h>
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+
+namespace Biface
+{
+  /** Work done on the shell. Unit: force times length. */
+  struct Work
+  {
+    /** Of the loads and of prescribed displacements. */
+    double loads = 0;
+    /** Of the moving foundation on what it touches. */
+    double foundation = 0;
+    /** Of this, what friction turns into heat. */
+    double friction = 0;
+
+    Work &
+    operator+=(const Work &other)
+    {
+      loads += other.loads;
+      foundation += other.foundation;
+      friction += other.friction;
+      return *this;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &loads &foundation &friction;
+    }
+  };
+
+
+  /**
+   * The work in a step, by the trapezoidal rule: mean forces times
+   * displacements. Its error decreases with the square of the size of the step.
+   * Loads and foundation do as much work as the strain energy increases by,
+   * plus that of friction, and the small elastic energy in the regularization
+   * of contact.
+   *
+   * Must be called on all ranks, for converged states.
+   *
+   * @param before, loads_before the state at the start of the step, and its
+   * loads, with a foundation if @p loads_after has one.
+   */
+  Work
+  work_of_step(const ShellEquations     &equations,
+               const ContactInteraction &contact,
+               const State              &before,
+               const Loads              &loads_before,
+               const State              &after,
+               const Loads              &loads_after);
+} // namespace Biface
+
+#endif
