@@ -11,13 +11,17 @@ namespace Biface
   namespace
   {
     std::string
-    history_header(const FailureCriteria &criteria, const Layup &layup)
+    history_header(const FailureCriteria &criteria,
+                   const Layup           &layup,
+                   const bool             with_volume)
     {
       std::string header =
         "step,stage,approach,force,contact_nodes,contact_area,"
         "max_pressure,iterations,seconds,pressure,load_factor,"
         "strain_energy,load_work,foundation_work,friction_work,slide_x,"
         "slide_y,slide_z,turn,slipping_nodes";
+      if (with_volume)
+        header += ",volume";
       for (const FailureCriterion &criterion : criteria.requested())
         for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
           header += ',' + criterion.column + '_' + what;
@@ -29,14 +33,17 @@ namespace Biface
 
 
   HistoryFile::HistoryFile(const FailureCriteria &criteria,
+                           const Cavity          *cavity,
                            ResultsDirectory      &directory,
                            const ShellEquations  &equations)
-    : StepTable("history.csv",
-                history_header(criteria, equations.mesh.layup),
-                1,
-                directory,
-                equations)
+    : StepTable(
+        "history.csv",
+        history_header(criteria, equations.mesh.layup, cavity != nullptr),
+        1,
+        directory,
+        equations)
     , criteria(criteria)
+    , cavity(cavity)
   {}
 
 
@@ -66,6 +73,8 @@ namespace Biface
     for (unsigned int i = 0; i < 3; ++i)
       line << csv_number(report.slide[i]) << ',';
     line << csv_number(report.turn) << ',' << report.contact.n_slipping;
+    if (cavity)
+      line << ',' << csv_number(cavity->volume(state));
     failure_maxima = find_failure_maxima(equations, state, criteria);
     for (const FailureMaximum &maximum : failure_maxima)
       if (std::isnan(maximum.index))

@@ -32,12 +32,13 @@ namespace Biface
 
   ResultsWriter::ResultsWriter(const Parameters             &parameters,
                                const ShellEquations         &equations,
+                               const Cavity                 *cavity,
                                const std::optional<Written> &continued)
     : directory(parameters.directory, equations.mesh.communicator)
   {
     const auto add = [this](auto file) { files.push_back(std::move(file)); };
-    auto       history_file =
-      std::make_unique<HistoryFile>(parameters.criteria, directory, equations);
+    auto       history_file = std::make_unique<HistoryFile>(
+      parameters.criteria, cavity, directory, equations);
     history = history_file.get();
     add(std::move(history_file));
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));

@@ -63,6 +63,10 @@ namespace Biface
     loads.add_parameters(prm);
     prm.leave_subsection();
 
+    prm.enter_subsection("Gas");
+    gas.add_parameters(prm);
+    prm.leave_subsection();
+
     prm.enter_subsection("Contact");
     contact.add_parameters(prm);
     prm.leave_subsection();
@@ -118,6 +122,7 @@ namespace Biface
     newton.check();
     checkpoint.check();
     check_stages(stages);
+    check_gas();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check_slide("Stage " + std::to_string(i + 1),
                             contact.foundation.line.direction);
@@ -136,6 +141,39 @@ namespace Biface
        revolution &&
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
+  }
+
+
+  void
+  Parameters::check_gas() const
+  {
+    gas.check(surface.type == ReferenceSurface::Parameters::Type::revolution);
+
+    double before = 0;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const std::string section = "Stage " + std::to_string(i + 1);
+        if (stages[i].sealed)
+          {
+            if (!gas.ambient_pressure)
+              throw InputError(
+                section + "/Gas", "sealed", "it needs 'Gas/Ambient pressure'");
+            if (!(before + *gas.ambient_pressure > 0))
+              throw InputError(
+                section + "/Gas",
+                "sealed",
+                "it needs a positive absolute pressure, and before the "
+                "stage the pressure is " +
+                  number_to_string(before) + ", the ambient pressure " +
+                  number_to_string(*gas.ambient_pressure));
+            if (!pressure.is_uniform())
+              throw InputError("Loads/Pressure distribution",
+                               pressure.distribution.get_text(),
+                               "it must be 1 with 'Gas = sealed': the pressure "
+                               "of a gas is the same everywhere");
+          }
+        before = stages[i].pressure.value_or(before);
+      }
   }
 
 

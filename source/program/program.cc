@@ -98,7 +98,9 @@ namespace Biface
         }
       else
         remove_checkpoints(directory, communicator);
-      ResultsWriter results(parameters.output, equations, written);
+      const Gas    *gas = simulation.get_gas();
+      ResultsWriter results(
+        parameters.output, equations, gas ? &gas->cavity : nullptr, written);
 
       log.open(directory + "/run.log", checkpoint != nullptr);
       if (checkpoint != nullptr)

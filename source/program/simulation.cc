@@ -123,6 +123,10 @@ namespace Biface
     , equations(
         *mesh,
         make_force_terms(*mesh, contact, parameters.loads, parameters.pressure))
+    , gas(parameters.gas.ambient_pressure
+            ? std::make_unique<const Gas>(
+                *mesh, parameters.gas, parameters.pressure.face)
+            : nullptr)
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
     , state(*mesh)
   {
@@ -210,8 +214,13 @@ namespace Biface
 
     Newton newton(
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
-    LoadStepping load_stepping(
-      parameters.load_stepping, equations, contact, newton, out, nested.get());
+    LoadStepping load_stepping(parameters.load_stepping,
+                               equations,
+                               contact,
+                               newton,
+                               out,
+                               nested.get(),
+                               gas.get());
     return load_stepping.run(parameters.stages, progress, state, observer);
   }
 } // namespace Biface

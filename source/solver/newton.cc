@@ -109,7 +109,7 @@ namespace Biface
       , mu(mu)
       , iteration(iteration)
       , zone_given(zone_given)
-      , loads(path.at(mu))
+      , loads(path.on(state, mu))
       , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
@@ -320,20 +320,49 @@ namespace Biface
     increment.mu       = 0;
     iterate.last_error = linear.error * increment.displacement.linfty_norm();
 
+    // the displacements per change of a load; supported ones do not change
+    const auto solve_for = [&](const LoadRates &rates, LA::Vector &solution) {
+      linear = linear_solver.solve(
+        solution,
+        equations.load_direction(iterate.state, iterate.loads, rates),
+        exactness);
+      equations.mesh.constraints.distribute(solution);
+      return linear.success;
+    };
+
+    LA::Vector per_pressure, pressure_gradient;
+    double     denominator = 1;
+    if (const Gas::Sealed *gas = iterate.parametrized.gas)
+      {
+        per_pressure = equations.mesh.owned_vector();
+        LoadRates pressure_alone;
+        pressure_alone.pressure = 1;
+        if (!solve_for(pressure_alone, per_pressure))
+          return Failure{linear.cause, linear.message};
+        pressure_gradient = gas->pressure_gradient(iterate.state);
+        denominator       = 1 - pressure_gradient * per_pressure;
+        if (denominator == 0 || !std::isfinite(denominator))
+          return Failure{FailureCause::singular_tangent,
+                         "the pressure of the gas is not determined"};
+        // a term of rank one changes the sign of one eigenvalue at most
+        if (denominator < 0 && iterate.result.n_negative_pivots > 0u)
+          --*iterate.result.n_negative_pivots;
+      }
+    // from a solution with the tangent to one with that of the gas as well
+    const auto add_gas = [&](LA::Vector &solution) {
+      if (iterate.parametrized.gas)
+        solution.add(pressure_gradient * solution / denominator, per_pressure);
+    };
+    add_gas(increment.displacement);
+
     if (const ControlEquation *equation = iterate.parametrized.equation)
       {
         const ControlEquation::Iteration here =
           iterate.here(equations, contact);
         LA::Vector per_parameter = equations.mesh.owned_vector();
-        linear =
-          linear_solver.solve(per_parameter,
-                              equations.load_direction(
-                                iterate.state, iterate.loads, equation->rates),
-                              exactness);
-        if (!linear.success)
+        if (!solve_for(equation->rates, per_parameter))
           return Failure{linear.cause, linear.message};
-        // supported displacements do not change with the load parameter
-        equations.mesh.constraints.distribute(per_parameter);
+        add_gas(per_parameter);
         increment.mu = equation->parameter_change(
           here, increment.displacement, per_parameter);
         if (!std::isfinite(increment.mu))
@@ -351,9 +380,9 @@ namespace Biface
   {
     TimerOutput::Scope scope(timer, "Update of the state");
     iterate.mu += increment.mu;
-    iterate.loads = iterate.parametrized.at(iterate.mu);
     iterate.total += increment.displacement;
     equations.update(iterate.state, increment.displacement, iterate.iteration);
+    iterate.loads       = iterate.parametrized.on(iterate.state, iterate.mu);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
     iterate.last_update = increment.displacement.linfty_norm();
     ++iterate.result.iterations;

@@ -35,13 +35,15 @@ namespace Biface
                              const ContactInteraction &contact,
                              Newton                   &newton,
                              ConditionalOStream       &out,
-                             const NestedPredictor    *nested)
+                             const NestedPredictor    *nested,
+                             const Gas                *gas)
     : parameters(parameters)
     , equations(equations)
     , contact(contact)
     , newton(newton)
     , out(out)
     , nested(nested)
+    , gas(gas)
   {}
 
 
@@ -101,6 +103,9 @@ namespace Biface
       }
     contact.set_glued(run.state, stage.glued);
     equations.internal_forces().set_theory(stage.theory, run.state);
+    progress.gas_content.reset();
+    if (stage.sealed)
+      progress.gas_content = gas->content(progress.reached.pressure, run.state);
 
     run.control.begin(last_converged(run));
     progress.control = run.control.get_memory();
@@ -219,7 +224,12 @@ namespace Biface
   {
     const LoadLevel first = trial.level(trial.mu);
     out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
-        << ": pressure " << first.pressure << ", load factor " << first.factor;
+        << ": pressure ";
+    if (run.stage.sealed)
+      out << run.progress.reached.pressure << " at its start";
+    else
+      out << first.pressure;
+    out << ", load factor " << first.factor;
     if (run.stage.contact)
       {
         out << ", approach " << first.travel;
@@ -265,9 +275,13 @@ namespace Biface
     if (trial.size > 0 && !zone_given && secant && parameters.predict)
       progress.predictor.predict(attempt.state, attempt.mu, trial.size);
 
+    std::optional<Gas::Sealed> sealed;
+    if (progress.gas_content)
+      sealed.emplace(*gas, *progress.gas_content);
     const ParametrizedLoads loads{
       [&](const double mu) { return loads_at(trial.level(mu), run); },
-      trial.equation.get()};
+      trial.equation.get(),
+      sealed ? &*sealed : nullptr};
     attempt.result =
       newton.solve(attempt.state, loads, attempt.mu, iteration, zone_given);
     return attempt;
@@ -288,16 +302,18 @@ namespace Biface
         run.state, attempt.state, attempt.mu - trial.mu, trial.size);
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
-    const Loads     before = loads_at(progress.reached, run);
-    const LoadLevel level  = trial.level(attempt.mu);
+    const Loads before = loads_at(progress.reached, run);
+    progress.reached   = trial.level(attempt.mu);
+    if (progress.gas_content)
+      progress.reached.pressure =
+        Gas::Sealed(*gas, *progress.gas_content).pressure(attempt.state);
     progress.work += work_of_step(equations,
                                   contact,
                                   run.state,
                                   before,
                                   attempt.state,
-                                  loads_at(level, run));
+                                  loads_at(progress.reached, run));
     run.state        = attempt.state;
-    progress.reached = level;
     progress.control = run.control.get_memory();
     ++progress.n_steps;
 
@@ -362,8 +378,10 @@ namespace Biface
                                          const StageRun  &run) const
   {
     Loads loads;
-    loads.pressure        = level.pressure;
-    loads.factor          = level.factor;
+    // that of a sealed gas changes only with the state
+    loads.pressure = (run.progress.gas_content ? run.progress.reached.pressure
+                                               : level.pressure);
+    loads.factor   = level.factor;
     loads.factor_of_shape = run.progress.factor_of_shape;
     return loads;
   }

@@ -11,7 +11,11 @@ namespace Biface
       return;
     const std::unique_ptr<Control> changed = make_control(before);
     changed->restore(control);
-    if (changed->change_stage(now, reached))
+    LoadLevel level = reached;
+    // the pressure of a sealed gas is on no path
+    if (gas_content)
+      level.pressure = control.start.pressure;
+    if (changed->change_stage(now, level))
       predictor.reset();
     control = changed->get_memory();
   }

@@ -31,6 +31,14 @@ namespace Biface
       "Pressure at the end of the stage; see the section 'Loads' for its "
       "face and type. 'unchanged': as at the end of the previous stage. "
       "Unit: force/area.");
+    add_choice(prm,
+               "Gas",
+               sealed,
+               {"open", "sealed"},
+               "Whether the gas that exerts the pressure can leave the shell. "
+               "'open': the pressure is that of the stage. 'sealed': from the "
+               "start of the stage the pressure follows from the volume of "
+               "the cavity, see the section 'Gas'.");
     prm.add_parameter("Contact",
                       contact,
                       "Whether the stage has contact with the rigid "
@@ -173,6 +181,15 @@ namespace Biface
       check_finite(section + "/Slide", *slide);
     if (!friction.empty())
       check_friction(section + "/Friction", friction);
+    if (sealed && pressure)
+      throw InputError(section + "/Pressure",
+                       number_to_string(*pressure),
+                       "it must be 'unchanged' in a stage with 'Gas = sealed', "
+                       "where the pressure follows from the volume");
+    if (sealed && theory == StrainTheory::linear)
+      throw InputError(section + "/Strain theory",
+                       "linear",
+                       "a stage with 'Gas = sealed' must be nonlinear");
     if (control != "load" && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",

@@ -32,6 +32,8 @@ main(int argc, char *argv[])
                       "Stage 2/Force=1500",
                       no_vtu}),
                 4);
+  check_restart(
+    "sealed gas", {"--set", "Stage 2/Steps=4", DATA_DIR "/gas_tube.prm"}, 3);
   check_restart("arc length",
                 {"--set",
                  "Mesh/Intervals alpha_1=0:254:4",

@@ -54,6 +54,13 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
+    /** Whether the distribution is that of a gas. */
+    bool
+    is_uniform() const
+    {
+      return distribution.get_text() == PressureLoad().distribution.get_text();
+    }
+
     /** The distribution at all nodes of this rank. Throws InputError on all
      * ranks if it is not finite at some node. */
     std::vector<double>

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <biface/model/cavity.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 
@@ -15,7 +16,9 @@ namespace Biface
   class HistoryFile : public StepTable
   {
   public:
+    /** @param cavity null if its volume is not of interest. */
     HistoryFile(const FailureCriteria &criteria,
+                const Cavity          *cavity,
                 ResultsDirectory      &directory,
                 const ShellEquations  &equations);
 
@@ -34,6 +37,7 @@ namespace Biface
     write(const StepReport &report, const State &state) override;
 
     const FailureCriteria       criteria;
+    const Cavity               *cavity;
     std::vector<FailureMaximum> failure_maxima;
   };
 } // namespace Biface

@@ -15,6 +15,7 @@
 #include <biface/laminate/material.h>
 #include <biface/model/contact_interaction.h>
 #include <biface/model/dead_loads.h>
+#include <biface/model/gas.h>
 #include <biface/model/named_points.h>
 #include <biface/model/pressure_load.h>
 #include <biface/model/supports.h>
@@ -47,6 +48,7 @@ namespace Biface
     Supports                          supports;
     DeadLoads                         loads;
     PressureLoad                      pressure;
+    Gas::Parameters                   gas;
     ContactInteraction::Parameters    contact;
     std::vector<Stage>                stages;
     LinearSolver::Parameters          linear_solver;
@@ -78,6 +80,10 @@ namespace Biface
     named_pairs() const;
 
   private:
+    /** Throws InputError if the gas of a stage cannot be sealed. */
+    void
+    check_gas() const;
+
     /** Throws InputError if the edges of a closed coordinate are supported or
      * loaded. */
     void

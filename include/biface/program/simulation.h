@@ -58,6 +58,13 @@ namespace Biface
       return contact;
     }
 
+    /** The gas; null if it cannot be sealed in. */
+    const Gas *
+    get_gas() const
+    {
+      return gas.get();
+    }
+
     /** The state of the last converged step, also while the observer is
      * called. */
     const State &
@@ -122,6 +129,7 @@ namespace Biface
     const std::unique_ptr<const ShellMesh> mesh;
     const ContactInteraction               contact;
     ShellEquations                         equations;
+    const std::unique_ptr<const Gas>       gas;
     const std::unique_ptr<LinearSolver>    linear_solver;
     State                                  state;
     double                                 coarse_solver_seconds = 0;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <biface/model/contact_interaction.h>
+#include <biface/model/gas.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/solver/control_equation.h>
@@ -27,6 +28,19 @@ namespace Biface
     std::function<Loads(const double)> at;
     /** The equation that determines @f$\mu@f$; null if it is prescribed. */
     const ControlEquation *equation = nullptr;
+    /** The gas whose pressure is that of the loads; null if it is
+     * prescribed. */
+    const Gas::Sealed *gas = nullptr;
+
+    /** The loads for a load parameter and a state. */
+    Loads
+    on(const State &state, const double mu) const
+    {
+      Loads loads = at(mu);
+      if (gas)
+        loads.pressure = gas->pressure(state);
+      return loads;
+    }
   };
 
 

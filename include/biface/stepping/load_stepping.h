@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <biface/model/contact_interaction.h>
+#include <biface/model/gas.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/model/worst_strains.h>
@@ -72,13 +73,15 @@ namespace Biface
 
     /** All objects are kept by reference.
      * @param nested the states of a coarser mesh from which steps start; null
-     * for none. */
+     * for none.
+     * @param gas null if no stage has a sealed gas. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
                  Newton                     &newton,
                  dealii::ConditionalOStream &out,
-                 const NestedPredictor      *nested = nullptr);
+                 const NestedPredictor      *nested = nullptr,
+                 const Gas                  *gas    = nullptr);
 
     /**
      * Run the stages, continuing from the given progress.
@@ -165,6 +168,7 @@ namespace Biface
     Newton                     &newton;
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;
+    const Gas                  *gas;
 
     /** Whether this warning was given. */
     bool warned = false;

@@ -42,6 +42,10 @@ namespace Biface
     /** In all steps, or in those since the last start from a prestress. */
     Work work;
 
+    /** The content of the gas in a stage where it is sealed, see
+     * Gas::content(). */
+    std::optional<double> gas_content;
+
     /** See Control::Equilibrium. */
     LA::Vector last_change;
 
@@ -71,8 +75,11 @@ namespace Biface
       double travel  = touching_travel.value_or(0);
       archive &n_steps &stage &stage_begun &reached &touched &travel;
       archive                                                &touched_point;
-      archive &factor_of_shape                               &work;
-      archive &control                                       &predictor;
+      bool                               sealed  = gas_content.has_value();
+      double                             content = gas_content.value_or(0);
+      archive &factor_of_shape          &work;
+      archive &sealed &content &control &predictor;
+      gas_content = (sealed ? std::optional<double>(content) : std::nullopt);
       touching_travel =
         (touched ? std::optional<double>(travel) : std::nullopt);
     }

@@ -58,6 +58,8 @@ namespace Biface
     StrainTheory theory = StrainTheory::nonlinear;
     /** At the end of the stage; if not set, as at its start. */
     std::optional<double> pressure;
+    /** Whether the gas that exerts the pressure is sealed in, see Gas. */
+    bool sealed = false;
     /** Whether there is a foundation, and its travel at the end of the
      * stage. */
     bool                  contact = false;
@@ -137,7 +139,7 @@ namespace Biface
       add_optional(factor);
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
-      archive &force &adaptive                           &from_prestress;
+      archive &force &adaptive &from_prestress           &sealed;
     }
   };
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The volume of the bias tire beyond its rim is that of the torus, for any
+// mesh, and the gradient of the volume is its derivative.
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+#include <biface/laminate/layup.h>
+#include <biface/model/cavity.h>
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  /** The volume between an arc from -angle to angle, of radius R about a center
+   * at the distance C from the axis, and the cylinder of radius r. */
+  double
+  volume_beyond(const double C,
+                const double R,
+                const double angle,
+                const double r)
+  {
+    const double s = std::sin(angle), c = std::cos(angle);
+    return numbers::PI * R *
+           ((C * C - r * r) * 2 * s + 2 * C * R * (angle + s * c) +
+            R * R * (2 * s - 2. / 3 * s * s * s));
+  }
+
+
+  std::unique_ptr<ShellMesh>
+  torus(const std::string &turn, const bool closed)
+  {
+    auto surface = std::make_unique<SurfaceOfRevolution>(
+      std::make_shared<CircularArc>(CircularArc::Parameters()));
+    ChartGrid::Parameters parameters;
+    parameters.intervals = {{parse_intervals("intervals", "-120:120:6"),
+                             parse_intervals("intervals", turn)}};
+    parameters.closed    = closed;
+    const ChartGrid grid(parameters, *surface);
+    return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
+                                       std::move(surface),
+                                       grid,
+                                       Layup(Layup::Parameters(), cord_ply()),
+                                       Supports());
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const auto   tire  = torus("-180:180:8", true);
+  const double inner = 50 + tire->strips[0].laminate.face_heights()[0];
+  const double angle = 120 * numbers::PI / 180;
+  const double rim   = 200 + inner * std::cos(angle);
+  check_small("volume of the tire, relative",
+              Cavity(*tire, Cavity::Parameters(), Resultants::inner)
+                    .volume(State(*tire)) /
+                  volume_beyond(200, inner, angle, rim) -
+                1,
+              1e-9);
+
+  const auto         sector = torus("10:46:3", false);
+  Cavity::Parameters without_rim;
+  without_rim.rim_radius = 0;
+  check_small(
+    "a tenth of it to the axis, relative",
+    Cavity(*sector, without_rim, Resultants::inner).volume(State(*sector)) /
+        (volume_beyond(200, inner, angle, 0) / 10) -
+      1,
+    1e-9);
+
+  const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()));
+  for (const auto face : {Resultants::inner, Resultants::outer})
+    {
+      Cavity::Parameters parameters;
+      parameters.volume = 1e6;
+      const Cavity     cavity(*mesh, parameters, face);
+      State            state(*mesh);
+      const LA::Vector V     = some_displacement(*mesh, 1, 1);
+      const LA::Vector dV    = some_displacement(*mesh, 1, 2);
+      state.displacement     = V;
+      const double predicted = cavity.volume_gradient(state) * dV;
+
+      const double          h = 1e-3;
+      std::array<double, 2> volumes;
+      for (const int sign : {-1, 1})
+        {
+          LA::Vector moved = V;
+          moved.add(sign * h, dV);
+          state.displacement      = moved;
+          volumes[(sign + 1) / 2] = cavity.volume(state);
+        }
+      check_small(face == Resultants::inner ? "gradient, inner face"
+                                            : "gradient, outer face",
+                  (volumes[1] - volumes[0]) / (2 * h) / predicted - 1,
+                  1e-7);
+    }
+}
