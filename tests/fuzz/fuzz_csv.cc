@@ -52,8 +52,9 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
     std::vector<TableFile> files = parse_tables("entry", "t: " + file_name);
     for (TableFile &table : files)
       table.file.read("alpha_1, value", MPI_COMM_SELF);
-    const MeridionalTables tables(files);
-    tables.function(Formula("entry", "2*t"))(1.);
+    const MeridionalTables tables(
+      files, SurfaceOfPlies(), AngleReference::meridian);
+    tables.function(parse_ply_formula("entry", "2*t"))(1.);
   });
   Fuzz::read(input, [&]() { parse_intervals("entry", text).lines(); });
   return 0;
