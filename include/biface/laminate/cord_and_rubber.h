@@ -20,8 +20,8 @@ namespace Biface
     {
       /** The equations of Halpin and Tsai, @cite HalpinKardos1976. */
       halpin_tsai,
-      /** Inextensible cords in incompressible rubber, @cite
-       * AkasakaHirano1972. */
+      /** Inextensible cords in incompressible rubber,
+       * @cite AkasakaHirano1972. */
       akasaka_hirano
     };
 

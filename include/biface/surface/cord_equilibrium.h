@@ -16,7 +16,7 @@ namespace Biface
   /**
    * The meridian of an inflated tire whose cords carry all of the pressure and
    * pantograph, @f$\cos\beta = \cos\beta_c\,r/r_c@f$ with the angle
-   * @f$\beta@f$ from the circumference and the crown c @cite Purdy1963: the
+   * @f$\beta@f$ from the circumference and the crown c @cite Purdy1963 : the
    * membrane forces @f$N_1 : N_2 = \tan^2\beta@f$ are in equilibrium with the
    * pressure if the normal has the radial component
    * @f[
