@@ -84,6 +84,6 @@ main(int argc, char *argv[])
   check_continued("no run was there");
 
   begin();
-  std::filesystem::resize_file("cut/history.csv", 200);
+  std::filesystem::resize_file("cut/history.csv", 400);
   check_continued("a history that lacks steps");
 }
