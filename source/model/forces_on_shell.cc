@@ -50,6 +50,9 @@ namespace Biface
         return equations[k].coefficients[2 * i + face];
       };
 
+      // a pair of nodes on cyclic edges without another support
+      if (n == 0)
+        return {};
       FullMatrix<double> products(n, n);
       Vector<double>     work(n), multipliers(n);
       for (unsigned int k = 0; k < n; ++k)
