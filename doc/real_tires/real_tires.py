@@ -102,7 +102,7 @@ class Construction:
         self.tread = 4 + 0.022 * self.width
         self.end = number["flange_diameter_mm"] / 2
         self.rim_width = number["rim_width_mm"]
-        # the least even number of plies whose cords hold the burst pressure
+        # the smallest even number of plies whose cords hold the burst pressure
         self.plies = plies or 2
         while True:
             carcass = self.plies * PLY
@@ -304,7 +304,7 @@ def vary(arguments, row):
     meridian = "Surface/Cord equilibrium/"
     cases = [("by the rules", tire.settings())]
     for column, words in (("D_min_mm", "least diameter of the databook"),
-                          ("D_max_mm", "greatest diameter")):
+                          ("D_max_mm", "largest diameter")):
         cases.append((words, Construction(
             row, diameter=float(row[column])).settings()))
     for factor, words in ((0.5, "half the cord modulus"),
@@ -412,7 +412,7 @@ def page(results, variations, varied):
             width W/2 less the sidewall and half the carcass. It ends at the
             radius of the rim flange, at half the rim width less half the carcass
             and 2 mm. The cord angle follows.""",
-            f"""The least even number of plies for which the force of a cord at the
+            f"""The smallest even number of plies for which the force of a cord at the
             burst pressure, {BURST} times the rated one, is at most
             {CORD['force']} N, by the netting formula of
             [theory.md](theory.md), section 1.""",

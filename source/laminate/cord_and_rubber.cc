@@ -40,7 +40,7 @@ namespace Biface
     prm.add_parameter("Cord pitch",
                       cord_pitch,
                       "Distance between the centers of neighboring cords, "
-                      "across them, at the crown, the greatest radius of the "
+                      "across them, at the crown, the largest radius of the "
                       "mesh. On a surface of revolution the number of cords "
                       "is the same everywhere, so that their distance is "
                       "proportional to r sin(beta) with the angle beta from "

@@ -29,7 +29,7 @@ namespace Biface
                "displacements are written to probes.csv: a comma-separated "
                "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
                "mesh. alpha_1 may be a formula, without blanks, of 'end', the "
-               "greatest alpha_1 of the surface. Unit: degrees for an angle, "
+               "largest alpha_1 of the surface. Unit: degrees for an angle, "
                "length otherwise.");
   }
 

@@ -31,7 +31,7 @@ namespace Biface
       "those of the adjoining interval geometrically. Unit: degrees for an "
       "angle, length otherwise.";
     const std::string with_end =
-      " Start and end may be formulas of 'end', the greatest alpha_1 of the "
+      " Start and end may be formulas of 'end', the largest alpha_1 of the "
       "surface, such as 0.3*end.";
     add_parsed(prm,
                "Mesh/",

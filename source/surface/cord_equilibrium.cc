@@ -33,12 +33,12 @@ namespace Biface
   {
     prm.add_parameter("Crown radius",
                       crown_radius,
-                      "Greatest radius of the curve, at alpha_1 = 0. Positive. "
+                      "Largest radius of the curve, at alpha_1 = 0. Positive. "
                       "Unit: length.",
                       Patterns::Double());
     prm.add_parameter("Half width",
                       half_width,
-                      "Greatest distance of the curve from its plane of "
+                      "Largest distance of the curve from its plane of "
                       "symmetry y = 0. Positive. Unit: length.",
                       Patterns::Double());
     prm.add_parameter("End radius",
@@ -157,7 +157,7 @@ namespace Biface
     using Shape = CordEquilibrium::Shape;
 
     /** The shape of the given half width at its widest point. The result has
-     * a negative radius there, and @p greatest is the greatest half width, if
+     * a negative radius there, and @p greatest is the largest half width, if
      * there is no such shape. */
     Shape
     shape_of_width(const double crown_radius,

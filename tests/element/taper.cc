@@ -14,7 +14,7 @@ using namespace Biface;
 
 namespace
 {
-  /** The greatest deviation of all modes of all cells from the exact ones. */
+  /** The maximum deviation of all modes of all cells from the exact ones. */
   double
   deviation(const std::vector<TestCell> &cells,
             const FaceHeights           &faces,

@@ -25,7 +25,7 @@ namespace
   }
 
 
-  /** The greatest deviation from the stress @p total along the cords, where it
+  /** The maximum deviation from the stress @p total along the cords, where it
    * was @p initial in the undeformed ply. */
   double
   deviation(const ThicknessLaw law, const double initial, const double total)

@@ -140,7 +140,7 @@ main()
     }
   check_small("  sine of the normal", sine, 1e-13);
   // whose half width for r_w = 0 is a constant of the lemniscate
-  check_small("  greatest half width",
+  check_small("  largest half width",
               CordEquilibrium::Shape{1, 0, 90 * degree}.half_width(0) -
                 0.5990701173677961,
               1e-13);

@@ -76,7 +76,7 @@ namespace Biface
       return constant && *constant == 0;
     }
 
-    /** The greatest traction @f$\tau(p)@f$. Where a formula is negative it
+    /** The maximum traction @f$\tau(p)@f$. Where a formula is negative it
      * counts as 0; it is not a number where the formula is none. */
     double
     limit(const double pressure) const;

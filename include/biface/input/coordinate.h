@@ -12,7 +12,7 @@ namespace Biface
 {
   /**
    * A coordinate in an entry that is read before the surface is known: a
-   * number, or a formula of `end`, the greatest value of the coordinate on the
+   * number, or a formula of `end`, the largest value of the coordinate on the
    * surface.
    */
   class Coordinate

@@ -17,7 +17,7 @@ namespace Biface
      * length. */
     std::function<double(const double)> radius;
 
-    /** @f$\alpha_1@f$ of the crown, where the radius is greatest. */
+    /** @f$\alpha_1@f$ of the crown, where the radius is largest. */
     double crown = 0;
 
     /** For a surface that is in equilibrium with the tension of its cords:

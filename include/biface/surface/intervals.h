@@ -33,7 +33,7 @@ namespace Biface
     /** Empty if a coordinate depends on `end`. */
     std::vector<Interval> intervals;
 
-    /** The intervals on a surface whose coordinate has the greatest value
+    /** The intervals on a surface whose coordinate has the largest value
      * @p end, infinite for none. Throws InputError like parse_intervals(). */
     IntervalList
     on(const double end) const;

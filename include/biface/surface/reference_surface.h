@@ -156,7 +156,7 @@ namespace Biface
     virtual double
     coordinate_unit(const unsigned int a) const = 0;
 
-    /** `end` in entries: the greatest value of the coordinate @p a in the
+    /** `end` in entries: the largest value of the coordinate @p a in the
      * user's unit, infinite if there is none. Only the first has one. */
     double
     end(const unsigned int a) const;
