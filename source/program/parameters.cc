@@ -272,7 +272,7 @@ namespace Biface
       of_pressure.emplace_back("Loads/Pressure type");
     if (pressure.face != defaults.face)
       of_pressure.emplace_back("Loads/Pressure face");
-    if (pressure.distribution.get_text() != defaults.distribution.get_text())
+    if (!pressure.is_uniform())
       of_pressure.emplace_back("Loads/Pressure distribution");
     if (!of_pressure.empty() &&
         std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {

@@ -71,17 +71,11 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      bool   touched = touching_travel.has_value();
-      double travel  = touching_travel.value_or(0);
-      archive &n_steps &stage &stage_begun &reached &touched &travel;
-      archive                                                &touched_point;
-      bool                               sealed  = gas_content.has_value();
-      double                             content = gas_content.value_or(0);
-      archive &factor_of_shape          &work;
-      archive &sealed &content &control &predictor;
-      gas_content = (sealed ? std::optional<double>(content) : std::nullopt);
-      touching_travel =
-        (touched ? std::optional<double>(travel) : std::nullopt);
+      archive &n_steps &stage &stage_begun &reached;
+      serialize_optional(archive, touching_travel);
+      archive &touched_point &factor_of_shape &work;
+      serialize_optional(archive, gas_content);
+      archive &control &predictor;
     }
   };
 } // namespace Biface

@@ -14,6 +14,18 @@
 
 namespace Biface
 {
+  /** Add a value that may not be set to an archive, or read it from one. */
+  template <class Archive, class Value>
+  void
+  serialize_optional(Archive &archive, std::optional<Value> &value)
+  {
+    bool            given   = value.has_value();
+    Value           content = value.value_or(Value());
+    archive &given &content;
+    value = (given ? std::optional<Value>(content) : std::nullopt);
+  }
+
+
   /** Loads and motion of the foundation at an instant of an analysis. */
   struct LoadLevel
   {
@@ -123,20 +135,12 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      const auto add_optional = [&](std::optional<double> &value) {
-        bool            given  = value.has_value();
-        double          number = value.value_or(0);
-        archive &given &number;
-        value = (given ? std::optional<double>(number) : std::nullopt);
-      };
-      bool                 slides = slide.has_value();
-      dealii::Tensor<1, 3> by     = slide.value_or(dealii::Tensor<1, 3>());
-      archive &slides &by &friction &glued;
-      slide = (slides ? std::optional<dealii::Tensor<1, 3>>(by) : std::nullopt);
-      add_optional(turn);
-      add_optional(pressure);
-      add_optional(travel);
-      add_optional(factor);
+      serialize_optional(archive, slide);
+      archive &friction &glued;
+      serialize_optional(archive, turn);
+      serialize_optional(archive, pressure);
+      serialize_optional(archive, travel);
+      serialize_optional(archive, factor);
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;
