@@ -205,34 +205,34 @@ namespace Biface
             if (node.locally_owned)
               ++n_changes;
           }
-        state.multipliers[n] = 0;
+        const Tensor<1, 3> last = state.multipliers[n];
+        state.multipliers[n]    = 0;
         if (!active)
           continue;
         state.multipliers[n][0] = condition.multiplier(clearance);
         if (!loads.friction || state.grips[n] == Grip::none)
           continue;
-        if (state.grips[n] != Grip::glued)
-          state.grips[n] =
-            (loads.friction->should_slip(
-               loads.friction->trial(slip(state, loads, n, at).tangential),
-               -state.multipliers[n][0])
-               ? Grip::slip
-               : Grip::stick);
-        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
         const auto tangents = loads.foundation->tangents(at.foundation.normal);
+        if (state.grips[n] != Grip::glued)
+          {
+            const Tensor<1, 3> trial =
+              loads.friction->trial(slip(state, loads, n, at).tangential);
+            // A node that slips meets no resistance along its traction and
+            // moves too far. Where it has passed its stick point, the reversed
+            // traction would throw it back, and so forth.
+            const bool reversed =
+              state.grips[n] == Grip::slip &&
+              trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
+            state.grips[n] = (!reversed && loads.friction->should_slip(
+                                             trial, -state.multipliers[n][0])
+                                ? Grip::slip
+                                : Grip::stick);
+          }
+        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
         for (unsigned int i = 0; i < 2; ++i)
           state.multipliers[n][1 + i] = tangents[i] * friction;
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
-  }
-
-
-  void
-  ContactInteraction::let_stick(State &state) const
-  {
-    for (Grip &grip : state.grips)
-      if (grip == Grip::slip)
-        grip = Grip::stick;
   }
 
 

@@ -113,9 +113,7 @@ namespace Biface
       , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
-    {
-      contact.let_stick(state);
-    }
+    {}
 
     State                   &state;
     const ParametrizedLoads &parametrized;

@@ -132,19 +132,15 @@ namespace Biface
     /** One iteration of the primal-dual active set method: compute the
      * multipliers of the active nodes from the displacements of the state,
      * update the active set, decide which of its nodes stick and which slip,
-     * and compute the multipliers of the new set.
+     * and compute the multipliers of the new set. A node that slips sticks in
+     * the next iteration if it has passed its stick point: friction does not
+     * push.
      * @param held nodes that remain active in any case; empty for none.
      * @return the number of changes of the active set, on all ranks. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
-
-    /** Let all nodes stick that have a stick point. In the first iteration of a
-     * step nothing is known about the slip; a node that slips in it has too
-     * little stiffness, and the iteration fails in large steps. */
-    void
-    let_stick(State &state) const;
 
     /** Record the history of friction at the end of a step: the nodes that have
      * entered and left, and the new stick points of those that slip. */
