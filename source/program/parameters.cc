@@ -76,7 +76,7 @@ namespace Biface
                       Patterns::Integer(1, 1000),
                       "Number of stages. Each has a section 'Stage 1', "
                       "'Stage 2', ... and starts from the end of the "
-                      "previous one.");
+                      "previous one, or of that in 'Start from'.");
     stages.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
       {
@@ -149,10 +149,13 @@ namespace Biface
   {
     gas.check(surface.type == ReferenceSurface::Parameters::Type::revolution);
 
-    double before = 0;
+    // the pressures at the ends of the stages
+    std::vector<double> ends;
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
-        const std::string section = "Stage " + std::to_string(i + 1);
+        const auto        position = stage_before(stages, i);
+        const double      before   = (position ? ends[*position] : 0.);
+        const std::string section  = "Stage " + std::to_string(i + 1);
         if (stages[i].sealed)
           {
             if (!gas.ambient_pressure)
@@ -172,7 +175,7 @@ namespace Biface
                                "it must be 1 with 'Gas = sealed': the pressure "
                                "of a gas is the same everywhere");
           }
-        before = stages[i].pressure.value_or(before);
+        ends.push_back(stages[i].pressure.value_or(before));
       }
   }
 

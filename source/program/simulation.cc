@@ -196,7 +196,18 @@ namespace Biface
   Simulation::restore(const Checkpoint         &checkpoint,
                       const std::vector<Stage> &stages_before)
   {
-    checkpoint.restore(equations, state, progress);
+    checkpoint.restore(equations, state, progress, ends);
+    for (unsigned int next = progress.stage + 1;
+         next < parameters.stages.size();
+         ++next)
+      {
+        const unsigned int before = *stage_before(parameters.stages, next);
+        if (before < progress.stage && ends.count(before) == 0)
+          throw InputError("Stage " + std::to_string(next + 1) + "/Start from",
+                           std::to_string(before + 1),
+                           "the run to be continued has not kept the end of "
+                           "that stage, since no later stage started from it");
+      }
     if (progress.stage_begun)
       progress.change_stage(stages_before.at(progress.stage),
                             parameters.stages.at(progress.stage));
@@ -221,6 +232,7 @@ namespace Biface
                                out,
                                nested.get(),
                                gas.get());
-    return load_stepping.run(parameters.stages, progress, state, observer);
+    return load_stepping.run(
+      parameters.stages, progress, state, ends, observer);
   }
 } // namespace Biface

@@ -51,52 +51,54 @@ namespace Biface
     }
 
 
-    /** The distributed part of the state of the shell, by name. */
-    std::vector<CheckpointFile::Table>
-    tables_of(const ShellEquations &equations,
-              const State          &state,
-              const Progress       &progress)
+    /** The prefix of the names of tables of the end of a stage. */
+    std::string
+    prefix_of_end(const unsigned int position)
     {
-      const ShellMesh               &mesh = equations.mesh;
-      const InternalForces::History &history =
-        equations.internal_forces().get_history();
+      return "end of stage " + std::to_string(position + 1) + ": ";
+    }
 
-      std::vector<CheckpointFile::Table> tables{
-        {"displacement", rows_of(state.displacement, mesh)},
-        {"resultants", rows_of(state.resultants, mesh)},
-        {"active", rows_of(state.active, mesh)},
-        {"multipliers", rows_of(state.multipliers, mesh)},
-        {"grips", rows_of(numbers_of(state.grips), mesh)},
-        {"stick points",
-         rows_of(std::vector<Tensor<1, 3>>(state.stick_points.begin(),
-                                           state.stick_points.end()),
-                 mesh)},
-        {"initial resultants", rows_of(history.initial_resultants, mesh)},
-        {"initial strains", rows_of(history.initial_strains, mesh)}};
+
+    /** Add the distributed part of a restore point, by name after a prefix. */
+    void
+    add_tables(const std::string                  &prefix,
+               const State                        &state,
+               const InternalForces::History      &history,
+               const Progress                     &progress,
+               const ShellMesh                    &mesh,
+               std::vector<CheckpointFile::Table> &tables)
+    {
+      const auto add = [&](const std::string &name, const auto &values) {
+        tables.emplace_back(prefix + name, rows_of(values, mesh));
+      };
+      add("displacement", state.displacement);
+      add("resultants", state.resultants);
+      add("active", state.active);
+      add("multipliers", state.multipliers);
+      add("grips", numbers_of(state.grips));
+      add("stick points",
+          std::vector<Tensor<1, 3>>(state.stick_points.begin(),
+                                    state.stick_points.end()));
+      add("initial resultants", history.initial_resultants);
+      add("initial strains", history.initial_strains);
       if (history.linearization_point)
         {
-          const State &point = *history.linearization_point;
-          tables.emplace_back("linearization displacement",
-                              rows_of(point.displacement, mesh));
-          tables.emplace_back("linearization resultants",
-                              rows_of(point.resultants, mesh));
+          add("linearization displacement",
+              history.linearization_point->displacement);
+          add("linearization resultants",
+              history.linearization_point->resultants);
         }
       if (history.balancing_forces.size() > 0)
-        tables.emplace_back("balancing forces",
-                            rows_of(history.balancing_forces, mesh));
+        add("balancing forces", history.balancing_forces);
       if (const auto &step = progress.predictor.get_last())
         {
-          tables.emplace_back("predictor displacement",
-                              rows_of(step->displacement, mesh));
-          tables.emplace_back("predictor resultants",
-                              rows_of(step->resultants, mesh));
+          add("predictor displacement", step->displacement);
+          add("predictor resultants", step->resultants);
         }
       if (progress.last_change.size() > 0)
-        tables.emplace_back("last change", rows_of(progress.last_change, mesh));
+        add("last change", progress.last_change);
       for (const auto &vector : progress.control.vectors)
-        tables.emplace_back("control: " + vector.first,
-                            rows_of(vector.second, mesh));
-      return tables;
+        add("control: " + vector.first, vector.second);
     }
   } // namespace
 
@@ -105,13 +107,28 @@ namespace Biface
   write_checkpoint(const std::string    &directory,
                    const RunRecord      &record,
                    const ShellEquations &equations,
-                   const State          &state)
+                   const State          &state,
+                   const StageEnds      &ends)
   {
-    const std::vector<char> header = Utilities::pack(record, false);
+    const std::vector<char>            header = Utilities::pack(record, false);
+    std::vector<CheckpointFile::Table> tables;
+    add_tables("",
+               state,
+               equations.internal_forces().get_history(),
+               record.progress,
+               equations.mesh,
+               tables);
+    for (const auto &[position, end] : ends)
+      add_tables(prefix_of_end(position),
+                 end.state,
+                 end.history,
+                 end.progress,
+                 equations.mesh,
+                 tables);
     CheckpointFile::write(newest(directory),
                           previous(directory),
                           std::string(header.begin(), header.end()),
-                          tables_of(equations, state, record.progress),
+                          tables,
                           equations.mesh.communicator);
   }
 
@@ -167,16 +184,22 @@ namespace Biface
   }
 
 
-  void
-  Checkpoint::restore(ShellEquations &equations,
-                      State          &state,
-                      Progress       &progress) const
+  RestorePoint
+  Checkpoint::read_point(const std::string &prefix,
+                         const Progress    &progress,
+                         const ShellMesh   &mesh) const
   {
-    const ShellMesh &mesh   = equations.mesh;
-    const auto       nodes  = numbers_of_owned_nodes(mesh);
-    const auto       cells  = numbers_of_cells(mesh);
-    const auto       vector = [&](const std::string &name) {
-      return vector_from(reader->rows(name, nodes), mesh);
+    const auto nodes     = numbers_of_owned_nodes(mesh);
+    const auto all_nodes = numbers_of_nodes(mesh);
+    const auto cells     = numbers_of_cells(mesh);
+    const auto has       = [&](const std::string &name) {
+      return reader->has(prefix + name);
+    };
+    const auto rows = [&](const std::string &name, const auto &numbers) {
+      return reader->rows(prefix + name, numbers);
+    };
+    const auto vector = [&](const std::string &name) {
+      return vector_from(rows(name, nodes), mesh);
     };
     // with ghost entries; a temporary would be moved together with its
     // partition, which has only the owned entries
@@ -187,46 +210,61 @@ namespace Biface
       return result;
     };
     const auto modes = [&](const std::string &name) {
-      return modes_from(reader->rows(name, cells));
+      return modes_from(rows(name, cells));
     };
 
-    const auto all_nodes = numbers_of_nodes(mesh);
-
-    state              = State(mesh);
+    State state(mesh);
     state.displacement = ghosted("displacement");
     state.resultants   = modes("resultants");
-    state.active       = active_from(reader->rows("active", all_nodes));
-    state.multipliers  = vectors_from(reader->rows("multipliers", all_nodes));
-    state.grips        = grips_of(reader->rows("grips", all_nodes));
-    const auto points  = vectors_from(reader->rows("stick points", all_nodes));
+    state.active       = active_from(rows("active", all_nodes));
+    state.multipliers  = vectors_from(rows("multipliers", all_nodes));
+    state.grips        = grips_of(rows("grips", all_nodes));
+    const auto points  = vectors_from(rows("stick points", all_nodes));
     state.stick_points.assign(points.begin(), points.end());
 
     InternalForces::History history;
     history.initial_resultants = modes("initial resultants");
     history.initial_strains    = modes("initial strains");
-    if (reader->has("linearization displacement"))
+    if (has("linearization displacement"))
       {
         State point(mesh);
         point.displacement          = ghosted("linearization displacement");
         point.resultants            = modes("linearization resultants");
         history.linearization_point = point;
       }
-    if (reader->has("balancing forces"))
+    if (has("balancing forces"))
       history.balancing_forces = vector("balancing forces");
 
-    equations.internal_forces().restore(history);
-
-    progress = record.progress;
+    RestorePoint result{state, history, progress};
     if (progress.predictor.get_last())
       {
         SecantPredictor::Step step = *progress.predictor.get_last();
         step.displacement          = vector("predictor displacement");
         step.resultants            = modes("predictor resultants");
-        progress.predictor.restore(step);
+        result.progress.predictor.restore(step);
       }
-    if (reader->has("last change"))
-      progress.last_change = vector("last change");
-    for (auto &known : progress.control.vectors)
+    if (has("last change"))
+      result.progress.last_change = vector("last change");
+    for (auto &known : result.progress.control.vectors)
       known.second = vector("control: " + known.first);
+    return result;
+  }
+
+
+  void
+  Checkpoint::restore(ShellEquations &equations,
+                      State          &state,
+                      Progress       &progress,
+                      StageEnds      &ends) const
+  {
+    const ShellMesh   &mesh = equations.mesh;
+    const RestorePoint last = read_point("", record.progress, mesh);
+    state                   = last.state;
+    progress                = last.progress;
+    equations.internal_forces().restore(last.history);
+
+    ends.clear();
+    for (const auto &[position, at_end] : record.ends)
+      ends.emplace(position, read_point(prefix_of_end(position), at_end, mesh));
   }
 } // namespace Biface

@@ -51,6 +51,7 @@ namespace Biface
   LoadStepping::run(const std::vector<Stage> &stages,
                     Progress                 &progress,
                     State                    &state,
+                    StageEnds                &ends,
                     const Observer           &observer)
   {
     while (true)
@@ -80,11 +81,39 @@ namespace Biface
             observer(std::get<StepReport>(step), state);
           }
 
+        if (is_branched_from(stages, progress.stage))
+          ends.insert_or_assign(
+            progress.stage,
+            RestorePoint{
+              state, equations.internal_forces().get_history(), progress});
         if (progress.stage + 1 == stages.size())
           return {};
-        ++progress.stage;
-        progress.stage_begun = false;
+        go_on(stages, ends, progress, state);
       }
+  }
+
+
+  void
+  LoadStepping::go_on(const std::vector<Stage> &stages,
+                      const StageEnds          &ends,
+                      Progress                 &progress,
+                      State                    &state)
+  {
+    const unsigned int next   = progress.stage + 1;
+    const unsigned int before = *stage_before(stages, next);
+    if (before != progress.stage)
+      {
+        const RestorePoint &end     = ends.at(before);
+        const unsigned int  n_steps = progress.n_steps;
+        state                       = end.state;
+        equations.internal_forces().restore(end.history);
+        progress         = end.progress;
+        progress.n_steps = n_steps;
+        out << "Start of " << stages[next].name << " from the end of stage "
+            << before + 1 << ", " << stages[before].name << std::endl;
+      }
+    progress.stage       = next;
+    progress.stage_begun = false;
   }
 
 

@@ -37,18 +37,24 @@ namespace Biface
     if (exact)
       return {&after->second, &after->second, 1};
 
+    // the last step of the stage from whose end this one starts
+    const auto end_before = [&]() -> const GridState * {
+      const auto position = stage_before(stages, instant.stage);
+      if (!position || stages[instant.stage].from_prestress)
+        return &undeformed;
+      const auto next = states.lower_bound({*position + 1, 0});
+      return next == states.begin() || std::prev(next)->first.stage != *position
+               ? nullptr
+               : &std::prev(next)->second;
+    };
+
     const bool first_of_stage =
       (after == states.begin() ||
        std::prev(after)->first.stage != instant.stage);
-    const GridState *before = &undeformed;
-    double           begin  = 0;
-    if (!first_of_stage)
-      {
-        before = &std::prev(after)->second;
-        begin  = std::prev(after)->first.fraction;
-      }
-    else if (after != states.begin() && !stages[instant.stage].from_prestress)
-      before = &std::prev(after)->second;
+    const GridState *before =
+      (first_of_stage ? end_before() : &std::prev(after)->second);
+    const double begin =
+      (first_of_stage ? 0. : std::prev(after)->first.fraction);
 
     if (instant.fraction <= begin + tolerance)
       return {before, before, 1};

@@ -12,6 +12,30 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** The number of an earlier stage than @p number, or "previous". */
+    std::optional<unsigned int>
+    parse_start(const std::string &entry,
+                const std::string &text,
+                const unsigned int number)
+    {
+      if (text == "previous")
+        return {};
+      const std::string several =
+        (number > 2 ? "the number of an earlier stage, 1 to " : "");
+      const std::string allowed =
+        (number == 1 ? "it must be 'previous': no stage comes before"
+                     : "it must be 'previous' or " + several +
+                         std::to_string(number - 1));
+      const double earlier = parse_number(entry, text, allowed);
+      if (!(earlier >= 1 && earlier < number && earlier == std::floor(earlier)))
+        throw InputError(entry, text, allowed);
+      return static_cast<unsigned int>(earlier);
+    }
+  } // namespace
+
+
   void
   Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
   {
@@ -23,13 +47,26 @@ namespace Biface
 
     prm.add_parameter(
       "Name", name, "Name of the stage in the results.", Patterns::Anything());
+    add_parsed(
+      prm,
+      "Stage " + std::to_string(number) + "/",
+      "Start from",
+      "previous",
+      start_from,
+      [number](const std::string &entry, const std::string &text) {
+        return parse_start(entry, text, number);
+      },
+      "The stage from whose end this one starts: 'previous', or the number of "
+      "an earlier stage, so that several stages can branch from the same "
+      "state. Loads that are 'unchanged' are those at the end of that "
+      "stage.");
     add_optional_number(
       prm,
       "Pressure",
       pressure,
       unchanged,
       "Pressure at the end of the stage; see the section 'Loads' for its "
-      "face and type. 'unchanged': as at the end of the previous stage. "
+      "face and type. 'unchanged': as at the start of the stage. "
       "Unit: force/area.");
     add_choice(prm,
                "Gas",
@@ -45,7 +82,8 @@ namespace Biface
                       "foundation of the section 'Contact'. Initially the "
                       "foundation just touches the shell as deformed at the "
                       "start of the first stage with contact (or of the "
-                      "first after 'Start from prestress').",
+                      "first after 'Start from prestress') on the way to the "
+                      "stage.",
                       Patterns::Bool());
     add_optional_number(
       prm,
@@ -54,7 +92,7 @@ namespace Biface
       unchanged,
       "Travel of the foundation against 'Direction' at the end of the stage, "
       "measured from where it first touched the shell. 'unchanged': as at "
-      "the end of the previous stage. Unit: length.");
+      "the start of the stage. Unit: length.");
     add_optional_vector(
       prm,
       "Stage " + std::to_string(number) + "/",
@@ -63,7 +101,7 @@ namespace Biface
       unchanged,
       "Components x, y, z of the motion of the foundation sideways, orthogonal "
       "to 'Contact/Direction', at the end of the stage. 'unchanged': as at the "
-      "end of the previous stage. Unit: length.");
+      "start of the stage. Unit: length.");
     add_optional_number(
       prm,
       "Turn",
@@ -72,7 +110,7 @@ namespace Biface
       "Angle by which the foundation has turned at the end of the stage, "
       "right-handed about 'Contact/Direction' through the point where it first "
       "touched the shell; this axis slides with the foundation. 'unchanged': "
-      "as at the end of the previous stage. Unit: degrees.");
+      "as at the start of the stage. Unit: degrees.");
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction in the stage, instead of that "
@@ -92,7 +130,7 @@ namespace Biface
       unchanged,
       "Factor of the loads of the section 'Loads' and of prescribed "
       "displacements of supports at the end of the stage. 'unchanged': as at "
-      "the end of the previous stage. No unit.");
+      "the start of the stage. No unit.");
     prm.add_parameter(
       "Control",
       control,
@@ -232,21 +270,45 @@ namespace Biface
   }
 
 
+  std::optional<unsigned int>
+  stage_before(const std::vector<Stage> &stages, const unsigned int position)
+  {
+    if (position == 0)
+      return {};
+    return stages[position].start_from.value_or(position) - 1;
+  }
+
+
+  bool
+  is_branched_from(const std::vector<Stage> &stages,
+                   const unsigned int        position)
+  {
+    for (unsigned int later = position + 2; later < stages.size(); ++later)
+      if (stage_before(stages, later) == position)
+        return true;
+    return false;
+  }
+
+
   void
   check_stages(const std::vector<Stage> &stages)
   {
-    Control::KnownStart start = Control::KnownStart::undeformed();
+    std::vector<Control::KnownStart> ends;
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
         const Stage      &stage   = stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
+        const auto        before  = stage_before(stages, i);
         stage.check(section);
         if (stage.glued &&
-            (i == 0 || !stages[i - 1].contact || stage.from_prestress))
+            (!before || !stages[*before].contact || stage.from_prestress))
           throw InputError(section + "/Glued",
                            "true",
-                           "the stage before must have 'Contact = true', since "
-                           "the nodes in contact at its end are glued");
+                           "the stage from which it starts must have 'Contact "
+                           "= true', since the nodes in contact at its end "
+                           "are glued");
+        Control::KnownStart start =
+          (before ? ends[*before] : Control::KnownStart::undeformed());
         if (stage.from_prestress)
           {
             start.travel        = 0;
@@ -256,7 +318,7 @@ namespace Biface
           }
         const auto control = make_control(stage);
         control->check(section, start);
-        start = control->known_end(start);
+        ends.push_back(control->known_end(start));
       }
   }
 } // namespace Biface

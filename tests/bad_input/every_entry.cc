@@ -287,6 +287,8 @@ namespace
     {"Newton/Residual tolerance", {{{"0", "-1"}}}},
     {"Newton/Update tolerance", {{{"-1"}}}},
     {"Stage 1/Name", {{{"", "a,b", "a\"b"}}}},
+    {"Stage 1/Start from",
+     {{{"", "1", "0", "-1", "2", "1.5", "first", "nan", "1e999"}}}},
     {"Stage 1/Travel",
      {{{"1"}},
       {{"1"},

@@ -2,7 +2,8 @@
 
 // A checkpoint gives back the whole state: displacements, resultants, the
 // active set and all components of the multipliers, at all nodes of each rank,
-// and what earlier stages have left in the internal forces.
+// and what earlier stages have left in the internal forces; also those at the
+// end of an earlier stage from which others start.
 
 #include <filesystem>
 
@@ -25,6 +26,7 @@ main(int argc, char *argv[])
   ShellEquations  equations(*mesh);
   InternalForces &internal = equations.internal_forces();
 
+  const InternalForces::History initial_history = internal.get_history();
   State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
   internal.take_as_prestress(state);
   internal.balance(some_displacement(*mesh, 1, 4));
@@ -43,17 +45,30 @@ main(int argc, char *argv[])
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::filesystem::create_directories(directory);
   MPI_Barrier(MPI_COMM_WORLD);
-  write_checkpoint(directory, RunRecord(), equations, state);
+  RunRecord record;
+  record.ends[1].n_steps = 7;
+  const State end =
+    at(equations, State(*mesh), some_displacement(*mesh, 0.1, 5));
+  write_checkpoint(directory,
+                   record,
+                   equations,
+                   state,
+                   {{1, {end, initial_history, record.ends[1]}}});
 
   ShellEquations other_equations(*mesh);
   State          other(*mesh);
   Progress       progress;
+  StageEnds      ends;
   Checkpoint(directory, MPI_COMM_WORLD)
-    .restore(other_equations, other, progress);
+    .restore(other_equations, other, progress, ends);
 
   bool same = true;
   for (const auto dof : mesh->locally_relevant)
     same = same && other.displacement(dof) == state.displacement(dof);
+  bool same_end = ends.size() == 1 && ends.count(1) == 1;
+  for (const auto dof : mesh->locally_relevant)
+    same_end =
+      same_end && ends[1].state.displacement(dof) == end.displacement(dof);
   const auto all = [](const bool on_this_rank) {
     return Utilities::MPI::min(static_cast<int>(on_this_rank),
                                MPI_COMM_WORLD) == 1;
@@ -73,7 +88,13 @@ main(int argc, char *argv[])
     all(after.linearization_point.has_value() &&
         after.linearization_point->resultants ==
           before.linearization_point->resultants),
-    difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0};
+    difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0,
+    all(same_end && ends[1].state.resultants == end.resultants &&
+        ends[1].history.initial_resultants ==
+          initial_history.initial_resultants &&
+        !ends[1].history.linearization_point &&
+        ends[1].history.balancing_forces.size() == 0 &&
+        ends[1].progress.n_steps == 7)};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("displacements", found[0]);
@@ -83,4 +104,5 @@ main(int argc, char *argv[])
   check_true("prestress", found[4]);
   check_true("linearization point", found[5]);
   check_true("balancing forces", found[6]);
+  check_true("end of an earlier stage", found[7]);
 }

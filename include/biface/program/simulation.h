@@ -79,7 +79,15 @@ namespace Biface
       return progress;
     }
 
-    /** Continue another run of the same shell.
+    /** The ends of completed stages from which later ones start. */
+    const StageEnds &
+    get_stage_ends() const
+    {
+      return ends;
+    }
+
+    /** Continue another run of the same shell. Throws InputError if a stage
+     * starts from an end that this run has not kept.
      * @param stages_before the stages of that run, see check_continuation(). */
     void
     restore(const Checkpoint         &checkpoint,
@@ -134,6 +142,7 @@ namespace Biface
     State                                  state;
     double                                 coarse_solver_seconds = 0;
     Progress                               progress;
+    StageEnds                              ends;
   };
 } // namespace Biface
 

@@ -15,7 +15,7 @@
 #include <biface/output/results_writer.h>
 #include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>
-#include <biface/stepping/progress.h>
+#include <biface/stepping/restore_point.h>
 
 namespace Biface
 {
@@ -32,8 +32,10 @@ namespace Biface
     /** The pairs in other files that were read, by entry. */
     std::map<std::string, std::vector<dealii::Point<2>>> files;
 
-    Progress               progress;
-    ResultsWriter::Written written;
+    Progress progress;
+    /** At the ends of stages, see StageEnds. */
+    std::map<unsigned int, Progress> ends;
+    ResultsWriter::Written           written;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
 
@@ -42,7 +44,7 @@ namespace Biface
     serialize(Archive &archive, const unsigned int)
     {
       archive &version &parameters &stages &files;
-      archive &progress &written           &summary;
+      archive &progress &ends &written     &summary;
     }
   };
 
@@ -50,12 +52,14 @@ namespace Biface
   /** Write a checkpoint into a directory, keeping the previous one. Must be
    * called on all ranks. Throws OutputError.
    * @param equations, state the state of the run, together with
-   * record.progress. */
+   * record.progress.
+   * @param ends those of record.ends. */
   void
   write_checkpoint(const std::string    &directory,
                    const RunRecord      &record,
                    const ShellEquations &equations,
-                   const State          &state);
+                   const State          &state,
+                   const StageEnds      &ends);
 
   /** Remove the checkpoints of a directory, before another run starts
    * there. */
@@ -92,12 +96,22 @@ namespace Biface
       return record;
     }
 
-    /** Restore the equations, the state and the progress of the load stepping
-     * for the same shell. */
+    /** Restore the equations, the state and the progress of the load stepping,
+     * and the ends of stages, for the same shell. */
     void
-    restore(ShellEquations &equations, State &state, Progress &progress) const;
+    restore(ShellEquations &equations,
+            State          &state,
+            Progress       &progress,
+            StageEnds      &ends) const;
 
   private:
+    /** What was written after a step.
+     * @param prefix of the names of its tables. */
+    RestorePoint
+    read_point(const std::string &prefix,
+               const Progress    &progress,
+               const ShellMesh   &mesh) const;
+
     const std::string                       directory;
     std::unique_ptr<CheckpointFile::Reader> reader;
     std::string                             warning;

@@ -22,6 +22,7 @@
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/progress.h>
+#include <biface/stepping/restore_point.h>
 #include <biface/stepping/stage.h>
 #include <biface/stepping/step_report.h>
 
@@ -89,11 +90,13 @@ namespace Biface
      * @param progress, state those of the start or of an interrupted run, whose
      * history is in the equations; in the end those of the last converged step.
      * They are up to date when the observer is called.
+     * @param ends those of completed stages; the run adds its own.
      */
     LoadSteppingResult
     run(const std::vector<Stage> &stages,
         Progress                 &progress,
         State                    &state,
+        StageEnds                &ends,
         const Observer           &observer);
 
   private:
@@ -115,6 +118,14 @@ namespace Biface
       State        state;
       double       mu = 0;
     };
+
+    /** Go on to the next stage: to the end of the stage before it, from which
+     * it starts. */
+    void
+    go_on(const std::vector<Stage> &stages,
+          const StageEnds          &ends,
+          Progress                 &progress,
+          State                    &state);
 
     void
     begin_stage(const StageRun &run);

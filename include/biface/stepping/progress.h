@@ -17,8 +17,7 @@ namespace Biface
 {
   /**
    * The progress of a run through the stages: all data that LoadStepping keeps
-   * between steps. With the State and ShellEquations::History it is a complete
-   * restore point, from a copy of which stepping continues identically.
+   * between steps. See RestorePoint.
    */
   struct Progress
   {

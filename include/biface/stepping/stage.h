@@ -62,12 +62,15 @@ namespace Biface
   };
 
 
-  /** A stage of loading: from the final loads of the previous stage to its own,
-   * in equal steps. */
+  /** A stage of loading: from the end of the previous stage, or of another one
+   * before, to its own loads, in equal steps. */
   struct Stage
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
+    /** The number, from 1, of the stage from whose end this one starts; if not
+     * set, that of the previous stage. See stage_before(). */
+    std::optional<unsigned int> start_from;
     /** At the end of the stage; if not set, as at its start. */
     std::optional<double> pressure;
     /** Whether the gas that exerts the pressure is sealed in, see Gas. */
@@ -137,6 +140,7 @@ namespace Biface
     {
       serialize_optional(archive, slide);
       archive &friction &glued;
+      serialize_optional(archive, start_from);
       serialize_optional(archive, turn);
       serialize_optional(archive, pressure);
       serialize_optional(archive, travel);
@@ -147,6 +151,18 @@ namespace Biface
     }
   };
 
+
+  /** The position of the stage from whose end that at @p position starts: the
+   * previous one, or the one that it names. None for the first stage, which
+   * starts from the unloaded shell. */
+  std::optional<unsigned int>
+  stage_before(const std::vector<Stage> &stages, const unsigned int position);
+
+  /** Whether another stage than the next one starts from the end of that at
+   * @p position. */
+  bool
+  is_branched_from(const std::vector<Stage> &stages,
+                   const unsigned int        position);
 
   /** Check all stages in order, as far as possible before the run. Throws
    * InputError. */

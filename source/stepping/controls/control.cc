@@ -210,7 +210,7 @@ namespace Biface
     if (stays(start.pressure, stage.pressure) &&
         stays(start.factor, stage.factor))
       throw InputError(what + "neither its pressure nor its load factor "
-                              "differs from the previous stage.");
+                              "changes.");
     if (stage.contact &&
         ((start.travel && !stays(start.travel, stage.travel)) ||
          !stays(start.slide, stage.slide) || !stays(start.turn, stage.turn)))

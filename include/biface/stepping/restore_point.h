@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_restore_point_h
+#define biface_stepping_restore_point_h
+
+#include <map>
+
+#include <biface/model/internal_forces.h>
+#include <biface/model/state.h>
+#include <biface/stepping/progress.h>
+
+namespace Biface
+{
+  /** All that changes in a run, after a step: stepping continues identically
+   * from a copy. */
+  struct RestorePoint
+  {
+    State                   state;
+    InternalForces::History history;
+    Progress                progress;
+  };
+
+  /** The ends of the stages from which others than the next one start, see
+   * is_branched_from(), by the position of the stage. */
+  using StageEnds = std::map<unsigned int, RestorePoint>;
+} // namespace Biface
+
+#endif
