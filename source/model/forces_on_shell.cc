@@ -205,6 +205,35 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The displacements of the shape in which the forces act. */
+    const LA::Vector &
+    shape_of_forces(const ShellEquations &equations, const State &state)
+    {
+      const auto &base = equations.internal_forces().linearization_point();
+      return base ? base->displacement : state.displacement;
+    }
+  } // namespace
+
+
+  ForceOnShell
+  force_of_foundation(const ShellEquations &equations,
+                      const State          &state,
+                      const Loads          &loads,
+                      const Point<3>       &center)
+  {
+    const ShellMesh &mesh = equations.mesh;
+    const LA::Vector forces =
+      equations.nodal_forces(ForceTerm::Source::foundation, state, loads);
+    Resultant resultant(mesh, shape_of_forces(equations, state), center, 1);
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        resultant.add(0, node, face_forces(mesh, forces, node));
+    return resultant.on_all_ranks({"foundation"})[0];
+  }
+
+
   std::vector<std::string>
   bodies_on_shell(const ShellMesh &mesh)
   {
@@ -249,11 +278,8 @@ namespace Biface
     others[prestress] = internal.unlisted_forces();
     others[interpolation] -= others[prestress];
 
-    const auto &base = internal.linearization_point();
-    Resultant   resultant(mesh,
-                        base ? base->displacement : state.displacement,
-                        center,
-                        n + n_others);
+    Resultant resultant(
+      mesh, shape_of_forces(equations, state), center, n + n_others);
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int b = 0; b < n_others; ++b)

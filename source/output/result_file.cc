@@ -82,6 +82,8 @@ namespace Biface
   void
   ResultFile::write_step(const StepReport &report, const State &state)
   {
+    if (!contains(report))
+      return;
     steps.push_back(report.step);
     write(report, state);
   }

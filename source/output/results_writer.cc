@@ -8,6 +8,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/results_writer.h>
+#include <biface/output/stiffness_file.h>
 
 namespace Biface
 {
@@ -31,6 +32,7 @@ namespace Biface
 
 
   ResultsWriter::ResultsWriter(const Parameters             &parameters,
+                               const std::vector<Stage>     &stages,
                                const ShellEquations         &equations,
                                const Cavity                 *cavity,
                                const std::optional<Written> &continued)
@@ -42,6 +44,7 @@ namespace Biface
     history = history_file.get();
     add(std::move(history_file));
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
+    add(std::make_unique<StiffnessFile>(stages, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));

@@ -99,8 +99,11 @@ namespace Biface
       else
         remove_checkpoints(directory, communicator);
       const Gas    *gas = simulation.get_gas();
-      ResultsWriter results(
-        parameters.output, equations, gas ? &gas->cavity : nullptr, written);
+      ResultsWriter results(parameters.output,
+                            parameters.stages,
+                            equations,
+                            gas ? &gas->cavity : nullptr,
+                            written);
 
       log.open(directory + "/run.log", checkpoint != nullptr);
       if (checkpoint != nullptr)

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/forces_on_shell.h>
 #include <biface/model/work.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/load_stepping.h>
@@ -129,7 +130,9 @@ namespace Biface
         progress.touching_travel = contact.touching_travel(run.state);
         progress.touched_point =
           contact.touched_point(run.state, *progress.touching_travel);
+        progress.reaction = {progress.reached, {}, {}};
       }
+    progress.first_reaction = progress.reaction;
     contact.set_glued(run.state, stage.glued);
     equations.internal_forces().set_theory(stage.theory, run.state);
     progress.gas_content.reset();
@@ -153,6 +156,7 @@ namespace Biface
     progress.reached.turn    = 0;
     progress.factor_of_shape = progress.reached.factor;
     progress.touching_travel.reset();
+    progress.reaction.reset();
     progress.last_change.clear();
 
     const ShellEquations::Unbalance unbalance = equations.start_from_prestress(
@@ -361,12 +365,47 @@ namespace Biface
       }
     report.contact    = contact.summarize(run.state, report.loads);
     report.controlled = run.control.controlled();
+    const std::optional<FoundationReaction> reaction_before = progress.reaction;
+    progress.reaction.reset();
     if (run.stage.contact)
-      warn_of_pierced_nodes(run.state, report.loads);
+      {
+        const ForceOnShell now =
+          force_of_foundation(equations, run.state, report.loads, Point<3>());
+        progress.reaction = {progress.reached, now.force, now.moment};
+        report.stiffness  = stiffness(run, reaction_before);
+        warn_of_pierced_nodes(run.state, report.loads);
+      }
     report.iterations        = result.iterations;
     report.residuals         = result.residuals;
     report.n_negative_pivots = result.n_negative_pivots;
     return report;
+  }
+
+
+  std::optional<StepStiffness>
+  LoadStepping::stiffness(const StageRun                          &run,
+                          const std::optional<FoundationReaction> &before) const
+  {
+    const Progress &progress = run.progress;
+    const auto     &first    = progress.first_reaction;
+    if (!first || !before)
+      return {};
+    const LoadLevel &now = progress.reaction->level;
+    // the pressure of a sealed gas follows from the motion
+    if (now.factor != first->level.factor ||
+        (now.pressure != first->level.pressure && !run.stage.sealed))
+      return {};
+
+    const Tensor<1, 3> outward = contact.foundation(0).direction();
+    const Point<3>     center  = progress.touched_point + first->level.slide -
+                            first->level.travel * outward;
+    const auto secant =
+      foundation_stiffness(*first, *progress.reaction, outward, center);
+    const auto tangent =
+      foundation_stiffness(*before, *progress.reaction, outward, center);
+    if (!secant || !tangent)
+      return {};
+    return StepStiffness{*first, *secant, *tangent};
   }
 
 

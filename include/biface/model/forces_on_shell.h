@@ -23,6 +23,14 @@ namespace Biface
   };
 
 
+  /** That of the foundation alone, see forces_on_shell(). */
+  ForceOnShell
+  force_of_foundation(const ShellEquations   &equations,
+                      const State            &state,
+                      const Loads            &loads,
+                      const dealii::Point<3> &center);
+
+
   /** The names of the bodies, in the order of forces_on_shell(). */
   std::vector<std::string>
   bodies_on_shell(const ShellMesh &mesh);

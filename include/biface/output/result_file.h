@@ -91,7 +91,8 @@ namespace Biface
     void
     resume(const std::vector<unsigned int> &steps);
 
-    /** Write a converged step. Throws OutputError. */
+    /** Write a converged step, if it belongs to the file. Throws
+     * OutputError. */
     void
     write_step(const StepReport &report, const State &state);
 
@@ -103,6 +104,13 @@ namespace Biface
     }
 
   protected:
+    /** Whether a step belongs to the file. */
+    virtual bool
+    contains(const StepReport & /*report*/) const
+    {
+      return true;
+    }
+
     /** Remove what the file contains beyond get_steps(). In a series of files,
      * later steps replace the old files. */
     virtual void
@@ -126,8 +134,8 @@ namespace Biface
   };
 
 
-  /** A file of results that is a single table, to which each step appends the
-   * same number of lines. The first column is the step. */
+  /** A file of results that is a single table, to which each of its steps
+   * appends the same number of lines. The first column is the step. */
   class StepTable : public ResultFile
   {
   public:

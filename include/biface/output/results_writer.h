@@ -49,12 +49,14 @@ namespace Biface
      * Create the directory if it does not exist, and start the files. Throws
      * InputError if that fails.
      *
+     * @param stages those of the run.
      * @param cavity that whose volume is of interest, kept by pointer, or null.
      * @param continued the steps written by an earlier run, to continue its
      * files; later ones are removed. Throws InputError if some of them are
      * missing.
      */
     ResultsWriter(const Parameters             &parameters,
+                  const std::vector<Stage>     &stages,
                   const ShellEquations         &equations,
                   const Cavity                 *cavity,
                   const std::optional<Written> &continued = {});

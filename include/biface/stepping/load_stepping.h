@@ -160,6 +160,12 @@ namespace Biface
            const Control::Trial &trial,
            const Attempt        &attempt);
 
+    /** The stiffness of the last step, if the foundation alone has moved.
+     * @param before that of the step before. */
+    std::optional<StepStiffness>
+    stiffness(const StageRun                          &run,
+              const std::optional<FoundationReaction> &before) const;
+
     /** Warn once of supported nodes that the foundation has passed through. */
     void
     warn_of_pierced_nodes(const State &state, const Loads &loads);

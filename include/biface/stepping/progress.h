@@ -10,6 +10,7 @@
 
 #include <biface/model/work.h>
 #include <biface/stepping/controls/control.h>
+#include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stage.h>
 
@@ -40,6 +41,10 @@ namespace Biface
 
     /** In all steps, or in those since the last start from a prestress. */
     Work work;
+
+    /** What the foundation exerts, and did at the start of the stage; not set
+     * if there was no foundation. */
+    std::optional<FoundationReaction> reaction, first_reaction;
 
     /** The content of the gas in a stage where it is sealed, see
      * Gas::content(). */
@@ -73,6 +78,8 @@ namespace Biface
       archive &n_steps &stage &stage_begun &reached;
       serialize_optional(archive, touching_travel);
       archive &touched_point &factor_of_shape &work;
+      serialize_optional(archive, reaction);
+      serialize_optional(archive, first_reaction);
       serialize_optional(archive, gas_content);
       archive &control &predictor;
     }

@@ -120,6 +120,14 @@ namespace Biface
               turn.value_or(start.turn)};
     }
 
+    /** Whether the foundation may move while it is there. */
+    bool
+    moves_foundation() const
+    {
+      return contact &&
+             (travel || slide || turn || control == "foundation force");
+    }
+
     /** @param number the number of the stage, for its default name. */
     void
     add_parameters(dealii::ParameterHandler &prm, const unsigned int number);

@@ -10,6 +10,7 @@
 
 #include <biface/model/state.h>
 #include <biface/model/work.h>
+#include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
@@ -36,7 +37,10 @@ namespace Biface
     /** See Progress. */
     Work           work;
     ContactSummary contact;
-    unsigned int   iterations = 0;
+    /** If the foundation alone has moved, in one way, since the start of the
+     * stage. */
+    std::optional<StepStiffness> stiffness;
+    unsigned int                 iterations = 0;
     /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
     /** See NewtonResult. */

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_foundation_stiffness_h
+#define biface_stepping_foundation_stiffness_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <optional>
+
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /** What the foundation exerts on the shell where it stands. */
+  struct FoundationReaction
+  {
+    LoadLevel            level;
+    dealii::Tensor<1, 3> force;
+    /** About the origin. */
+    dealii::Tensor<1, 3> moment;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &level &force &moment;
+    }
+  };
+
+
+  /**
+   * The stiffness of the shell against a motion of the foundation: the change
+   * of what the foundation exerts on it, per length or per degree of the
+   * motion.
+   */
+  struct FoundationStiffness
+  {
+    enum class Motion
+    {
+      approach,
+      slide,
+      turn
+    };
+
+    Motion motion = Motion::approach;
+    /** A unit vector along the motion, or along the axis of the turn. */
+    dealii::Tensor<1, 3> direction;
+    /** How far the foundation moves along it. Unit: length, or degrees. */
+    double amount = 0;
+    /** Per unit of the motion. */
+    dealii::Tensor<1, 3> force, moment;
+
+    /** The component along the motion: of the force or, for a turn, of the
+     * moment. */
+    double
+    along() const
+    {
+      return (motion == Motion::turn ? moment : force) * direction;
+    }
+  };
+
+
+  /** The stiffness of a step of a stage. */
+  struct StepStiffness
+  {
+    /** At the start of the stage. */
+    FoundationReaction loaded;
+    /** From the start of the stage to the end of the step. */
+    FoundationStiffness secant;
+    /** From the start of the step to its end. */
+    FoundationStiffness tangent;
+  };
+
+
+  /**
+   * The stiffness between two states of equilibrium.
+   *
+   * @param outward the direction from the shell to the foundation, about which
+   * the foundation turns and against which it approaches.
+   * @param center the point to which the moments refer.
+   * @return nothing unless the foundation moves in exactly one way: it either
+   * approaches or slides or turns.
+   */
+  std::optional<FoundationStiffness>
+  foundation_stiffness(const FoundationReaction   &from,
+                       const FoundationReaction   &to,
+                       const dealii::Tensor<1, 3> &outward,
+                       const dealii::Point<3>     &center);
+} // namespace Biface
+
+#endif

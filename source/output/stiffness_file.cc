@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include <biface/output/csv.h>
+#include <biface/output/stiffness_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    stiffness_header()
+    {
+      std::string header = "step,stage,pressure,force,approach,motion,amount,"
+                           "direction_x,direction_y,direction_z,secant,tangent";
+      for (const std::string kind : {"secant", "tangent"})
+        for (const std::string vector : {"F", "M"})
+          for (const std::string axis : {"x", "y", "z"})
+            header += ',' + kind + '_' + vector + '_' + axis;
+      return header;
+    }
+
+
+    std::string
+    name_of(const FoundationStiffness::Motion motion)
+    {
+      switch (motion)
+        {
+          case FoundationStiffness::Motion::approach:
+            return "approach";
+          case FoundationStiffness::Motion::slide:
+            return "slide";
+          case FoundationStiffness::Motion::turn:
+            return "turn";
+        }
+      Assert(false, ExcInternalError());
+      return "";
+    }
+
+
+    /** The components of a vector, each after a comma. */
+    std::string
+    components(const Tensor<1, 3> &vector)
+    {
+      std::string text;
+      for (unsigned int i = 0; i < 3; ++i)
+        text += ',' + csv_number(vector[i]);
+      return text;
+    }
+  } // namespace
+
+
+  StiffnessFile::StiffnessFile(const std::vector<Stage> &stages,
+                               ResultsDirectory         &directory,
+                               const ShellEquations     &equations)
+    : StepTable("stiffness.csv", stiffness_header(), 1, directory, equations)
+    , any_motion(
+        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.moves_foundation();
+        }))
+  {}
+
+
+  void
+  StiffnessFile::write(const StepReport &report, const State & /*state*/)
+  {
+    const StepStiffness       &stiffness = *report.stiffness;
+    const FoundationReaction  &loaded    = stiffness.loaded;
+    const FoundationStiffness &secant    = stiffness.secant;
+    const FoundationStiffness &tangent   = stiffness.tangent;
+    const Tensor<1, 3>        &outward   = report.loads.foundation->direction();
+
+    append(std::to_string(report.step) + ',' + report.stage + ',' +
+           csv_number(loaded.level.pressure) + ',' +
+           csv_number(-(loaded.force * outward)) + ',' +
+           csv_number(loaded.level.travel) + ',' + name_of(secant.motion) +
+           ',' + csv_number(secant.amount) + components(secant.direction) +
+           ',' + csv_number(secant.along()) + ',' +
+           csv_number(tangent.along()) + components(secant.force) +
+           components(secant.moment) + components(tangent.force) +
+           components(tangent.moment) + '\n');
+  }
+} // namespace Biface

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/stepping/foundation_stiffness.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  std::optional<FoundationStiffness>
+  foundation_stiffness(const FoundationReaction &from,
+                       const FoundationReaction &to,
+                       const Tensor<1, 3>       &outward,
+                       const Point<3>           &center)
+  {
+    using Motion = FoundationStiffness::Motion;
+
+    const double       approach = to.level.travel - from.level.travel;
+    const Tensor<1, 3> slide    = to.level.slide - from.level.slide;
+    const double       turn     = to.level.turn - from.level.turn;
+    const unsigned int n_motions =
+      (approach != 0) + (slide.norm() > 0) + (turn != 0);
+    if (n_motions != 1)
+      return {};
+
+    FoundationStiffness result;
+    if (approach != 0)
+      {
+        result.motion    = Motion::approach;
+        result.direction = -outward;
+        result.amount    = approach;
+      }
+    else if (turn != 0)
+      {
+        result.motion    = Motion::turn;
+        result.direction = outward;
+        result.amount    = turn;
+      }
+    else
+      {
+        result.motion    = Motion::slide;
+        result.amount    = slide.norm();
+        result.direction = slide / result.amount;
+      }
+    const Tensor<1, 3> force  = to.force - from.force;
+    const Tensor<1, 3> moment = to.moment - from.moment;
+    result.force              = force / result.amount;
+    result.moment =
+      (moment - cross_product_3d(Tensor<1, 3>(center), force)) / result.amount;
+    return result;
+  }
+} // namespace Biface
