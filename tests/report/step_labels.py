@@ -18,11 +18,16 @@ from biface_report.results import Table
 class Run:
     """An inflation, a prescribed rest, and a contact in two small steps."""
     steps = np.arange(1, 7)
+    parameters = None
     history = Table({
         "stage": np.array(["air", "air", "rest"] + 3 * ["ground"], dtype=object),
         "pressure": np.array([0.1, 0.2, 0.2, 0.2, 0.2, 0.2]),
         "load_factor": np.zeros(6),
         "approach": np.array([0, 0, 0, 1.00001, 1.00002, 2])})
+
+    def setting(self, entry, otherwise=None):
+        """There is no parameters.prm."""
+        return otherwise
 
 
 labels = step_labels(Run(), Run.steps)

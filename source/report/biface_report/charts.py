@@ -6,33 +6,48 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .drawing import BLUE, DISTINCT, GRAY, headroom
-from .loading import first_step_counted, varying_load
+from .loading import first_step_counted, rows_before, varying_load
 from .page import ROUND_OFF
 
 # More curves in one chart would be hard to tell apart
 MAXIMUM_CURVES = len(DISTINCT)
+# Names of more stages would cover each other
+MAXIMUM_STAGES = 10
 
 
-def contact_curve(run):
-    """Approaches and forces of the steps after first contact, from 0."""
+def contact_curves(run):
+    """Approaches and forces of the steps after first contact, from 0: a curve,
+    and another one for each branch."""
     chosen = (run.history["approach"] != 0) | run.in_contact
-    return (np.append(0, run.history["approach"][chosen]),
-            np.append(0, run.history["force"][chosen]))
+    before = rows_before(run)
+    curves = []
+    for row in np.flatnonzero(chosen):
+        start = before[row] if before[row] >= 0 and chosen[before[row]] else -1
+        if not curves or curves[-1][-1] != start:
+            curves.append([start])
+        curves[-1].append(row)
+    # the row -1 is the origin
+    approach, force = (np.append(run.history[column], 0)
+                       for column in ("approach", "force"))
+    return [(approach[rows], force[rows]) for rows in curves]
 
 
 def stiffness(run):
     """Change of force over change of approach in the last step, or None."""
-    approach, force = contact_curve(run)
-    if len(approach) < 2 or approach[-1] == approach[-2]:
+    curves = contact_curves(run)
+    if not curves:
+        return None
+    approach, force = curves[-1]
+    if approach[-1] == approach[-2]:
         return None
     return (force[-1] - force[-2]) / (approach[-1] - approach[-2])
 
 
 def draw_contact_curve(run):
     """The force on the foundation against its approach."""
-    approach, force = contact_curve(run)
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
-    axes.plot(approach, force, "o-", color=BLUE, markersize=4, clip_on=False)
+    for approach, force in contact_curves(run):
+        axes.plot(approach, force, "o-", color=BLUE, markersize=4, clip_on=False)
     axes.set(xlabel="approach [length]", ylabel="force on the foundation [force]")
     headroom(axes)
     return figure
@@ -104,14 +119,14 @@ def draw_iterations(run):
 
 
 def mark_stages(axes, run):
-    """Marks where stages start."""
+    """Marks where stages start, with their names if there is room."""
     names = run.history["stage"]
     starts = [i for i in range(1, len(names)) if names[i] != names[i - 1]]
     for i in starts:
         for each in axes.figure.axes:
             each.axvline(run.steps[i] - 0.5, color="0.3", linewidth=0.8,
                          linestyle="--")
-    for i in [0] + starts if starts else []:
+    for i in [0] + starts if 0 < len(starts) < MAXIMUM_STAGES else []:
         axes.annotate(names[i], (run.steps[i] - 0.45, 1), (1, 2),
                       xycoords=("data", "axes fraction"),
                       textcoords="offset points", fontsize=9, color="0.3",

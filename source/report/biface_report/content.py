@@ -18,6 +18,7 @@ from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
 from .section import SectionPlane
+from .stiffness import stiffness
 from .summary import introduction, summary, title
 
 
@@ -26,7 +27,7 @@ def report(run):
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
-             sections_of_shell(run), shell(run), points(run), iterations(run),
+             stiffness(run), sections_of_shell(run), shell(run), points(run), iterations(run),
              ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]

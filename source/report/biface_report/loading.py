@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What changes from step to step: the approach, the load factor or the pressure."""
+"""What changes from step to step: the approach, the load factor or the pressure;
+and where the steps of a stage start."""
 
 import numpy as np
 
@@ -13,14 +14,32 @@ LOADS = {"load_factor": ("load factor", ""),
 LABEL_DIGITS = 4
 
 
+def rows_before(run):
+    """For each row of the history the row of the step from which it started; -1
+    for none. A stage starts from the end of the one before, or of another one."""
+    names = run.history["stage"]
+    before = np.arange(len(names)) - 1
+    planned = dict(stages(run.parameters)) if run.parameters else {}
+    ends, number = {}, 0
+    for row, name in enumerate(names):
+        if row == 0 or name != names[row - 1]:
+            later = [i for i in planned if i > number and planned[i] == name]
+            number = later[0] if later else number
+            start = run.setting(f"Stage {number}/Start from", "previous")
+            if start.isdigit():
+                before[row] = ends.get(int(start), before[row])
+        ends[number] = row
+    return before
+
+
 def changing_column(run, stage, columns):
     """The first of some columns of history.csv that changes in a stage, or
     None."""
     chosen = run.history["stage"] == stage
-    at = int(np.argmax(chosen))
+    start = rows_before(run)[int(np.argmax(chosen))]
     for column in columns:
         values = run.history[column]
-        before = values[at - 1] if at > 0 else 0
+        before = values[start] if start >= 0 else 0
         if (values[chosen] != before).any():
             return column
     return None

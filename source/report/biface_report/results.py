@@ -14,7 +14,7 @@ import numpy as np
 from .parameters import read_parameters
 
 # Columns of text
-WORDS = ("stage", "name", "face", "material")
+WORDS = ("stage", "name", "face", "material", "motion")
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
@@ -25,6 +25,9 @@ PROFILE_COLUMNS = ("alpha_1", "alpha_2", "outer_x", "outer_y", "outer_z",
                    "inner_x", "inner_y", "inner_z", "pressure")
 PROBE_COLUMNS = ("step", "stage", "load_factor", "name", "face", "u_x", "u_y",
                  "u_z")
+STIFFNESS_COLUMNS = ("step", "stage", "pressure", "force", "approach", "motion",
+                     "amount", "direction_x", "direction_y", "direction_z",
+                     "secant", "tangent", "secant_F_x", "secant_F_y", "secant_F_z")
 PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
                "fiber_tension", "s_L", "s_T", "t_LT")
 
@@ -206,6 +209,14 @@ class Run:
         table, _ = read_csv(path, PROBE_COLUMNS, True)
         return table.where(np.isin(table["step"], self.steps)
                            & (table["face"] == "middle"))
+
+    def stiffness(self):
+        """stiffness.csv up to the step of the report; None if it is missing."""
+        path = self.directory / "stiffness.csv"
+        if not path.exists():
+            return None
+        table, _ = read_csv(path, STIFFNESS_COLUMNS, True)
+        return table.where(np.isin(table["step"], self.steps))
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
