@@ -105,6 +105,11 @@ main(int argc, char *argv[])
         rough,
         {"Contact=true", "Strain theory=linear", "Travel=11"},
         {"Name=last", "Contact=true", "Strain theory=linear", "Pressure=0.16"});
+  check("prediction from a coarser mesh",
+        with(coarse_tire,
+             {"Mesh/Coarse meshes=1", "Stage 2/Travel=10", "Stage 2/Steps=2"}),
+        {"Contact=true", "Pressure=0.1"},
+        {"Name=last", "Contact=true", "Travel=12", "Steps=2"});
   check("sealed gas",
         {DATA_DIR "/gas_tube.prm"},
         {"Pressure=0.2", "Load factor=0.5"},

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Write tire_stiffness.md from a run of prm/tire_stiffness.prm."""
+
+import argparse
+import csv
+import subprocess
+from pathlib import Path
+
+PAGE = """<!-- Written by doc/tire_stiffness/tire_stiffness.py: cmake --build build --target tire_stiffness -->
+
+# Stiffness of a loaded tire
+
+[tire_stiffness.prm](../prm/tire_stiffness.prm) inflates the tire of
+[bias_tire.md](bias_tire.md) to two pressures and presses it on the ground by two forces,
+without friction. Eight stages branch from each of these four loaded states (`Start
+from`): the force changes by 5 % up and down, and the ground slides across the tire and
+along it and turns, each once with the footprint glued to it and once with a coefficient
+of friction of 0.8.
+
+```sh
+build/biface prm/tire_stiffness.prm
+build/biface-report output
+```
+
+The tables contain numbers from `stiffness.csv`, which
+[output.md](output.md#stiffnesscsv) describes; `biface-report` shows them as well. The
+mesh has 42 × 40 cells and lumped multipliers, and the run took {seconds:.0f} s.
+
+## Without slip
+
+Secant stiffnesses: from the loaded state to a force 5 % smaller or larger, to a slide
+of 0.1 mm, and to a turn of 0.1°.
+
+{glued}
+
+A bias tire couples the directions: when the ground slides across it, the ground also
+pushes it along, and the other way round. For small motions the two forces per length of
+the slide agree, since the glued tire has an energy.
+
+Nodes enter and leave the footprint one by one, so that the vertical stiffness changes in
+small jumps with the load.
+
+## With friction
+
+The stiffnesses of glued footprints are upper bounds: with friction the edge of the
+footprint slips from the start. Secants to the end of the motion, and tangents of its last
+step. The lateral slide is 3 mm, the longitudinal one 0.3 mm, in two steps each; the
+turn 0.5°, in one step, in which secant and tangent agree.
+
+{rough}
+"""
+
+# Columns of both tables: heading, stage, column of stiffness.csv, its factor
+GLUED = [("vertical, less load, N/mm", "less load", "secant"),
+         ("vertical, more load, N/mm", "more load", "secant"),
+         ("lateral, N/mm", "lateral glued", "secant"),
+         ("lateral, force along, N/mm", "lateral glued", "secant_F_z"),
+         ("longitudinal, N/mm", "longitudinal glued", "secant"),
+         ("longitudinal, force across, N/mm", "longitudinal glued", "secant_F_y"),
+         ("turn, N mm/degree", "turn glued", "secant")]
+ROUGH = [("lateral, secant, N/mm", "lateral rough", "secant"),
+         ("lateral, tangent, N/mm", "lateral rough", "tangent"),
+         ("longitudinal, secant, N/mm", "longitudinal rough", "secant"),
+         ("longitudinal, tangent, N/mm", "longitudinal rough", "tangent"),
+         ("turn, secant, N mm/degree", "turn rough", "secant")]
+
+
+def table(lines, columns):
+    """A table in Markdown, a row for each loaded state."""
+    # the last line of each stage
+    last = {line["stage"]: line for line in lines}
+    states = dict.fromkeys(stage.partition(": ")[0] for stage in last
+                           if ": " in stage)
+    heads = ["Load", "approach, mm"] + [column[0] for column in columns]
+    rows = [heads, ["---"] + ["---:"] * (len(heads) - 1)]
+    for state in states:
+        values = [float(last[f"{state}: {stage}"][column])
+                  for _, stage, column in columns]
+        approach = float(last[f"{state}: less load"]["approach"])
+        rows.append([state, f"{approach:.2f}"]
+                    + [f"{value:.0f}" if abs(value) >= 1000 else f"{value:.2f}"
+                       for value in values])
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+
+
+def main():
+    root = Path(__file__).resolve().parents[2]
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True, help="the program biface")
+    parser.add_argument("--scratch", type=Path, default=Path("tire_stiffness_run"))
+    parser.add_argument("--output", type=Path, required=True,
+                        help="where to write tire_stiffness.md")
+    arguments = parser.parse_args()
+    subprocess.run([arguments.program, "--quiet", "--output", arguments.scratch,
+                    "--set", "Output/Write VTU=false",
+                    root / "prm/tire_stiffness.prm"], check=True)
+
+    def read(name):
+        with open(arguments.scratch / name, encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    lines = read("stiffness.csv")
+    seconds = sum(float(line["seconds"]) for line in read("history.csv"))
+    (arguments.output / "tire_stiffness.md").write_text(
+        PAGE.format(seconds=seconds, glued=table(lines, GLUED),
+                    rough=table(lines, ROUGH)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
