@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures of doc/rough_ground.md from a run of prm/tire_on_rough_ground.prm:
+
+    side_force.png   side force of the ground against its slide
+    stick_slip.png   where the footprint sticks and slips in some steps
+"""
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+
+from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
+
+FRICTION = 0.5
+
+# Slides (mm) of the pictures of the footprint, by the stage
+PICTURES = (("pressing", 0), ("slide", 4.5), ("slide", 12), ("back", 6))
+
+
+def read(path):
+    """A table by columns: arrays of numbers, or of words."""
+    with open(path, encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    columns = {}
+    for name in rows[0]:
+        words = [row[name] for row in rows]
+        try:
+            columns[name] = np.array(words, dtype=float)
+        except ValueError:
+            columns[name] = np.array(words)
+    return columns
+
+
+def side_forces(results):
+    """Stage, slide, force along y and vertical force, per step."""
+    history, forces = (read(results / name)
+                       for name in ("history.csv", "forces.csv"))
+    ground = forces["body"] == "foundation"
+    return (history["stage"], history["slide_y"], forces["F_y"][ground],
+            history["force"])
+
+
+def draw_side_force(results, path):
+    """The force against the slide, there and back."""
+    stage, slide, side, vertical = side_forces(results)
+    figure, axes = plt.subplots(figsize=(5.2, 3.4))
+    for name, label, color in (("slide", "slide", BLUE),
+                               ("back", "way back", RED)):
+        chosen = np.flatnonzero(stage == name)
+        chosen = np.concatenate([chosen[:1] - 1, chosen])
+        axes.plot(slide[chosen], side[chosen], "o-", color=color, markersize=4,
+                  label=label)
+        if name == "slide":
+            axes.plot(slide[chosen], FRICTION * vertical[chosen], "--",
+                      color=GRAY, linewidth=1.2,
+                      label="0.5 times vertical force")
+    axes.axhline(0, color=GRAY, linewidth=0.6)
+    axes.set_xlabel("Slide of the ground, mm")
+    axes.set_ylabel("Side force $F_y$ on the tire, N")
+    axes.legend()
+    save(figure, path)
+
+
+def draw_stick_slip(results, path):
+    """The nodes in contact from above, and the tractions of friction."""
+    history = read(results / "history.csv")
+    figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.6),
+                                    sharex=True, sharey=True)
+    for axes, (stage, slide) in zip(all_axes, PICTURES):
+        chosen = np.flatnonzero((history["stage"] == stage)
+                                & np.isclose(history["slide_y"], slide))[-1]
+        contact = read(
+            results / f"contact-{int(history['step'][chosen]):04}.csv")
+        for slips, color, label in ((0, BLUE, "sticks"), (1, RED, "slips")):
+            nodes = (contact["active"] > 0) & (contact["slipping"] == slips)
+            axes.plot(contact["y"][nodes], contact["z"][nodes], "o",
+                      color=color, markersize=2.5, label=label)
+        nodes = contact["active"] > 0
+        axes.quiver(contact["y"][nodes], contact["z"][nodes],
+                    contact["friction_y"][nodes], contact["friction_z"][nodes],
+                    color=GRAY, angles="xy", scale=2.5, width=0.004)
+        axes.set_aspect("equal")
+        axes.set_title(f"{stage}, {slide:g} mm", fontsize=9)
+        axes.set_xlabel("$y$, mm")
+    all_axes[0].set_ylabel("$z$, mm")
+    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="center right",
+                  bbox_to_anchor=(1.02, 0.5))
+    save(figure, path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("results", type=Path)
+    parser.add_argument("output", type=Path)
+    arguments = parser.parse_args()
+    plt.rcParams.update(STYLE)
+    draw_side_force(arguments.results, arguments.output / "side_force.png")
+    draw_stick_slip(arguments.results, arguments.output / "stick_slip.png")
+
+
+if __name__ == "__main__":
+    main()
