@@ -20,6 +20,7 @@ from .point_content import ply_stresses, points
 from .section import SectionPlane
 from .stiffness import stiffness
 from .summary import introduction, summary, title
+from .wheel import stick_slip, wheel_forces
 
 
 def report(run):
@@ -27,7 +28,8 @@ def report(run):
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
-             stiffness(run), sections_of_shell(run), shell(run), points(run), iterations(run),
+             stick_slip(run, footprint), wheel_forces(run), stiffness(run),
+             sections_of_shell(run), shell(run), points(run), iterations(run),
              ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]

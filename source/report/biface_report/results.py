@@ -14,7 +14,7 @@ import numpy as np
 from .parameters import read_parameters
 
 # Columns of text
-WORDS = ("stage", "name", "face", "material", "motion")
+WORDS = ("stage", "name", "face", "material", "body", "motion")
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
@@ -23,6 +23,8 @@ CONTACT_COLUMNS = ("alpha_1", "alpha_2", "x", "y", "z", "clearance", "pressure",
                    "active")
 PROFILE_COLUMNS = ("alpha_1", "alpha_2", "outer_x", "outer_y", "outer_z",
                    "inner_x", "inner_y", "inner_z", "pressure")
+FORCE_COLUMNS = ("step", "stage", "body", "F_x", "F_y", "F_z", "M_x", "M_y",
+                 "M_z")
 PROBE_COLUMNS = ("step", "stage", "load_factor", "name", "face", "u_x", "u_y",
                  "u_z")
 STIFFNESS_COLUMNS = ("step", "stage", "pressure", "force", "approach", "motion",
@@ -209,6 +211,14 @@ class Run:
         table, _ = read_csv(path, PROBE_COLUMNS, True)
         return table.where(np.isin(table["step"], self.steps)
                            & (table["face"] == "middle"))
+
+    def forces(self):
+        """forces.csv up to the step of the report; None if it is missing."""
+        path = self.directory / "forces.csv"
+        if not path.exists():
+            return None
+        table, _ = read_csv(path, FORCE_COLUMNS, True)
+        return table.where(np.isin(table["step"], self.steps))
 
     def stiffness(self):
         """stiffness.csv up to the step of the report; None if it is missing."""
