@@ -307,11 +307,15 @@ namespace Biface
                                           iterate.zone_given ? 1e-3 : 1e-6);
 
     LinearSolverResult linear = linear_solver.factorize(
-      equations.tangent(), equations.is_symmetric(iterate.loads));
+      equations.tangent(),
+      equations.is_symmetric(iterate.loads),
+      iterate.result.iterations > 0 && iterate.n_changes == 0);
     iterate.result.n_negative_pivots = linear.n_negative_pivots;
     if (linear.success)
       linear = linear_solver.solve(
         increment.displacement, equations.residual(), exactness);
+    if (linear.n_negative_pivots)
+      iterate.result.n_negative_pivots = linear.n_negative_pivots;
     if (!linear.success)
       return Failure{linear.cause, linear.message};
     equations.distribute(increment.displacement);

@@ -55,8 +55,9 @@ namespace Biface
     bool stopped = false;
     /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
-    /** The number of negative pivots of the last tangent, if the linear solver
-     * counts them: the number of unstable directions of this equilibrium. */
+    /** The number of negative pivots of the last tangent that was factorized,
+     * if the linear solver counts them: the number of unstable directions of
+     * this equilibrium, or of an iterate close to it. */
     std::optional<unsigned int> n_negative_pivots;
   };
 

@@ -33,7 +33,9 @@ namespace Biface
 
 
   LinearSolverResult
-  AmesosSolver::factorize(const LA::SparseMatrix &A, const bool /*symmetric*/)
+  AmesosSolver::factorize(const LA::SparseMatrix &A,
+                          const bool /*symmetric*/,
+                          const bool /*similar*/)
   {
     // Amesos reads the matrix in each factorization, but needs the object in
     // advance; it does not change it

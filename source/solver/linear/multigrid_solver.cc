@@ -50,7 +50,8 @@ namespace Biface
 
   LinearSolverResult
   MultigridSolver::factorize(const LA::SparseMatrix &A,
-                             const bool /*symmetric*/)
+                             const bool /*symmetric*/,
+                             const bool /*similar*/)
   {
     TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
     preconditioner.clear();

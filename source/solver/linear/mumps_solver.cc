@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <Epetra_CrsMatrix.h>
 #include <dmumps_c.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <string>
@@ -90,7 +92,28 @@ namespace Biface
           icntl(14) *= 2;
           status = call(factorization);
         }
+      factorized = (status >= 0);
       return status;
+    }
+
+    /** The number of iterations of GMRES with the factors as a preconditioner
+     * that take less time than a factorization; zero if they are too few to be
+     * of use, or without factors. */
+    unsigned int
+    max_refinements() const
+    {
+      // Operations of a factorization per entry of the factors that take the
+      // time of an iteration, which is bound by memory, with a margin.
+      constexpr double       operations = 32;
+      constexpr unsigned int least = 6, most = 8;
+
+      if (!factorized)
+        return 0;
+      // MUMPS counts in millions if the number is large
+      const double n_entries =
+        (mumps.infog[28] < 0 ? -1e6 : 1) * mumps.infog[28];
+      const double n = mumps.rinfog[2] / (operations * n_entries);
+      return n < least ? 0 : std::min<double>(n, most);
     }
 
     /** Of the last factorization. */
@@ -213,6 +236,7 @@ namespace Biface
     const MPI_Comm                communicator;
     const bool                    is_root;
     DMUMPS_STRUC_C                mumps{};
+    bool                          factorized = false;
 
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
@@ -255,23 +279,19 @@ namespace Biface
 
 
   LinearSolverResult
-  MumpsSolver::factorize(const LA::SparseMatrix &A, const bool symmetric)
+  MumpsSolver::factorize(const LA::SparseMatrix &A,
+                         const bool              symmetric,
+                         const bool              similar)
   {
-    matrix = &A;
-    if (!instance || !instance->is_for(A, symmetric))
-      {
-        TimerOutput::Scope scope(timer, "Linear solver: analysis");
-        instance = std::make_unique<Instance>(communicator, A, symmetric);
-        if (const int status = instance->analyze(); status < 0)
-          {
-            instance.reset();
-            return mumps_failure("analysis", status);
-          }
-      }
+    const bool keep_factors = similar && instance &&
+                              instance->is_for(A, symmetric) &&
+                              instance->max_refinements() > 0;
+    matrix              = &A;
+    matrix_is_symmetric = symmetric;
+    factors_are_current = false;
+    if (!keep_factors)
+      return factorize_anew();
 
-    TimerOutput::Scope scope(timer, "Linear solver: factorization");
-    if (const int status = instance->factorize(A); status < 0)
-      return mumps_failure("factorization", status);
     LinearSolverResult result;
     result.success = true;
     if (symmetric)
@@ -281,13 +301,126 @@ namespace Biface
 
 
   LinearSolverResult
+  MumpsSolver::factorize_anew()
+  {
+    if (!instance || !instance->is_for(*matrix, matrix_is_symmetric))
+      {
+        TimerOutput::Scope scope(timer, "Linear solver: analysis");
+        instance = std::make_unique<Instance>(
+          communicator, *matrix, matrix_is_symmetric);
+        if (const int status = instance->analyze(); status < 0)
+          {
+            instance.reset();
+            return mumps_failure("analysis", status);
+          }
+      }
+
+    TimerOutput::Scope scope(timer, "Linear solver: factorization");
+    if (const int status = instance->factorize(*matrix); status < 0)
+      return mumps_failure("factorization", status);
+    factors_are_current = true;
+    LinearSolverResult result;
+    result.success = true;
+    if (matrix_is_symmetric)
+      result.n_negative_pivots = instance->n_negative_pivots();
+    return result;
+  }
+
+
+  namespace
+  {
+    /** Stops GMRES as soon as its last iteration is unlikely to reach the
+     * tolerance. */
+    class BoundedEffort : public ReductionControl
+    {
+    public:
+      BoundedEffort(const unsigned int max_iterations, const double tolerance)
+        : ReductionControl(max_iterations, 0, tolerance)
+      {}
+
+      State
+      check(const unsigned int step, const double value) override
+      {
+        // the convergence gets faster with each iteration
+        constexpr unsigned int earliest = 3;
+        constexpr double       hope     = 1e3;
+
+        const State state = ReductionControl::check(step, value);
+        if (state != iterate || step < earliest)
+          return state;
+        const double at_the_end =
+          std::pow(value / initial_value(), double(max_steps()) / step);
+        return at_the_end > hope * reduction() ? failure : iterate;
+      }
+    };
+  } // namespace
+
+
+  bool
+  MumpsSolver::solve_with_old_factors(LA::Vector &x, const LA::Vector &b)
+  {
+    // Newton's method then takes the same path as with a direct solution
+    constexpr double tolerance = 1e-8;
+
+    struct OldFactors
+    {
+      Instance &instance;
+      bool     &failed;
+
+      void
+      vmult(LA::Vector &x, const LA::Vector &b) const
+      {
+        if (instance.solve(x, b) < 0)
+          {
+            failed = true;
+            x      = b;
+          }
+      }
+    };
+
+    const unsigned int max_iterations = instance->max_refinements();
+    bool               failed         = false;
+    BoundedEffort      control(max_iterations, tolerance);
+    x = 0;
+    try
+      {
+        SolverFGMRES<LA::Vector>(
+          control, SolverFGMRES<LA::Vector>::AdditionalData(max_iterations + 1))
+          .solve(*matrix, x, b, OldFactors{*instance, failed});
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        failed = true;
+      }
+    return !failed;
+  }
+
+
+  LinearSolverResult
   MumpsSolver::solve(LA::Vector       &x,
                      const LA::Vector &b,
                      const double /*tolerance*/)
   {
     Assert(matrix != nullptr, ExcNotInitialized());
+    LinearSolverResult result;
+    if (!factors_are_current)
+      {
+        {
+          TimerOutput::Scope scope(timer, "Linear solver: solution");
+          if (solve_with_old_factors(x, b))
+            {
+              result.success = true;
+              return result;
+            }
+        }
+        result = factorize_anew();
+        if (!result.success)
+          return result;
+      }
+
+    const auto         n_negative_pivots = result.n_negative_pivots;
     TimerOutput::Scope scope(timer, "Linear solver: solution");
-    return solve_with_refinement(
+    result = solve_with_refinement(
       *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
         if (const int status = instance->solve(x, b); status < 0)
           return mumps_failure("solution", status);
@@ -295,5 +428,7 @@ namespace Biface
         result.success = true;
         return result;
       });
+    result.n_negative_pivots = n_negative_pivots;
+    return result;
   }
 } // namespace Biface

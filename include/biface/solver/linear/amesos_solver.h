@@ -29,7 +29,9 @@ namespace Biface
     ~AmesosSolver() override;
 
     LinearSolverResult
-    factorize(const LA::SparseMatrix &A, const bool symmetric) override;
+    factorize(const LA::SparseMatrix &A,
+              const bool              symmetric,
+              const bool              similar = false) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;

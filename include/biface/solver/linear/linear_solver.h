@@ -27,7 +27,8 @@ namespace Biface
     /** An estimate of the error of a solution relative to its maximum; zero if
      * the residual leaves no doubt. */
     double error = 0;
-    /** Of a symmetric matrix, if the solver counts them. */
+    /** Of the last matrix that was factorized, if it was symmetric and the
+     * solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
   };
 
@@ -76,9 +77,13 @@ namespace Biface
      *
      * @param symmetric whether the matrix is symmetric, so that half of it is
      * sufficient.
+     * @param similar whether the matrix is close to the last one, so that a
+     * solver may keep the old factors as a preconditioner.
      */
     virtual LinearSolverResult
-    factorize(const LA::SparseMatrix &A, const bool symmetric) = 0;
+    factorize(const LA::SparseMatrix &A,
+              const bool              symmetric,
+              const bool              similar = false) = 0;
 
     /**
      * Solve @f$A x = b@f$ with the last matrix passed to factorize().

@@ -17,6 +17,10 @@ namespace Biface
    * The multifrontal direct solver MUMPS @cite AmestoyDuffLExcellentKoster2001,
    * called directly: @f$LDL^T@f$ for symmetric matrices, @f$LU@f$ otherwise.
    * Each rank passes its own rows; the sparsity pattern is analyzed once.
+   *
+   * The factors of a similar matrix are kept as a preconditioner of GMRES. If
+   * it does not converge in a few iterations, which together take less time
+   * than a factorization, the matrix is factorized after all.
    */
   class MumpsSolver : public LinearSolver
   {
@@ -27,7 +31,9 @@ namespace Biface
     ~MumpsSolver() override;
 
     LinearSolverResult
-    factorize(const LA::SparseMatrix &A, const bool symmetric) override;
+    factorize(const LA::SparseMatrix &A,
+              const bool              symmetric,
+              const bool              similar = false) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
@@ -35,11 +41,21 @@ namespace Biface
   private:
     class Instance;
 
+    LinearSolverResult
+    factorize_anew();
+
+    /** Solve with the factors of another matrix.
+     * @return whether GMRES converged. */
+    bool
+    solve_with_old_factors(LA::Vector &x, const LA::Vector &b);
+
     const MPI_Comm            communicator;
     dealii::TimerOutput      &timer;
     std::unique_ptr<Instance> instance;
-    /** The last factorized matrix. */
-    const LA::SparseMatrix *matrix = nullptr;
+    const LA::SparseMatrix   *matrix              = nullptr;
+    bool                      matrix_is_symmetric = false;
+    /** Whether the factors are those of the matrix. */
+    bool factors_are_current = false;
   };
 } // namespace Biface
 
