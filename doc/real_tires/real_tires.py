@@ -241,27 +241,9 @@ def stiffnesses(directory, slide):
 
 
 def footprint(directory):
-    """Length and width of the contact zone. Its edges lie halfway between the
-    last node in contact and the first one beyond."""
-    step = int(contact_step(directory)["step"])
-    with open(directory / f"contact-{step:04}.csv", encoding="utf-8") as file:
-        nodes = [{key: float(value) for key, value in line.items()}
-                 for line in csv.DictReader(file)]
-    sizes = []
-    for along, across, place in (("alpha_2", "alpha_1", "z"),
-                                 ("alpha_1", "alpha_2", "y")):
-        line = [node for node in nodes if abs(node[across]) < 1e-9]
-        edges = []
-        for side in (1, -1):
-            half = [node for node in line if side * node[along] >= 0]
-            inside = max((n for n in half if n["active"]),
-                         key=lambda n: abs(n[along]))
-            outside = min((n for n in half if not n["active"]
-                           and abs(n[along]) > abs(inside[along])),
-                          key=lambda n: abs(n[along]))
-            edges.append((inside[place] + outside[place]) / 2)
-        sizes.append(abs(edges[0] - edges[1]))
-    return sizes
+    """Length and width of the contact zone, from history.csv."""
+    step = contact_step(directory)
+    return [float(step[f"footprint_{which}"]) for which in ("length", "width")]
 
 
 def mean_and_deviation(values):
@@ -435,9 +417,7 @@ def page(results, variations, varied):
         {law[0]:.3f} and {law[1]:.3f} for the same tires. The length of the
         footprint is {length[0]:.2f} ± {length[1]:.2f} and its width
         {width[0]:.2f} ± {width[1]:.2f} of theirs, which are in parentheses in
-        the table. The edges of the footprint are taken halfway between the last
-        node in contact and the first one beyond, and are uncertain by half a
-        cell: 2 % of the length, 3 % of the width. The width depends on the
+        the table; they are measured to the line of zero clearance. The width depends on the
         profile of the tread, of which the databook says nothing.
         """),
         results_table(results),

@@ -519,9 +519,11 @@ namespace Biface
             return m.name == given.material;
           });
         PlyDescription ply;
-        ply.text           = given.text;
-        ply.material       = given.material;
-        ply.strengths      = material->get_strengths();
+        ply.text      = given.text;
+        ply.material  = given.material;
+        ply.strengths = material->get_strengths();
+        ply.has_fibers =
+          (material->type != Material::Parameters::Type::isotropic);
         ply.thickness      = tables.function(given.thickness);
         const auto degrees = tables.function(given.angle);
         ply.angle          = [degrees, angle_reference](const double alpha_1) {
@@ -626,6 +628,15 @@ namespace Biface
         number_to_string(within) + ".");
     const double reference_height = height(reference, present);
     return Laminate(std::move(present), law, reference_height, shear_law);
+  }
+
+
+  bool
+  Layup::has_fibers() const
+  {
+    return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
+      return ply.has_fibers;
+    });
   }
 
 

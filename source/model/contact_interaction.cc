@@ -435,7 +435,7 @@ namespace Biface
   ContactSummary
   ContactInteraction::summarize(const State &state, const Loads &loads) const
   {
-    double force = 0, area = 0, max_pressure = 0;
+    double force = 0, area = 0, slipping_area = 0, max_pressure = 0;
     if (loads.foundation)
       {
         const Tensor<1, 3> d = loads.foundation->direction();
@@ -445,6 +445,8 @@ namespace Biface
               {
                 // each column of both masses adds up to a quarter
                 area += cell.geometry.weight / 4;
+                if (slips(state, loads, n))
+                  slipping_area += cell.geometry.weight / 4;
                 force -= cell.geometry.weight / 4 *
                          (contact_traction(mesh, state, loads, n).total * d);
               }
@@ -455,11 +457,12 @@ namespace Biface
 
     const MPI_Comm communicator = mesh.communicator;
     ContactSummary summary;
-    summary.force        = Utilities::MPI::sum(force, communicator);
-    summary.area         = Utilities::MPI::sum(area, communicator);
-    summary.n_nodes      = count_active(state);
-    summary.n_slipping   = count_slipping(state, loads);
-    summary.max_pressure = Utilities::MPI::max(max_pressure, communicator);
+    summary.force         = Utilities::MPI::sum(force, communicator);
+    summary.area          = Utilities::MPI::sum(area, communicator);
+    summary.slipping_area = Utilities::MPI::sum(slipping_area, communicator);
+    summary.n_nodes       = count_active(state);
+    summary.n_slipping    = count_slipping(state, loads);
+    summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
     return summary;
   }
 } // namespace Biface

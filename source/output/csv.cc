@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -157,7 +158,8 @@ namespace Biface
     for (const auto &row : all_rows)
       {
         for (unsigned int i = 0; i < row.size(); ++i)
-          text += (i > 0 ? "," : "") + csv_number(row[i]);
+          text += (i > 0 ? "," : "") +
+                  (std::isnan(row[i]) ? std::string() : csv_number(row[i]));
         text += "\n";
       }
     write_text(path, text, false, communicator);

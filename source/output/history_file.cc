@@ -4,16 +4,36 @@
 #include <sstream>
 
 #include <biface/output/csv.h>
+#include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
 
 namespace Biface
 {
+  using namespace dealii;
+
   namespace
   {
+    /** Whether the shell is a surface of revolution about the axle. */
+    bool
+    is_wheel(const ShellMesh &mesh)
+    {
+      return mesh.get_surface().get_periodicity()[1] > 0;
+    }
+
+
+    /** A ratio, zero where it means nothing. */
+    double
+    ratio(const double numerator, const double denominator)
+    {
+      return denominator > 0 ? numerator / denominator : 0.;
+    }
+
+
     std::string
     history_header(const FailureCriteria &criteria,
                    const Layup           &layup,
-                   const bool             with_volume)
+                   const bool             with_volume,
+                   const bool             is_wheel)
     {
       std::string header =
         "step,stage,approach,force,contact_nodes,contact_area,"
@@ -27,6 +47,15 @@ namespace Biface
           header += ',' + criterion.column + '_' + what;
       if (layup.has_slack_cords())
         header += ",slack_cords";
+      header += ",footprint_length,footprint_width,footprint_area,"
+                "mean_pressure,recovered_max_pressure,load_ratio,"
+                "slipping_area";
+      if (is_wheel)
+        header += ",loaded_radius";
+      const TensionMembers members(layup);
+      if (members.exist())
+        for (const std::string what : {"", "_alpha_1", "_alpha_2", "_ply"})
+          header += ",max_" + members.name() + what;
       return header;
     }
   } // namespace
@@ -36,12 +65,14 @@ namespace Biface
                            const Cavity          *cavity,
                            ResultsDirectory      &directory,
                            const ShellEquations  &equations)
-    : StepTable(
-        "history.csv",
-        history_header(criteria, equations.mesh.layup, cavity != nullptr),
-        1,
-        directory,
-        equations)
+    : StepTable("history.csv",
+                history_header(criteria,
+                               equations.mesh.layup,
+                               cavity != nullptr,
+                               is_wheel(equations.mesh)),
+                1,
+                directory,
+                equations)
     , criteria(criteria)
     , cavity(cavity)
   {}
@@ -86,6 +117,30 @@ namespace Biface
     if (equations.mesh.layup.has_slack_cords())
       line << ','
            << csv_number(equations.internal_forces().slack_fraction(state));
+
+    const Footprint &footprint = report.footprint;
+    const double     force     = report.contact.force;
+    for (const double value :
+         {footprint.length,
+          footprint.width,
+          footprint.area,
+          ratio(force, footprint.area),
+          footprint.max_pressure,
+          ratio(force, report.loads.pressure * footprint.area),
+          report.contact.slipping_area})
+      line << ',' << csv_number(value);
+    if (is_wheel(equations.mesh))
+      line << ','
+           << csv_number(report.loads.foundation
+                           ? report.loads.foundation->clearance(Point<3>())
+                           : 0.);
+    if (TensionMembers(equations.mesh.layup).exist())
+      {
+        const MaximumTension maximum = find_maximum_tension(equations, state);
+        line << ',' << csv_number(maximum.value) << ','
+             << csv_number(maximum.alpha[0]) << ','
+             << csv_number(maximum.alpha[1]) << ',' << maximum.ply;
+      }
     line << '\n';
     append(line.str());
   }

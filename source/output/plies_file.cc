@@ -2,14 +2,13 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include <biface/laminate/material.h>
 #include <biface/output/csv.h>
+#include <biface/output/fiber_tension.h>
 #include <biface/output/plies_file.h>
 
 namespace Biface
@@ -71,8 +70,7 @@ namespace Biface
     const ShellMesh   &mesh      = equations.mesh;
     const auto        &all_plies = mesh.layup.get_plies();
     const unsigned int n_heights = parameters.points_per_ply;
-    const QGauss<1>    gauss(2);
-    const auto         names = ply_value_names(criteria, mesh.layup);
+    const auto         names     = ply_value_names(criteria, mesh.layup);
 
     // the number of cells, then for each height: angle, height above the
     // reference surface, tension along the fibers, and the values
@@ -104,14 +102,7 @@ namespace Biface
                 const Ply &ply = laminate.get_plies()[p];
                 double *sum = &sums[ply.number * (1 + n_heights * n_columns)];
                 *sum++ += 1;
-                // exact unless a part of the cords in the ply is slack
-                double tension = 0;
-                for (unsigned int g = 0; g < gauss.size(); ++g)
-                  tension +=
-                    gauss.weight(g) * ply.thickness *
-                    rotate_about_normal(
-                      PlyState(laminate, p, gauss.point(g)[0], E).stress,
-                      -ply.angle)[0][0];
+                const double tension = fiber_tension(laminate, p, E);
                 for (unsigned int i = 0; i < n_heights; ++i)
                   {
                     const double fraction = height_of(i, n_heights);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <biface/output/csv.h>
+#include <biface/output/fiber_tension.h>
 #include <biface/output/profile_file.h>
 
 namespace Biface
@@ -60,11 +61,91 @@ namespace Biface
   }
 
 
+  std::vector<double>
+  ProfileFile::tensions(const State &state) const
+  {
+    const ShellMesh     &mesh = equations.mesh;
+    const TensionMembers members(mesh.layup);
+    const unsigned int   n_plies = mesh.layup.get_plies().size();
+
+    // number of cells and sum by node and ply
+    std::vector<double> sums(2 * mesh.grid.n_nodes(0) * n_plies);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        if (std::none_of(
+              cell.nodes.begin(), cell.nodes.end(), [&](const unsigned int n) {
+                return mesh.nodes[n].alpha[1] == line;
+              }))
+          continue;
+        const auto E = Modes::at_vertices(
+          equations.internal_forces().total_strains(state, c));
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const Node &node = mesh.nodes[cell.nodes[v]];
+            if (node.alpha[1] != line)
+              continue;
+            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
+            for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
+              {
+                const double tension =
+                  members.tension(mesh.layup, laminate, p, E[v]);
+                double *sum = &sums[2 * (node.grid_index[0] * n_plies +
+                                         laminate.get_plies()[p].number)];
+                sum[0] += 1;
+                sum[1] += tension;
+              }
+          }
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    std::vector<double> means(sums.size() / 2);
+    for (unsigned int i = 0; i < means.size(); ++i)
+      means[i] = (sums[2 * i] > 0 ? sums[2 * i + 1] / sums[2 * i]
+                                  : std::numeric_limits<double>::quiet_NaN());
+    return means;
+  }
+
+
+  double
+  ProfileFile::carcass_height(const Node &node) const
+  {
+    const ShellMesh &mesh = equations.mesh;
+    double           sum = 0, n_sides = 0;
+    // from both sides if a ply ends here
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const unsigned int i = node.grid_index[0] + side;
+        if (i == 0 || i > mesh.strips.size())
+          continue;
+        const Laminate &laminate = mesh.strips[i - 1].at_lines[1 - side];
+        const double    bottom   = laminate.face_heights()[0];
+        double          low = laminate.thickness(), high = 0, height = 0;
+        for (const Ply &ply : laminate.get_plies())
+          {
+            if (mesh.layup.get_plies()[ply.number].has_fibers)
+              {
+                low  = std::min(low, height);
+                high = std::max(high, height + ply.thickness);
+              }
+            height += ply.thickness;
+          }
+        sum += bottom + (high > 0 ? (low + high) / 2 : height / 2);
+        n_sides += 1;
+      }
+    return sum / n_sides;
+  }
+
+
   void
   ProfileFile::write(const StepReport &report, const State &state)
   {
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
+
+    const TensionMembers members(mesh.layup);
+    const unsigned int   n_plies = mesh.layup.get_plies().size();
+    const auto           tensions =
+      (members.exist() ? this->tensions(state) : std::vector<double>());
 
     Rows rows;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -82,12 +163,25 @@ namespace Biface
             row.insert(row.end(), {x[0], x[1], x[2]});
           }
         row.push_back(state.contact_pressure(n));
+        // displacements are linear in the height
+        const auto [inner, outer] = node.face_heights;
+        const double fraction =
+          (carcass_height(node) - inner) / (outer - inner);
+        for (unsigned int i = 0; i < 3; ++i)
+          row.push_back((1 - fraction) * row[5 + i] + fraction * row[2 + i]);
+        if (members.exist())
+          {
+            const auto begin = tensions.begin() + node.grid_index[0] * n_plies;
+            row.insert(row.end(), begin, begin + n_plies);
+          }
         rows.push_back(row);
       }
-    write_csv(path(report.step),
-              "alpha_1,alpha_2,outer_x,outer_y,outer_z,inner_x,inner_y,"
-              "inner_z,pressure",
-              rows,
-              communicator);
+    std::string header =
+      "alpha_1,alpha_2,outer_x,outer_y,outer_z,inner_x,inner_y,inner_z,"
+      "pressure,carcass_x,carcass_y,carcass_z";
+    if (members.exist())
+      for (unsigned int p = 1; p <= n_plies; ++p)
+        header += ',' + members.name() + '_' + std::to_string(p);
+    write_csv(path(report.step), header, rows, communicator);
   }
 } // namespace Biface

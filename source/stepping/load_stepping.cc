@@ -364,6 +364,7 @@ namespace Biface
         report.turn  = progress.reached.turn;
       }
     report.contact    = contact.summarize(run.state, report.loads);
+    report.footprint  = find_footprint(contact, run.state, report.loads);
     report.controlled = run.control.controlled();
     const std::optional<FoundationReaction> reaction_before = progress.reaction;
     progress.reaction.reset();

@@ -84,6 +84,12 @@ main(int argc, char *argv[])
   check_continued("no run was there");
 
   begin();
-  std::filesystem::resize_file("cut/history.csv", 400);
+  {
+    std::string   kept, line;
+    std::ifstream file("cut/history.csv");
+    for (unsigned int i = 0; i < 2 && std::getline(file, line); ++i)
+      kept += line + '\n';
+    std::filesystem::resize_file("cut/history.csv", kept.size());
+  }
   check_continued("a history that lacks steps");
 }

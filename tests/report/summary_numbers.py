@@ -17,7 +17,11 @@ for head, expected in (
         ("Stiffness", (last["force"] - before["force"])
          / (last["approach"] - before["approach"])),
         ("Contact area", last["contact_area"]),
-        ("Mean contact pressure", last["force"] / last["contact_area"]),
+        ("Length of the footprint", last["footprint_length"]),
+        ("Width of the footprint", last["footprint_width"]),
+        ("Mean contact pressure", last["force"] / last["footprint_area"]),
+        ("Loaded radius", last["loaded_radius"]),
+        ("Maximum fiber tension", last["max_fiber_tension"]),
         ("Maximum contact pressure", last["max_pressure"]),
         ("Pressure on the shell", last["pressure"]),
         ("Steps", len(history)),

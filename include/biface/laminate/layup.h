@@ -28,6 +28,9 @@ namespace Biface
     std::string text;
     /** Name of the material. */
     std::string material;
+    /** Whether its axis L is that of fibers, rather than any direction of an
+     * isotropic material. */
+    bool has_fibers = false;
     /** If given for the material. */
     std::optional<Strengths> strengths;
     /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
@@ -184,6 +187,9 @@ namespace Biface
       return plies;
     }
 
+    /** Whether any ply has fibers. */
+    bool
+    has_fibers() const;
     /** Whether the cords of any ply are described. */
     bool
     has_cords() const;

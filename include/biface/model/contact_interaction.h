@@ -28,8 +28,10 @@ namespace Biface
     /** Of these, how many slip at the limit of friction; 0 without friction. */
     unsigned int n_slipping = 0;
     /** Sum of the areas of the active nodes on the middle surface. */
-    double area         = 0;
-    double max_pressure = 0;
+    double area = 0;
+    /** Of these, the area of the nodes that slip. */
+    double slipping_area = 0;
+    double max_pressure  = 0;
   };
 
 

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <vector>
+
 #include <biface/output/result_file.h>
 
 namespace Biface
@@ -33,6 +35,18 @@ namespace Biface
     /** The coordinate @f$\alpha_2@f$ of the line. */
     double
     find_line() const;
+
+    /** The tension of the fibers or cords, see TensionMembers, at all nodes of
+     * the line: `[i * n + p]` in the n plies at the i-th node; NaN where the
+     * ply has none or does not cover the node. The means of the cells around
+     * the node. Must be called on all ranks. */
+    std::vector<double>
+    tensions(const State &state) const;
+
+    /** The height of the middle of the plies with fibers, of all plies if there
+     * are none, above the reference surface. Unit: length. */
+    double
+    carcass_height(const Node &node) const;
 
     const Parameters parameters;
     const double     line;

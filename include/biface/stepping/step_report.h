@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/model/footprint.h>
 #include <biface/model/state.h>
 #include <biface/model/work.h>
 #include <biface/stepping/foundation_stiffness.h>
@@ -37,6 +38,7 @@ namespace Biface
     /** See Progress. */
     Work           work;
     ContactSummary contact;
+    Footprint      footprint;
     /** If the foundation alone has moved, in one way, since the start of the
      * stage. */
     std::optional<StepStiffness> stiffness;

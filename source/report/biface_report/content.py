@@ -112,10 +112,14 @@ def footprint_map(run, footprint):
             "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
             "of the contact zone, drawn halfway between the last node in contact "
             "and the next one. Dash-dotted: the principal axes of the zone.")
+    length, width = footprint.lengths
+    if "footprint_length" in run.history:
+        length, width = (run.last(f"footprint_{which}")
+                         for which in ("length", "width"))
     alternative = (
         "Map of the contact pressure. The zone is "
-        f"{plain_number(footprint.lengths[0], 4)} long and "
-        f"{plain_number(footprint.lengths[1], 4)} wide; the maximum pressure "
+        f"{plain_number(length, 4)} long and "
+        f"{plain_number(width, 4)} wide; the maximum pressure "
         f"is {plain_number(run.last('max_pressure'))}.")
     return Section("footprint", name, figure(
         embed(maps.draw_footprint(footprint), "png"), alternative, text))

@@ -11,7 +11,8 @@ from .parameters import stages
 
 UNITS = {"length": "length", "force": "force", "area": "length²",
          "pressure": "force/length²", "stiffness": "force/length",
-         "seconds": "s", "energy": "force · length", "": ""}
+         "seconds": "s", "energy": "force · length",
+         "tension": "force/length", "": ""}
 
 
 def title(run):
@@ -101,6 +102,7 @@ def summary(run, footprint):
     if history["load_factor"].any():
         rows.append(row("Load factor", run.last("load_factor"), "",
                         "of dead loads and prescribed displacements"))
+    rows += tension_rows(run)
     rows += failure_rows(run)
     if "strain_energy" in history:
         rows.append(row("Strain energy", run.last("strain_energy"), "energy"))
@@ -131,14 +133,60 @@ def contact_rows(run, footprint):
     rows.append(row("Contact area", area, "area",
                     f"{count(int(run.last('contact_nodes')), 'node')}, on the "
                     "undeformed middle surface"))
-    if area > 0:
+    has_footprint = "footprint_length" in run.history
+    if has_footprint:
+        rows += history_rows(run, FOOTPRINT_ROWS)
+    elif area > 0:
         rows.append(row("Mean contact pressure", force / area, "pressure",
                         "force over contact area"))
     rows.append(row("Maximum contact pressure", run.last("max_pressure"),
                     "pressure", "at a node" + place_of_peak(run)))
-    if footprint is not None:
+    if has_footprint:
+        rows += history_rows(run, PRESSURE_ROWS)
+    elif footprint is not None:
         rows += footprint_rows(footprint)
+    if run.last("slipping_area") if "slipping_area" in run.history else 0:
+        rows.append(row("Slipping", 100 * run.last("slipping_area") / area, "",
+                        "% of the contact area", 3))
     return rows
+
+
+# Columns of the history, what to call them, kind of unit, remark
+FOOTPRINT_ROWS = (
+    ("footprint_length", "Length of the footprint", "length",
+     "in the plane of the wheel, normal to the y axis, to the line of zero "
+     "clearance"),
+    ("footprint_width", "Width of the footprint", "length", "across it"),
+    ("footprint_area", "Area of the footprint", "area",
+     "of the deformed outer face, within the line of zero clearance"),
+    ("mean_pressure", "Mean contact pressure", "pressure",
+     "force over the area of the footprint"))
+PRESSURE_ROWS = (
+    ("recovered_max_pressure", "Maximum pressure, recovered", "pressure",
+     "with dual basis functions if the multiplier mass is lumped"),
+    ("load_ratio", "Force over pressure times area", "",
+     "1 if the gas carries all of the load"),
+    ("loaded_radius", "Loaded radius", "length",
+     "from the origin to the foundation"))
+TENSION_ROWS = (
+    ("max_cord_tension", "Maximum cord tension", "force"),
+    ("max_fiber_tension", "Maximum fiber tension", "tension"))
+
+
+def history_rows(run, columns):
+    """Rows of the columns that are there and not zero."""
+    return [row(name, run.last(column), kind, remark)
+            for column, name, kind, remark in columns
+            if column in run.history and run.last(column)]
+
+
+def tension_rows(run):
+    """The maximum tension and its place."""
+    return [row(name, run.last(column), kind,
+                f"α<sub>1</sub> = {plain_number(run.last(column + '_alpha_1'))}, "
+                f"α<sub>2</sub> = {plain_number(run.last(column + '_alpha_2'))}, "
+                f"ply {int(run.last(column + '_ply'))}")
+            for column, name, kind in TENSION_ROWS if column in run.history]
 
 
 def displacement_rows(run):
