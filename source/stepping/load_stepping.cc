@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces_on_shell.h>
@@ -83,10 +84,14 @@ namespace Biface
           }
 
         if (is_branched_from(stages, progress.stage))
-          ends.insert_or_assign(
-            progress.stage,
-            RestorePoint{
-              state, equations.internal_forces().get_history(), progress});
+          {
+            RestorePoint end{
+              state, equations.internal_forces().get_history(), progress};
+            // a stage begins with its own control and without prediction
+            end.progress.control = Control::Memory();
+            end.progress.predictor.reset();
+            ends.insert_or_assign(progress.stage, std::move(end));
+          }
         if (progress.stage + 1 == stages.size())
           return {};
         go_on(stages, ends, progress, state);

@@ -21,7 +21,8 @@ namespace Biface
   };
 
   /** The ends of the stages from which others than the next one start, see
-   * is_branched_from(), by the position of the stage. */
+   * is_branched_from(), by the position of the stage; without what belongs to
+   * the steps of the stage alone, its control and predictor. */
   using StageEnds = std::map<unsigned int, RestorePoint>;
 } // namespace Biface
 
