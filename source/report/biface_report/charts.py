@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .drawing import BLUE, DISTINCT, GRAY, headroom
-from .loading import first_step_counted, rows_before, varying_load
+from .loading import counted_steps, rows_before, varying_load
 from .page import ROUND_OFF
 
 # More curves in one chart would be hard to tell apart
@@ -64,13 +64,13 @@ class ProbeCurves:
         """Points of the middle surface, see Run.probes()."""
         self.load_name, loads = varying_load(run)
         load_of = dict(zip(run.steps, loads))
-        first = first_step_counted(run)
-        starts_at_zero = first == run.steps[0]
+        steps = counted_steps(run)
+        starts_at_zero = steps[0] == run.steps[0]
         self.curves, self.at_rest = {}, []
         largest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
         for name in dict.fromkeys(probes["name"]):
             rows = probes.where((probes["name"] == name)
-                                & (probes["step"] >= first))
+                                & np.isin(probes["step"], steps))
             if len(rows) == 0:
                 continue
             moves = {i: np.abs(rows["u_" + i]).max() for i in "xyz"}

@@ -80,13 +80,17 @@ def label_of_row(run, row, kind, kinds, rows):
     return f"{name} {run.history[kind][row]:.{digits}g}"
 
 
-def first_step_counted(run):
-    """The first step whose displacements are measured from the same shape as
-    those of the last one: a prestress is a new start."""
-    first = run.steps[0]
-    for i, name in stages(run.parameters) if run.parameters else []:
-        chosen = run.history["stage"] == name
-        if (run.setting(f"Stage {i}/Start from prestress") == "true"
-                and chosen.any()):
-            first = run.steps[chosen][0]
-    return first
+def counted_steps(run):
+    """The steps on the way to the last one whose displacements are measured from
+    the same shape: other branches are left out, and a prestress is a new start."""
+    before, names = rows_before(run), run.history["stage"]
+    anew = [name for i, name in (stages(run.parameters) if run.parameters else [])
+            if run.setting(f"Stage {i}/Start from prestress") == "true"]
+    steps, row = [], len(names) - 1
+    while row >= 0:
+        steps.insert(0, run.steps[row])
+        start = before[row]
+        if names[row] in anew and (start < 0 or names[start] != names[row]):
+            break
+        row = start
+    return np.array(steps)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# The displacements of a step are compared with those of the steps on the way to it:
+# back through the stages from which others start, up to the last prestress.
+
+import sys
+
+from report_test import PACKAGE, check, require
+
+require("matplotlib", "numpy")
+sys.path.insert(0, str(PACKAGE))
+
+import numpy as np
+from biface_report.loading import counted_steps
+from biface_report.parameters import read_parameters
+from biface_report.results import Table
+
+STAGES = """set Number of stages = 4
+subsection Stage 1
+  set Name = air
+end
+subsection Stage 2
+  set Name = tensioned
+  set Start from prestress = {tensioned}
+end
+subsection Stage 3
+  set Name = snow
+end
+subsection Stage 4
+  set Name = wind
+  set Start from = {start}
+end
+"""
+
+
+class Run:
+    """Two steps of air, one of tension, two of snow and two of wind."""
+    steps = np.arange(1, 8)
+    history = Table({"stage": np.array(
+        2 * ["air"] + ["tensioned"] + 2 * ["snow"] + 2 * ["wind"], dtype=object)})
+
+    def __init__(self, start, tensioned):
+        self.parameters = read_parameters(
+            STAGES.format(start=start, tensioned=tensioned))
+
+    def setting(self, entry, otherwise=None):
+        """The value of an entry."""
+        found = self.parameters.find(entry)
+        return found.value if found else otherwise
+
+
+for start, tensioned, expected in (
+        ("previous", "false", [1, 2, 3, 4, 5, 6, 7]), ("2", "false", [1, 2, 3, 6, 7]),
+        ("1", "false", [1, 2, 6, 7]), ("previous", "true", [3, 4, 5, 6, 7]),
+        ("2", "true", [3, 6, 7]), ("1", "true", [1, 2, 6, 7])):
+    found = counted_steps(Run(start, tensioned))
+    check(list(found) == expected, f"{start}, {tensioned}: {found}")
