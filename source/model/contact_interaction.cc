@@ -276,6 +276,21 @@ namespace Biface
   }
 
 
+  bool
+  ContactInteraction::release_glue(State &state, const ActiveSet &nodes) const
+  {
+    AssertDimension(nodes.size(), state.grips.size());
+    unsigned int any = 0;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      if (nodes[n] && state.grips[n] == Grip::glued)
+        {
+          state.grips[n] = Grip::none;
+          any            = 1;
+        }
+    return Utilities::MPI::max(any, mesh.communicator) > 0;
+  }
+
+
   unsigned int
   ContactInteraction::count_active(const State &state) const
   {

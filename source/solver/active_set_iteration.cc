@@ -98,6 +98,12 @@ namespace Biface
 
     const std::string nodes = name_nodes(contact.mesh, cycle.toggling_nodes());
     cycle.restart();
+    if (contact.release_glue(state, cycle.toggling_nodes()))
+      {
+        out << "    active set is cycling; no longer glued: " << nodes
+            << std::endl;
+        return n_changes + contact.update_active_set(state, loads, held);
+      }
     if (was_held)
       {
         message =

@@ -154,6 +154,12 @@ namespace Biface
     void
     set_glued(State &state, const bool glued) const;
 
+    /** Let nodes that are glued forget their stick points, like nodes that
+     * leave the foundation and enter it again.
+     * @return whether there are any, on all ranks. */
+    bool
+    release_glue(State &state, const ActiveSet &nodes) const;
+
     /** Number of active nodes on all ranks. */
     unsigned int
     count_active(const State &state) const;
