@@ -16,6 +16,7 @@ main(int argc, char *argv[])
                          {no_vtu,
                           "Stage 2/Steps=2",
                           "Contact/Multiplier mass=lumped",
+                          "Contact/Regularization=1e2",
                           "Newton/Residual tolerance=1e-11",
                           "Number of stages=3",
                           "Stage 3/Contact=true",
