@@ -40,6 +40,7 @@ namespace Biface
       for (const int i : {1, 2, 3})
         icntl(i) = -1;
       icntl(4)  = 0;
+      icntl(8)  = 1;  // scaling by the diagonal; others take longer
       icntl(14) = 40; // per cent of workspace beyond the estimate
       icntl(18) = 3;  // each rank passes its own entries
       // ScaLAPACK is slower for the root front on few ranks
