@@ -22,8 +22,6 @@ find source include tests \( -name '*.h' -o -name '*.cc' \) \
 
 # ranks and threads would compete for the same cores
 export OPENBLAS_NUM_THREADS=1
-# waiting ranks yield their core to others
-export OMPI_MCA_mpi_yield_when_idle=1
 # without /sys, hwloc would print an error into the output of the tests
 export HWLOC_HIDE_ERRORS=2
 # a machine that is not in its own /etc/hosts: MPI would wait 5 s for DNS per run
