@@ -430,8 +430,7 @@ def page(results, variations, varied):
         {ratio_to_nasa(results, 4)} (torsional). Measured stiffnesses are secants
         over larger displacements, in which a part of the footprint slips, so
         that they are lower than those without slip. A stage that does not
-        converge, because a node at the edge of the footprint leaves and enters
-        the contact in turn, is marked as failed.
+        converge would be marked as failed.
         """),
         stiffness_table(results),
         "## What an input does",

@@ -223,16 +223,27 @@ namespace Biface
             const bool reversed =
               state.grips[n] == Grip::slip &&
               trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
-            state.grips[n] = (!reversed && loads.friction->should_slip(
-                                             trial, -state.multipliers[n][0])
-                                ? Grip::slip
-                                : Grip::stick);
+            const bool beyond =
+              loads.friction->should_slip(trial, -state.multipliers[n][0]);
+            state.grips[n] = (beyond && !reversed ? Grip::slip : Grip::stick);
+            // the iteration has to go on until the node obeys the law
+            if (beyond && reversed && node.locally_owned)
+              ++n_changes;
           }
         const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
         for (unsigned int i = 0; i < 2; ++i)
           state.multipliers[n][1 + i] = tangents[i] * friction;
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
+  }
+
+
+  void
+  ContactInteraction::let_stick(State &state) const
+  {
+    for (Grip &grip : state.grips)
+      if (grip == Grip::slip)
+        grip = Grip::stick;
   }
 
 

@@ -113,7 +113,10 @@ namespace Biface
       , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
-    {}
+    {
+      if (zone_given)
+        contact.let_stick(state);
+    }
 
     State                   &state;
     const ParametrizedLoads &parametrized;
@@ -328,6 +331,8 @@ namespace Biface
         solution,
         equations.load_direction(iterate.state, iterate.loads, rates),
         exactness);
+      if (linear.n_negative_pivots)
+        iterate.result.n_negative_pivots = linear.n_negative_pivots;
       equations.mesh.constraints.distribute(solution);
       return linear.success;
     };

@@ -138,11 +138,17 @@ namespace Biface
      * the next iteration if it has passed its stick point: friction does not
      * push.
      * @param held nodes that remain active in any case; empty for none.
-     * @return the number of changes of the active set, on all ranks. */
+     * @return the number of changes of the active set, and of nodes that stick
+     * only for this reason, on all ranks. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
+
+    /** Let all nodes stick that have a stick point, where nothing is known about
+     * the slip: too many slipping nodes have too little stiffness. */
+    void
+    let_stick(State &state) const;
 
     /** Record the history of friction at the end of a step: the nodes that have
      * entered and left, and the new stick points of those that slip. */

@@ -68,11 +68,11 @@ namespace Biface
    * primal-dual active set method for contact inside: the active set is updated
    * after every iteration, and the iteration has converged when the set is
    * unchanged and the residual or the update is small. Which nodes slip is
-   * decided with the active set; in the first iteration none does. The residual
-   * is a continuous function of the displacements across this decision, so that
-   * it alone decides on convergence. If the active set is cycling,
-   * the nodes that toggle are held in contact until the iteration has
-   * converged, and then released, once per step.
+   * decided with the active set. The residual is a continuous function of the
+   * displacements across this decision, so that it alone decides on
+   * convergence. If the active set is cycling, glued nodes that toggle lose
+   * their glue; without them, the nodes that toggle are held in contact until
+   * the iteration has converged, and then released, once per step.
    */
   class Newton
   {

@@ -26,8 +26,8 @@ def rows_before(run):
             later = [i for i in planned if i > number and planned[i] == name]
             number = later[0] if later else number
             start = run.setting(f"Stage {number}/Start from", "previous")
-            if start.isdigit():
-                before[row] = ends.get(int(start), before[row])
+            if start != "previous":
+                before[row] = ends.get(int(float(start)), before[row])
         ends[number] = row
     return before
 

@@ -40,7 +40,6 @@ namespace Biface
       for (const int i : {1, 2, 3})
         icntl(i) = -1;
       icntl(4)  = 0;
-      icntl(8)  = 1;  // scaling by the diagonal; others take longer
       icntl(14) = 40; // per cent of workspace beyond the estimate
       icntl(18) = 3;  // each rank passes its own entries
       // ScaLAPACK is slower for the root front on few ranks
@@ -344,7 +343,7 @@ namespace Biface
       {
         // the convergence gets faster with each iteration
         constexpr unsigned int earliest = 3;
-        constexpr double       hope     = 1e3;
+        constexpr double       hope     = 1e5;
 
         const State state = ReductionControl::check(step, value);
         if (state != iterate || step < earliest)
@@ -360,8 +359,8 @@ namespace Biface
   bool
   MumpsSolver::solve_with_old_factors(LA::Vector &x, const LA::Vector &b)
   {
-    // Newton's method then takes the same path as with a direct solution
-    constexpr double tolerance = 1e-8;
+    // the residual at which solve_with_refinement() has no doubt
+    constexpr double tolerance = 1e-10;
 
     struct OldFactors
     {
