@@ -145,8 +145,8 @@ namespace Biface
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
 
-    /** Let all nodes stick that have a stick point, where nothing is known about
-     * the slip: too many slipping nodes have too little stiffness. */
+    /** Let all nodes stick that have a stick point, where nothing is known
+     * about the slip: too many slipping nodes have too little stiffness. */
     void
     let_stick(State &state) const;
 

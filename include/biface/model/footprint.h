@@ -43,8 +43,8 @@ namespace Biface
      * there is no such node. For the lumped mass,
      * @f$\psi_r@f$ are the dual basis functions of the bilinear
      * @f$N_r@f$, @f$\int\psi_rN_s\,d\xi=\delta_{rs}\int N_r\,d\xi@f$
-     * @cite Wohlmuth2000 , and the lumped matrix is that of such a field. For the
-     * consistent one they are @f$N_r@f$. Unit: force/area.
+     * @cite Wohlmuth2000 , and the lumped matrix is that of such a field. For
+     * the consistent one they are @f$N_r@f$. Unit: force/area.
      */
     double max_pressure = 0;
   };
