@@ -268,14 +268,16 @@ namespace Biface
                   ends[0] = ends[1] = ends[0] + (ends[1] - ends[0]) / 2;
                 parts[a] = ends[1] - ends[0];
 
-                // lines across say nothing about the extent along
-                const bool is_along =
-                  std::abs(line * along) >= std::abs(line * across);
+                // lines across say nothing about the extent along; lines at
+                // less than 60 degrees to both directions count for both
+                const double least = 0.5 * line.norm();
                 for (const Point<3> &end : ends)
-                  if (is_along)
-                    length.add(end * along);
-                  else
-                    width.add(end * across);
+                  {
+                    if (std::abs(line * along) >= least)
+                      length.add(end * along);
+                    if (std::abs(line * across) >= least)
+                      width.add(end * across);
+                  }
               }
             result.area += cross_product_3d(parts[0], parts[1]).norm();
           }
