@@ -289,14 +289,7 @@ namespace Biface
     matrix              = &A;
     matrix_is_symmetric = symmetric;
     factors_are_current = false;
-    if (!keep_factors)
-      return factorize_anew();
-
-    LinearSolverResult result;
-    result.success = true;
-    if (symmetric)
-      result.n_negative_pivots = instance->n_negative_pivots();
-    return result;
+    return keep_factors ? factorized() : factorize_anew();
   }
 
 
@@ -319,6 +312,13 @@ namespace Biface
     if (const int status = instance->factorize(*matrix); status < 0)
       return mumps_failure("factorization", status);
     factors_are_current = true;
+    return factorized();
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::factorized() const
+  {
     LinearSolverResult result;
     result.success = true;
     if (matrix_is_symmetric)

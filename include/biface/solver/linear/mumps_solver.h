@@ -44,6 +44,11 @@ namespace Biface
     LinearSolverResult
     factorize_anew();
 
+    /** The result of a factorization: success, and the pivots of the factors.
+     */
+    LinearSolverResult
+    factorized() const;
+
     /** Solve with the factors of another matrix.
      * @return whether GMRES converged. */
     bool
