@@ -4,6 +4,8 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
 #include <dmumps_c.h>
 
 #include <algorithm>
@@ -11,21 +13,81 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <biface/solver/linear/mumps_solver.h>
+
+#include <smumps_c.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  /** A MUMPS object for one sparsity pattern. */
-  class MumpsSolver::Instance
+  /** The factors of matrices with one sparsity pattern. */
+  class MumpsSolver::Factors
   {
   public:
-    Instance(const MPI_Comm          communicator,
-             const LA::SparseMatrix &A,
-             const bool              symmetric)
+    virtual ~Factors() = default;
+
+    virtual bool
+    in_single_precision() const = 0;
+
+    virtual bool
+    is_for(const LA::SparseMatrix &A, const bool symmetric) const = 0;
+
+    /** @return INFOG(1) of MUMPS, negative if it failed; likewise below. */
+    virtual int
+    analyze() = 0;
+
+    virtual int
+    factorize(const LA::SparseMatrix &A) = 0;
+
+    virtual int
+    solve(LA::Vector &x, const LA::Vector &b) = 0;
+
+    /** After the analysis, the number of iterations of GMRES with factors as a
+     * preconditioner that take less time than a factorization; zero if they
+     * are too few to be of use. */
+    virtual unsigned int
+    max_gmres_iterations() const = 0;
+
+    /** Of the last factorization. */
+    virtual unsigned int
+    n_negative_pivots() const = 0;
+  };
+
+
+  namespace
+  {
+    /** MUMPS in one precision. */
+    template <typename number>
+    struct Mumps;
+
+    template <>
+    struct Mumps<float>
+    {
+      using Struct                = SMUMPS_STRUC_C;
+      static constexpr auto &call = smumps_c;
+    };
+
+    template <>
+    struct Mumps<double>
+    {
+      using Struct                = DMUMPS_STRUC_C;
+      static constexpr auto &call = dmumps_c;
+    };
+  } // namespace
+
+
+  /** @tparam number the precision of the factors. */
+  template <typename number>
+  class MumpsSolver::FactorsIn : public Factors
+  {
+  public:
+    FactorsIn(const MPI_Comm          communicator,
+              const LA::SparseMatrix &A,
+              const bool              symmetric)
       : symmetric(symmetric)
       , pattern_size(A.n_nonzero_elements())
       , communicator(communicator)
@@ -40,6 +102,7 @@ namespace Biface
       for (const int i : {1, 2, 3})
         icntl(i) = -1;
       icntl(4)  = 0;
+      icntl(8)  = 0;  // set_scales() is sufficient, and faster
       icntl(14) = 40; // per cent of workspace beyond the estimate
       icntl(18) = 3;  // each rank passes its own entries
       // ScaLAPACK is slower for the root front on few ranks
@@ -57,7 +120,7 @@ namespace Biface
       mumps.lrhs = A.m();
     }
 
-    ~Instance()
+    ~FactorsIn() override
     {
       // collective: not called if a single rank unwinds
       if (std::uncaught_exceptions() == 0)
@@ -65,24 +128,32 @@ namespace Biface
     }
 
     bool
-    is_for(const LA::SparseMatrix &A, const bool symmetric) const
+    in_single_precision() const override
+    {
+      return std::is_same_v<number, float>;
+    }
+
+    bool
+    is_for(const LA::SparseMatrix &A, const bool symmetric) const override
     {
       return this->symmetric == symmetric &&
              pattern_size == A.n_nonzero_elements();
     }
 
     int
-    analyze()
+    analyze() override
     {
       return call(analysis);
     }
 
     int
-    factorize(const LA::SparseMatrix &A)
+    factorize(const LA::SparseMatrix &A) override
     {
-      const double *matrix_values = get_storage(A).values;
-      for (unsigned int k = 0; k < values.size(); ++k)
-        values[k] = matrix_values[places[k]];
+      set_scales(A);
+      auto value = values.begin();
+      for_each_entry(A, [&](const int row, const int column, const double a) {
+        *value++ = a * row_scales[row] * column_scales[column];
+      });
       mumps.a_loc = values.data();
 
       // more fill-in than estimated, due to pivoting: increase the workspace
@@ -92,45 +163,61 @@ namespace Biface
           icntl(14) *= 2;
           status = call(factorization);
         }
-      factorized = (status >= 0);
       return status;
     }
 
-    /** The number of iterations of GMRES with the factors as a preconditioner
-     * that take less time than a factorization; zero if they are too few to be
-     * of use, or without factors. */
+    int
+    solve(LA::Vector &x, const LA::Vector &b) override
+    {
+      // within the range of single precision
+      const double norm  = b.linfty_norm();
+      const double scale = (norm > 0 ? std::exp2(-std::ilogb(norm)) : 1);
+      for (unsigned int i = 0; i < own_rows.size(); ++i)
+        own_rows[i] = b.begin()[i] * row_scales[i] * scale;
+      MPI_Gatherv(own_rows.data(),
+                  own_rows.size(),
+                  mpi_type,
+                  rhs.data(),
+                  counts.data(),
+                  starts.data(),
+                  mpi_type,
+                  0,
+                  communicator);
+      mumps.rhs        = rhs.data();
+      const int status = call(solution);
+      MPI_Scatterv(rhs.data(),
+                   counts.data(),
+                   starts.data(),
+                   mpi_type,
+                   own_rows.data(),
+                   own_rows.size(),
+                   mpi_type,
+                   0,
+                   communicator);
+      for (unsigned int i = 0; i < own_rows.size(); ++i)
+        x.begin()[i] = own_rows[i] * (row_scales[i] / scale);
+      return status;
+    }
+
     unsigned int
-    max_refinements() const
+    max_gmres_iterations() const override
     {
       // Operations of a factorization per entry of the factors that take the
       // time of an iteration, which is bound by memory, with a margin.
       constexpr double       operations = 32;
       constexpr unsigned int least = 6, most = 8;
 
-      if (!factorized)
-        return 0;
       // MUMPS counts in millions if the number is large
       const double n_entries =
-        (mumps.infog[28] < 0 ? -1e6 : 1) * mumps.infog[28];
-      const double n = mumps.rinfog[2] / (operations * n_entries);
+        (mumps.infog[19] < 0 ? -1e6 : 1) * mumps.infog[19];
+      const double n = mumps.rinfog[0] / (operations * n_entries);
       return n < least ? 0 : std::min<double>(n, most);
     }
 
-    /** Of the last factorization. */
     unsigned int
-    n_negative_pivots() const
+    n_negative_pivots() const override
     {
       return mumps.infog[11];
-    }
-
-    int
-    solve(LA::Vector &x, const LA::Vector &b)
-    {
-      gather(b);
-      mumps.rhs        = rhs.data();
-      const int status = call(solution);
-      scatter(x);
-      return status;
     }
 
   private:
@@ -147,7 +234,7 @@ namespace Biface
     call(const Job job)
     {
       mumps.job = job;
-      dmumps_c(&mumps);
+      Mumps<number>::call(&mumps);
       return mumps.infog[0];
     }
 
@@ -158,43 +245,37 @@ namespace Biface
       return mumps.icntl[i - 1];
     }
 
-    /** The arrays in which Epetra stores the rows of this rank. */
-    struct Storage
+    /** Call @p action with local row, local column and value of each entry of
+     * this rank that MUMPS needs, always in the same order. */
+    template <typename Action>
+    void
+    for_each_entry(const LA::SparseMatrix &A, const Action &action) const
     {
-      int    *row_starts;
-      int    *columns;
-      double *values;
-    };
-
-    static Storage
-    get_storage(const LA::SparseMatrix &A)
-    {
-      Storage   storage;
-      const int error = A.trilinos_matrix().ExtractCrsDataPointers(
-        storage.row_starts, storage.columns, storage.values);
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      int                    *row_starts, *local_columns;
+      double                 *matrix_values;
+      const int               error =
+        epetra.ExtractCrsDataPointers(row_starts, local_columns, matrix_values);
       AssertThrow(error == 0, ExcTrilinosError(error));
-      return storage;
+
+      const int *row_ids    = epetra.RowMap().MyGlobalElements();
+      const int *column_ids = epetra.ColMap().MyGlobalElements();
+      for (int row = 0; row < epetra.NumMyRows(); ++row)
+        for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
+          if (!symmetric || column_ids[local_columns[k]] <= row_ids[row])
+            action(row, local_columns[k], matrix_values[k]);
     }
 
     void
     collect_pattern(const LA::SparseMatrix &A)
     {
-      const Epetra_CrsMatrix &epetra  = A.trilinos_matrix();
-      const Storage           storage = get_storage(A);
-
-      for (int row = 0; row < epetra.NumMyRows(); ++row)
-        for (int k = storage.row_starts[row]; k < storage.row_starts[row + 1];
-             ++k)
-          {
-            const int i = epetra.GRID(row);
-            const int j = epetra.GCID(storage.columns[k]);
-            if (symmetric && j > i)
-              continue;
-            rows.push_back(i + 1);
-            columns.push_back(j + 1);
-            places.push_back(k);
-          }
-      values.resize(places.size());
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      for_each_entry(A, [&](const int row, const int column, const double) {
+        rows.push_back(epetra.GRID(row) + 1);
+        columns.push_back(epetra.GCID(column) + 1);
+      });
+      values.resize(rows.size());
+      own_rows.resize(epetra.NumMyRows());
 
       // owned ranges are contiguous and in the order of the ranks
       counts = Utilities::MPI::all_gather(communicator, epetra.NumMyRows());
@@ -203,55 +284,56 @@ namespace Biface
         starts[r] = starts[r - 1] + counts[r - 1];
     }
 
+    /** Powers of two, which do not round, by which rows and columns are
+     * multiplied so that the diagonal is close to one. */
     void
-    gather(const LA::Vector &b)
+    set_scales(const LA::SparseMatrix &A)
     {
-      MPI_Gatherv(b.begin(),
-                  b.locally_owned_size(),
-                  MPI_DOUBLE,
-                  rhs.data(),
-                  counts.data(),
-                  starts.data(),
-                  MPI_DOUBLE,
-                  0,
-                  communicator);
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      Epetra_Vector           scales(epetra.DomainMap());
+      epetra.ExtractDiagonalCopy(scales);
+      for (int i = 0; i < scales.MyLength(); ++i)
+        scales[i] =
+          (scales[i] == 0 ? 1 : std::exp2(-std::ilogb(scales[i]) / 2));
+      row_scales.assign(scales.Values(), scales.Values() + scales.MyLength());
+
+      Epetra_Vector of_columns(epetra.ColMap());
+      if (const Epetra_Import *const importer = epetra.Importer())
+        of_columns.Import(scales, *importer, Insert);
+      else
+        of_columns = scales;
+      column_scales.assign(of_columns.Values(),
+                           of_columns.Values() + of_columns.MyLength());
     }
 
-    void
-    scatter(LA::Vector &x) const
-    {
-      MPI_Scatterv(rhs.data(),
-                   counts.data(),
-                   starts.data(),
-                   MPI_DOUBLE,
-                   x.begin(),
-                   x.locally_owned_size(),
-                   MPI_DOUBLE,
-                   0,
-                   communicator);
-    }
+    const MPI_Datatype mpi_type = Utilities::MPI::mpi_type_id_for_type<number>;
 
-    const bool                    symmetric;
-    const types::global_dof_index pattern_size;
-    const MPI_Comm                communicator;
-    const bool                    is_root;
-    DMUMPS_STRUC_C                mumps{};
-    bool                          factorized = false;
+    const bool                     symmetric;
+    const types::global_dof_index  pattern_size;
+    const MPI_Comm                 communicator;
+    const bool                     is_root;
+    typename Mumps<number>::Struct mumps{};
 
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
-    /** Positions of the entries among the values of the Epetra matrix. */
-    std::vector<int>    places;
-    std::vector<double> values;
+    std::vector<number>    values;
+    std::vector<double>    row_scales;
+    std::vector<double>    column_scales;
+    /** The part of a right hand side or solution on this rank. */
+    std::vector<number> own_rows;
     /** The right hand side, then the solution, on the first rank. */
-    std::vector<double> rhs;
+    std::vector<number> rhs;
     std::vector<int>    counts;
     std::vector<int>    starts;
   };
 
 
-  MumpsSolver::MumpsSolver(const MPI_Comm communicator, TimerOutput &timer)
-    : communicator(communicator), timer(timer)
+  MumpsSolver::MumpsSolver(const MPI_Comm communicator,
+                           TimerOutput   &timer,
+                           const bool     single_precision)
+    : communicator(communicator)
+    , timer(timer)
+    , single_precision(single_precision)
   {}
 
 
@@ -260,13 +342,17 @@ namespace Biface
 
   namespace
   {
+    // of INFOG(1)
+    constexpr int singular = -10;
+
+
     LinearSolverResult
     mumps_failure(const std::string &phase, const int status)
     {
       LinearSolverResult result;
       result.message = "MUMPS failed in the " + phase +
                        " with INFOG(1) = " + std::to_string(status);
-      if (status == -10)
+      if (status == singular)
         result.message += ": the tangent is singular";
       else if (status == -9 || status == -13)
         {
@@ -283,9 +369,9 @@ namespace Biface
                          const bool              symmetric,
                          const bool              similar)
   {
-    const bool keep_factors = similar && instance &&
-                              instance->is_for(A, symmetric) &&
-                              instance->max_refinements() > 0;
+    const bool keep_factors = similar && has_factors &&
+                              factors->is_for(A, symmetric) &&
+                              factors->max_gmres_iterations() > 0;
     matrix              = &A;
     matrix_is_symmetric = symmetric;
     factors_are_current = false;
@@ -296,23 +382,52 @@ namespace Biface
   LinearSolverResult
   MumpsSolver::factorize_anew()
   {
-    if (!instance || !instance->is_for(*matrix, matrix_is_symmetric))
-      {
-        TimerOutput::Scope scope(timer, "Linear solver: analysis");
-        instance = std::make_unique<Instance>(
-          communicator, *matrix, matrix_is_symmetric);
-        if (const int status = instance->analyze(); status < 0)
-          {
-            instance.reset();
-            return mumps_failure("analysis", status);
-          }
-      }
+    has_factors = false;
+    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric))
+      if (const int status = analyze(); status < 0)
+        {
+          factors.reset();
+          return mumps_failure("analysis", status);
+        }
 
-    TimerOutput::Scope scope(timer, "Linear solver: factorization");
-    if (const int status = instance->factorize(*matrix); status < 0)
-      return mumps_failure("factorization", status);
-    factors_are_current = true;
+    {
+      TimerOutput::Scope scope(timer, "Linear solver: factorization");
+      if (const int status = factors->factorize(*matrix); status < 0)
+        {
+          if (status == singular && factors->in_single_precision())
+            return factorize_in_double_precision();
+          return mumps_failure("factorization", status);
+        }
+    }
+    has_factors = factors_are_current = true;
     return factorized();
+  }
+
+
+  int
+  MumpsSolver::analyze()
+  {
+    TimerOutput::Scope scope(timer, "Linear solver: analysis");
+    if (single_precision)
+      {
+        factors = std::make_unique<FactorsIn<float>>(
+          communicator, *matrix, matrix_is_symmetric);
+        const int status = factors->analyze();
+        if (status < 0 || factors->max_gmres_iterations() > 0)
+          return status;
+      }
+    factors = std::make_unique<FactorsIn<double>>(
+      communicator, *matrix, matrix_is_symmetric);
+    return factors->analyze();
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::factorize_in_double_precision()
+  {
+    single_precision = false;
+    factors.reset();
+    return factorize_anew();
   }
 
 
@@ -322,7 +437,7 @@ namespace Biface
     LinearSolverResult result;
     result.success = true;
     if (matrix_is_symmetric)
-      result.n_negative_pivots = instance->n_negative_pivots();
+      result.n_negative_pivots = factors->n_negative_pivots();
     return result;
   }
 
@@ -357,20 +472,20 @@ namespace Biface
 
 
   bool
-  MumpsSolver::solve_with_old_factors(LA::Vector &x, const LA::Vector &b)
+  MumpsSolver::solve_with_gmres(LA::Vector &x, const LA::Vector &b)
   {
     // the residual at which solve_with_refinement() has no doubt
     constexpr double tolerance = 1e-10;
 
-    struct OldFactors
+    struct Preconditioner
     {
-      Instance &instance;
-      bool     &failed;
+      Factors &factors;
+      bool    &failed;
 
       void
       vmult(LA::Vector &x, const LA::Vector &b) const
       {
-        if (instance.solve(x, b) < 0)
+        if (factors.solve(x, b) < 0)
           {
             failed = true;
             x      = b;
@@ -378,7 +493,8 @@ namespace Biface
       }
     };
 
-    const unsigned int max_iterations = instance->max_refinements();
+    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    const unsigned int max_iterations = factors->max_gmres_iterations();
     bool               failed         = false;
     BoundedEffort      control(max_iterations, tolerance);
     x = 0;
@@ -386,7 +502,7 @@ namespace Biface
       {
         SolverFGMRES<LA::Vector>(
           control, SolverFGMRES<LA::Vector>::AdditionalData(max_iterations + 1))
-          .solve(*matrix, x, b, OldFactors{*instance, failed});
+          .solve(*matrix, x, b, Preconditioner{*factors, failed});
       }
     catch (const SolverControl::NoConvergence &)
       {
@@ -403,26 +519,27 @@ namespace Biface
   {
     Assert(matrix != nullptr, ExcNotInitialized());
     LinearSolverResult result;
+    result.success = true;
     if (!factors_are_current)
       {
-        {
-          TimerOutput::Scope scope(timer, "Linear solver: solution");
-          if (solve_with_old_factors(x, b))
-            {
-              result.success = true;
-              return result;
-            }
-        }
-        result = factorize_anew();
-        if (!result.success)
+        if (solve_with_gmres(x, b))
           return result;
+        result = factorize_anew();
       }
+    if (result.success && factors->in_single_precision())
+      {
+        if (solve_with_gmres(x, b))
+          return result;
+        result = factorize_in_double_precision();
+      }
+    if (!result.success)
+      return result;
 
     const auto         n_negative_pivots = result.n_negative_pivots;
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     result = solve_with_refinement(
       *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
-        if (const int status = instance->solve(x, b); status < 0)
+        if (const int status = factors->solve(x, b); status < 0)
           return mumps_failure("solution", status);
         LinearSolverResult result;
         result.success = true;

@@ -51,6 +51,9 @@ namespace Biface
 
       Type type = Type::direct;
 
+      /** See MumpsSolver. */
+      bool single_precision = true;
+
       /** See MultigridSolver. */
       struct Multigrid
       {

@@ -18,15 +18,24 @@ namespace Biface
    * called directly: @f$LDL^T@f$ for symmetric matrices, @f$LU@f$ otherwise.
    * Each rank passes its own rows; the sparsity pattern is analyzed once.
    *
-   * The factors of a similar matrix are kept as a preconditioner of GMRES. If
-   * it does not converge in a few iterations, which together take less time
-   * than a factorization, the matrix is factorized after all.
+   * Factors in single precision take half the memory and little more than half
+   * the time. They are used as a preconditioner of GMRES in double precision.
+   * If it does not converge in a few iterations, as in very thin shells,
+   * factors are computed in double precision from then on. In small problems,
+   * where the time of a factorization is not what matters, they always are.
+   *
+   * The factors of a similar matrix are kept as a preconditioner, too. If GMRES
+   * does not converge in a few iterations, which together take less time than a
+   * factorization, the matrix is factorized after all.
    */
   class MumpsSolver : public LinearSolver
   {
   public:
-    /** @param timer receives the sections "Linear solver: ...". */
-    MumpsSolver(const MPI_Comm communicator, dealii::TimerOutput &timer);
+    /** @param timer receives the sections "Linear solver: ...".
+     * @param single_precision whether factors in single precision are tried. */
+    MumpsSolver(const MPI_Comm       communicator,
+                dealii::TimerOutput &timer,
+                const bool           single_precision = true);
 
     ~MumpsSolver() override;
 
@@ -39,26 +48,39 @@ namespace Biface
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
   private:
-    class Instance;
+    class Factors;
+    template <typename number>
+    class FactorsIn;
 
     LinearSolverResult
     factorize_anew();
+
+    LinearSolverResult
+    factorize_in_double_precision();
+
+    /** Analyze the sparsity pattern and choose the precision.
+     * @return INFOG(1) of MUMPS, negative if it failed. */
+    int
+    analyze();
 
     /** The result of a factorization: success, and the pivots of the factors.
      */
     LinearSolverResult
     factorized() const;
 
-    /** Solve with the factors of another matrix.
+    /** Solve with the factors, which may be those of another matrix, as a
+     * preconditioner.
      * @return whether GMRES converged. */
     bool
-    solve_with_old_factors(LA::Vector &x, const LA::Vector &b);
+    solve_with_gmres(LA::Vector &x, const LA::Vector &b);
 
-    const MPI_Comm            communicator;
-    dealii::TimerOutput      &timer;
-    std::unique_ptr<Instance> instance;
-    const LA::SparseMatrix   *matrix              = nullptr;
-    bool                      matrix_is_symmetric = false;
+    const MPI_Comm           communicator;
+    dealii::TimerOutput     &timer;
+    bool                     single_precision;
+    std::unique_ptr<Factors> factors;
+    bool                     has_factors         = false;
+    const LA::SparseMatrix  *matrix              = nullptr;
+    bool                     matrix_is_symmetric = false;
     /** Whether the factors are those of the matrix. */
     bool factors_are_current = false;
   };
