@@ -195,6 +195,32 @@ namespace Biface
   }
 
 
+  Modes::Vector
+  MixedElement::hourglass_strain(const NodalVector &dV) const
+  {
+    std::array<DisplacementGradient, 4> variation;
+    for (unsigned int q = 0; q < 4; ++q)
+      variation[q] = displacement_gradient(geometry, dV, q);
+
+    Modes::Vector eta;
+    for (unsigned int face = 0; face < 2; ++face)
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          Tensor<1, 3> slope;
+          double       mean_square = 0;
+          for (unsigned int q = 0; q < 4; ++q)
+            {
+              const double zeta = geometry.vertices[q].metric.zeta[face][a];
+              slope += MeanVectors::sign(a, q) / 4 * variation[q].g[face][a];
+              mean_square += 1 / (4 * zeta * zeta);
+            }
+          eta[Resultants::tangential(a, face)] =
+            slope.norm_square() / 2 * mean_square;
+        }
+    return eta;
+  }
+
+
   MixedElement::NodalVector
   MixedElement::internal_force(const Modes::Vector &H,
                                const Modes::Vector &H_0) const

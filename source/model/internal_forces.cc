@@ -261,13 +261,28 @@ namespace Biface
       state.predicted_strains.resize(mesh.cells.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        const Cell         &cell = mesh.cells[c];
-        const MixedElement  element(cell.geometry,
+        const Cell        &cell = mesh.cells[c];
+        const MixedElement element(cell.geometry,
                                    mesh.cell_values(state.displacement, cell));
-        const Modes::Vector E =
-          element.strain() +
-          element.strain_variation(mesh.cell_values(increment, cell));
-        state.resultants[c] = resultants_of(c, E);
+        const auto         dV = mesh.cell_values(increment, cell);
+        Modes::Vector      E  = element.strain() + element.strain_variation(dV);
+        state.resultants[c]   = resultants_of(c, E);
+        if (mesh.sampling == StrainSampling::vertices)
+          {
+            const Modes::Vector H         = total_resultants(state, c);
+            const Modes::Vector hourglass = element.hourglass_strain(dV);
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                const unsigned int inner =
+                  Resultants::tangential(a, Resultants::inner);
+                const unsigned int outer =
+                  Resultants::tangential(a, Resultants::outer);
+                if (H[inner] + H[outer] < 0)
+                  for (const unsigned int i : {inner, outer})
+                    E[i] += hourglass[i];
+              }
+            state.resultants[c] = resultants_of(c, E);
+          }
         if (!state.predicted_strains.empty())
           state.predicted_strains[c] = E;
       }

@@ -159,6 +159,18 @@ namespace Biface
     Modes::Vector
     nonlinear_strain() const;
 
+    /**
+     * The hourglass part of @f$\boldsymbol\eta(d\mathbf V)@f$, which
+     * strain_variation() leaves out. The derivative @f$\mathbf g_a@f$ of an
+     * increment varies as @f$[\mathbf g_a]_c\,\xi_c@f$, @f$c\neq a@f$, and
+     * with StrainSampling::vertices the constant modes of
+     * @f$\varepsilon_{aa}^\pm@f$ contain the mean of
+     * @f$|[\mathbf g_a^\pm]_c|^2/2\zeta_a^2@f$ over the vertices. All other
+     * modes are zero.
+     */
+    Modes::Vector
+    hourglass_strain(const NodalVector &dV) const;
+
     /** The internal force: the derivative of the virtual work above with
      * respect to the nodal displacements. */
     NodalVector
