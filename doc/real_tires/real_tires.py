@@ -11,6 +11,7 @@ but the table of results is printed.
 """
 
 import argparse
+import collections
 import csv
 import math
 import statistics
@@ -162,9 +163,9 @@ class Construction:
 
 
 def nasa(tire):
-    """The formulas for force (kN), footprint length and width (mm), lateral and
-    fore-and-aft stiffness (kN/mm) and torsional stiffness (kN m per degree) at
-    the rated pressure and deflection."""
+    """The formulas for force (kN), footprint length and width (mm), rolling
+    radius (mm), lateral and fore-and-aft stiffness (kN/mm) and torsional
+    stiffness (kN m per degree) at the rated pressure and deflection."""
     d, w, delta, p = tire.diameter, tire.width, tire.deflection, tire.pressure
     force = 2.4 * 1.08 * p * w * math.sqrt(w * d) * (delta / w - 0.03) / 1000
     lateral = 2 * w * 1.24 * p * (1 - 0.7 * delta / w) / 1000
@@ -173,7 +174,8 @@ def nasa(tire):
             else 15 * (delta / d - 0.015))
     torsion = 1.8 * p * w**3 * turn * math.pi / 180 / 1e6
     return (force, 1.7 * math.sqrt(delta * (d - delta)),
-            1.7 * math.sqrt(delta * (w - delta)), lateral, fore_aft, torsion)
+            1.7 * math.sqrt(delta * (w - delta)), d / 2 - delta / 3,
+            lateral, fore_aft, torsion)
 
 
 # ---------------------------------------------------------------------- results
@@ -246,6 +248,24 @@ def footprint(directory):
     return [float(step[f"footprint_{which}"]) for which in ("length", "width")]
 
 
+def rolling_radius(directory):
+    """Of free rolling with little friction, from contact-NNNN.csv: the tread in
+    the footprint passes the ground with the velocity Omega dz/dphi, and its
+    mean, weighted with the pressure, is that of the ground."""
+    number = int(contact_step(directory)["step"])
+    lines = collections.defaultdict(list)
+    with open(directory / f"contact-{number:04d}.csv", encoding="utf-8") as file:
+        for node in csv.DictReader(file):
+            lines[node["alpha_1"]].append(
+                [float(node[c]) for c in ("alpha_2", "z", "pressure")])
+    distance = weight = 0
+    for line in lines.values():
+        for before, node, after in zip(line, line[1:], line[2:]):
+            distance += node[2] * (after[1] - before[1])
+            weight += node[2] * math.radians(after[0] - before[0])
+    return abs(distance / weight)
+
+
 def mean_and_deviation(values):
     return statistics.mean(values), statistics.pstdev(values)
 
@@ -270,7 +290,8 @@ def compute(arguments, rows):
         if directory is None:
             return tire, None, None
         result = (last_force(directory),
-                  [*footprint(directory), *stiffnesses(directory, tire.slide())])
+                  [*footprint(directory), rolling_radius(directory),
+                   *stiffnesses(directory, tire.slide())])
         print(f"{row['name']:16} {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
@@ -321,17 +342,19 @@ def results_table(results):
         name = tire.row["name"]
         if force is None:
             lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
-                          f"{tire.load:.1f}", "failed", "", "", "", ""])
+                          f"{tire.load:.1f}", "failed", "", "", "", "", ""])
             continue
-        nasa_force, length, width = nasa(tire)[:3]
+        nasa_force, length, width, radius = nasa(tire)[:4]
         lines.append([
             name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
             f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
             f"{nasa_force / tire.load:.3f}",
             f"{sizes[0]:.0f} ({sizes[0] / length:.2f})",
-            f"{sizes[1]:.0f} ({sizes[1] / width:.2f})"])
+            f"{sizes[1]:.0f} ({sizes[1] / width:.2f})",
+            f"{sizes[2]:.1f} ({sizes[2] / radius:.3f})"])
     return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
-                  "Ratio", "NASA", "Length, mm", "Width, mm"], lines)
+                  "Ratio", "NASA", "Length, mm", "Width, mm",
+                  "Rolling radius, mm"], lines)
 
 
 def stiffness_table(results):
@@ -341,17 +364,17 @@ def stiffness_table(results):
             lines.append([tire.row["name"]] + [
                 "failed" if math.isnan(sizes[i]) else
                 f"{sizes[i]:.3g} ({sizes[i] / nasa(tire)[i + 1]:.2f})"
-                for i in (2, 3, 4)])
+                for i in (3, 4, 5)])
     return table(["Tire", "Lateral, kN/mm", "Fore-and-aft, kN/mm",
                   "Torsional, kN m per degree"], lines)
 
 
-def ratio_to_nasa(results, i):
+def ratio_to_nasa(results, i, digits=2):
     """Mean and deviation, in words, of the ratio of a number to NASA's."""
     mean, deviation = mean_and_deviation(
         [sizes[i] / nasa(tire)[i + 1] for tire, force, sizes in results
          if force is not None and not math.isnan(sizes[i])])
-    return f"{mean:.2f} ± {deviation:.2f}"
+    return f"{mean:.{digits}f} ± {deviation:.{digits}f}"
 
 
 def summary(results):
@@ -419,15 +442,20 @@ def page(results, variations, varied):
         {width[0]:.2f} ± {width[1]:.2f} of theirs, which are in parentheses in
         the table; they are measured to the line of zero clearance. The width depends on the
         profile of the tread, of which the databook says nothing.
+
+        A tire that rolls freely with little friction passes the ground with the mean
+        velocity of its tread in the footprint, weighted with the pressure. Its rolling
+        radius is {ratio_to_nasa(results, 2, 3)} of NASA's, D/2 less a third of the
+        deflection.
         """),
         results_table(results),
         "## Stiffness of the loaded tire",
         fill(f"""
         The ground slides by 1 % of the deflection along the axle, then along the
         tread, and turns by 0.2°; the nodes in contact do not slip. In parentheses: relative to
-        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 2)}
-        (lateral), {ratio_to_nasa(results, 3)} (fore-and-aft) and
-        {ratio_to_nasa(results, 4)} (torsional). Measured stiffnesses are secants
+        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 3)}
+        (lateral), {ratio_to_nasa(results, 4)} (fore-and-aft) and
+        {ratio_to_nasa(results, 5)} (torsional). Measured stiffnesses are secants
         over larger displacements, in which a part of the footprint slips, so
         that they are lower than those without slip. A stage that does not
         converge would be marked as failed.
