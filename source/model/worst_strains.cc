@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 
+#include <biface/model/largest_cell.h>
 #include <biface/model/worst_strains.h>
 
 namespace Biface
@@ -75,33 +76,19 @@ namespace Biface
     StrainAtPlace
     least(const ShellMesh &mesh, const std::vector<Candidate> &of_cell)
     {
-      constexpr auto none = std::numeric_limits<double>::infinity();
-
-      double value = none;
+      std::vector<double> values;
       for (const Candidate &candidate : of_cell)
-        value = std::min(value, candidate.value);
-      value = Utilities::MPI::min(value, mesh.communicator);
-
-      // round-off must not decide between places that mirror each other
-      const double     limit   = value + 1e-6 * std::abs(value);
-      constexpr double no_cell = std::numeric_limits<double>::max();
-      double           number  = no_cell;
-      unsigned int     mine    = 0;
-      for (unsigned int c = 0; c < of_cell.size(); ++c)
-        if (of_cell[c].value <= limit && mesh.cells[c].number < number)
-          {
-            number = mesh.cells[c].number;
-            mine   = c;
-          }
-      const double first = Utilities::MPI::min(number, mesh.communicator);
+        values.push_back(-candidate.value);
+      const auto worst = find_largest_cell(mesh, values);
+      Assert(worst, ExcMessage("A mesh has cells."));
 
       // value, face, coordinates, position: of the one rank that has the cell
       std::vector<double> data(7, 0.);
-      if (number == first && number < no_cell)
+      if (worst->position)
         {
-          const Candidate &candidate = of_cell[mine];
+          const Candidate &candidate = of_cell[*worst->position];
           const Node      &node =
-            mesh.nodes[mesh.cells[mine].nodes[candidate.vertex]];
+            mesh.nodes[mesh.cells[*worst->position].nodes[candidate.vertex]];
           data[0] = candidate.value;
           data[1] = candidate.face;
           for (unsigned int a = 0; a < 2; ++a)
@@ -117,7 +104,7 @@ namespace Biface
         place.face = static_cast<unsigned int>(data[1]);
       place.alpha    = Point<2>(data[2], data[3]);
       place.position = Point<3>(data[4], data[5], data[6]);
-      place.cell     = static_cast<types::global_cell_index>(first);
+      place.cell     = worst->number;
       return place;
     }
   } // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include <biface/laminate/material.h>
+#include <biface/model/largest_cell.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 
@@ -58,17 +59,14 @@ namespace Biface
                       const State           &state,
                       const FailureCriteria &failure_criteria)
   {
-    // well above the round-off of a solution, below what matters
-    constexpr double tolerance = 1e-6;
-    constexpr double none      = -1;
-
     const ShellMesh                    &mesh     = equations.mesh;
     const std::vector<FailureCriterion> criteria = failure_criteria.requested();
     if (criteria.empty())
       return {};
 
     std::vector<std::vector<double>> of_cells(
-      criteria.size(), std::vector<double>(mesh.cells.size(), none));
+      criteria.size(),
+      std::vector<double>(mesh.cells.size(), LargestCell::none));
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       for_stresses_of_cell(equations,
                            state,
@@ -88,43 +86,30 @@ namespace Biface
       {
         FailureMaximum &maximum = maxima[i];
         maximum.name            = criteria[i].name;
-        double greatest         = none;
-        for (const double value : of_cells[i])
-          greatest = std::max(greatest, value);
-        greatest = Utilities::MPI::max(greatest, mesh.communicator);
-        if (greatest == none)
+        const auto largest      = find_largest_cell(mesh, of_cells[i]);
+        if (!largest)
           continue;
-        maximum.index = greatest;
+        maximum.index = largest->value;
 
-        const double             bound = (1 - tolerance) * greatest;
-        types::global_cell_index first =
-          std::numeric_limits<types::global_cell_index>::max();
-        unsigned int owned = numbers::invalid_unsigned_int;
-        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-          if (of_cells[i][c] >= bound && mesh.cells[c].number < first)
-            {
-              first = mesh.cells[c].number;
-              owned = c;
-            }
         // place and ply, of the rank that owns the cell
         std::vector<double> place(3);
-        if (Utilities::MPI::min(first, mesh.communicator) == first &&
-            owned != numbers::invalid_unsigned_int)
+        if (largest->position)
           for_stresses_of_cell(
             equations,
             state,
-            owned,
+            *largest->position,
             [&](const unsigned int           v,
                 const PlyDescription        &ply,
                 const unsigned int           number,
                 const SymmetricTensor<2, 3> &stress) {
               if (place[2] != 0 ||
-                  criteria[i].index(stress, *ply.strengths) < bound)
+                  criteria[i].index(stress, *ply.strengths) < largest->bound())
                 return;
-              const Node &node = mesh.nodes[mesh.cells[owned].nodes[v]];
-              place            = {chart_coordinate(mesh.get_surface(), node, 0),
-                                  chart_coordinate(mesh.get_surface(), node, 1),
-                                  number + 1.};
+              const Node &node =
+                mesh.nodes[mesh.cells[*largest->position].nodes[v]];
+              place = {chart_coordinate(mesh.get_surface(), node, 0),
+                       chart_coordinate(mesh.get_surface(), node, 1),
+                       number + 1.};
             });
         Utilities::MPI::sum(place, mesh.communicator, place);
         maximum.alpha = {{place[0], place[1]}};

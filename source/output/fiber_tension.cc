@@ -3,11 +3,11 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <biface/laminate/material.h>
+#include <biface/model/largest_cell.h>
 #include <biface/output/fiber_tension.h>
 
 namespace Biface
@@ -56,8 +56,7 @@ namespace Biface
   MaximumTension
   find_maximum_tension(const ShellEquations &equations, const State &state)
   {
-    // well above the round-off of a solution, below what matters
-    constexpr double tolerance = 1e-6;
+    constexpr double none = LargestCell::none;
 
     const ShellMesh     &mesh = equations.mesh;
     const TensionMembers members(mesh.layup);
@@ -65,7 +64,6 @@ namespace Biface
     if (!members.exist())
       return maximum;
 
-    constexpr double          none = -std::numeric_limits<double>::infinity();
     std::vector<double>       of_cells(mesh.cells.size(), none);
     std::vector<unsigned int> plies(mesh.cells.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
@@ -79,7 +77,8 @@ namespace Biface
           {
             const double tension = members.tension(mesh.layup, laminate, p, E);
             // the first of plies that differ by round-off
-            if (tension > of_cells[c] + tolerance * std::abs(of_cells[c]) ||
+            if (tension > of_cells[c] +
+                            LargestCell::tolerance * std::abs(of_cells[c]) ||
                 (of_cells[c] == none && !std::isnan(tension)))
               {
                 of_cells[c] = tension;
@@ -87,28 +86,13 @@ namespace Biface
               }
           }
       }
-    const double largest = Utilities::MPI::max(
-      of_cells.empty() ? none
-                       : *std::max_element(of_cells.begin(), of_cells.end()),
-      mesh.communicator);
-    if (largest == none)
+    const auto largest = find_largest_cell(mesh, of_cells);
+    if (!largest)
       return maximum;
-    maximum.value = largest;
-
-    const double             bound = largest - tolerance * std::abs(largest);
-    types::global_cell_index first =
-      std::numeric_limits<types::global_cell_index>::max();
-    unsigned int ply = 0;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      if (of_cells[c] >= bound && mesh.cells[c].number < first)
-        {
-          first = mesh.cells[c].number;
-          ply   = plies[c] + 1;
-        }
-    const auto first_of_all = Utilities::MPI::min(first, mesh.communicator);
-    maximum.ply =
-      Utilities::MPI::max(first == first_of_all ? ply : 0, mesh.communicator);
-    const GridIndex cell = mesh.grid.cell_index(first_of_all);
+    maximum.value = largest->value;
+    maximum.ply   = Utilities::MPI::max(
+      largest->position ? plies[*largest->position] + 1 : 0, mesh.communicator);
+    const GridIndex cell = mesh.grid.cell_index(largest->number);
     for (unsigned int a = 0; a < 2; ++a)
       maximum.alpha[a] =
         std::round(
