@@ -189,6 +189,24 @@ namespace Biface
   }
 
 
+  std::array<std::array<double, 2>, 2>
+  Laminate::mass_moments() const
+  {
+    const double                         h = thickness();
+    std::array<std::array<double, 2>, 2> moments{};
+    double                               z = 0;
+    for (const Ply &ply : plies)
+      {
+        const FaceMoments N(z, z + ply.thickness, h);
+        z += ply.thickness;
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int q = 0; q < 2; ++q)
+            moments[p][q] += ply.density * N.second[p][q];
+      }
+    return moments;
+  }
+
+
   std::vector<CordPoint>
   Laminate::cord_points() const
   {

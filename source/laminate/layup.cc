@@ -401,6 +401,7 @@ namespace Biface
                            "/E_L compression'), since these resultants belong "
                            "to no ply; 'Laminate/Initial ply stresses' do.");
         material->get_strengths();
+        material->get_density();
         for (Formula formula : {ply.thickness, ply.angle})
           variables.bind(formula, tables);
       }
@@ -522,6 +523,7 @@ namespace Biface
         ply.text      = given.text;
         ply.material  = given.material;
         ply.strengths = material->get_strengths();
+        ply.density   = material->get_density();
         ply.has_fibers =
           (material->type != Material::Parameters::Type::isotropic);
         ply.thickness      = tables.function(given.thickness);
@@ -620,7 +622,8 @@ namespace Biface
                               : SymmetricTensor<2, 3>(),
            p,
            ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
-           ply.compression_loss ? ply.compression_loss(alpha_1) : 0});
+           ply.compression_loss ? ply.compression_loss(alpha_1) : 0,
+           ply.density});
       }
     if (present.empty())
       throw InputError(

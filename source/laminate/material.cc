@@ -183,6 +183,14 @@ namespace Biface
                         "Y_c along axis 2, S in shear between both. Give all "
                         "five or none. Unit: force/area.",
                         Patterns::Double(0));
+
+    prm.add_parameter("Density",
+                      density,
+                      "Density, of a ply as a whole for 'cord and rubber'. "
+                      "Only 'Modes' of a stage need it. Unit: mass/volume, "
+                      "where a unit of mass is that of force times time^2 per "
+                      "length: for N, mm and s it is the tonne.",
+                      Patterns::Double());
   }
 
 
@@ -247,6 +255,14 @@ namespace Biface
                        "it must be above 0 and at most E_L, " +
                          number_to_string(E_L));
     return std::max(0., E_L - modulus);
+  }
+
+
+  double
+  Material::Parameters::get_density() const
+  {
+    check_not_negative("Material " + name + "/Density", density);
+    return density;
   }
 
 

@@ -58,6 +58,8 @@ namespace Biface
     /** By how much the modulus along axis 1 is smaller in compression, see
      * CordPoint. Unit: force/area. */
     double compression_loss = 0;
+    /** Unit: mass/volume. */
+    double density = 0;
   };
 
 
@@ -103,6 +105,14 @@ namespace Biface
     {
       return D;
     }
+
+    /**
+     * The moments of the density with the shape functions of the faces,
+     * @f$m^{pq} = \int\varrho\,N^pN^q\,d\alpha_3@f$: all that the inertia of
+     * displacements linear in the height depends on. Unit: mass/area.
+     */
+    std::array<std::array<double, 2>, 2>
+    mass_moments() const;
 
     /** The cords that can go slack, at two Gauss points per ply. */
     std::vector<CordPoint>

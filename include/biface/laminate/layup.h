@@ -33,6 +33,8 @@ namespace Biface
     bool has_fibers = false;
     /** If given for the material. */
     std::optional<Strengths> strengths;
+    /** Unit: mass/volume. */
+    double density = 0;
     /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
      * the user's unit. */
     std::function<double(const double)> thickness, angle;

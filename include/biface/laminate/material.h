@@ -45,6 +45,8 @@ namespace Biface
        * are compressed. */
       std::string E_L_compression = "E_L";
       Strengths   strengths;
+      /** Unit: mass/volume. */
+      double density = 0;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -70,6 +72,11 @@ namespace Biface
        * force/area. Throws InputError if it is not admissible. */
       double
       compression_loss(const double E_L) const;
+
+      /** The density, 0 if not given. Unit: mass/volume. Throws InputError if
+       * it is negative. */
+      double
+      get_density() const;
 
       /** The strengths, if given. Throws InputError if only some of them are
        * given. */
