@@ -52,6 +52,16 @@ HEADINGS = {
     "hinged_roof_thin_0_90_0": "Hinged roof, thickness 6.35, [0/90/0]",
     "hinged_roof_thin_90_0_90": "Hinged roof, thickness 6.35, [90/0/90]",
     "membrane_on_sphere": "Membrane on a sphere",
+    "modes_fv52": "Vibration of a thick square plate, NAFEMS FV52",
+    "modes_khdeir_30_2": "Vibration of a square plate of 2 plies [30/-30]",
+    "modes_khdeir_30_4": "Vibration of a square plate of 4 plies [30/-30]",
+    "modes_khdeir_30_10": "Vibration of a square plate of 10 plies [30/-30]",
+    "modes_khdeir_45_2": "Vibration of a square plate of 2 plies [45/-45]",
+    "modes_khdeir_45_4": "Vibration of a square plate of 4 plies [45/-45]",
+    "modes_khdeir_45_10": "Vibration of a square plate of 10 plies [45/-45]",
+    "modes_membrane": "Vibration of a membrane under tension",
+    "modes_ring": "Vibration of a ring under pressure",
+    "modes_string": "Vibration of a string under tension",
     "nafems_cylinder": "Wrapped thick cylinder, NAFEMS R0031/2",
     "nafems_sandwich": "Sandwich plate, NAFEMS R0031/3",
     "nafems_sandwich_soft": "Sandwich plate, edges free to move along",
@@ -465,7 +475,7 @@ def find_step(run, when):
 
 def find_value(run, words, when):
     """A column of history.csv ('history COLUMN'), of plies-NNNN.csv ('plies
-    NAME PLY PLACE COLUMN') or of probes.csv ('NAME FACE COLUMN') at the end of a
+    NAME PLY PLACE COLUMN'), of modes.csv ('modes MODE COLUMN') or of probes.csv ('NAME FACE COLUMN') at the end of a
     stage or at a load factor; None if not reached."""
     step = find_step(run, when)
     if step is None:
@@ -477,6 +487,11 @@ def find_value(run, words, when):
         for row in read_csv(path):
             if [row["name"], row["ply"], row["fraction"]] == words[1:4]:
                 return float(row[words[4]])
+        return None
+    if words[0] == "modes":
+        for row in read_csv(run.directory / "modes.csv"):
+            if [row["step"], row["mode"]] == [step["step"], words[1]]:
+                return float(row[words[2]])
         return None
     for row in run.probes:
         if [row["step"], row["name"], row["face"]] == [step["step"], *words[:2]]:
@@ -666,6 +681,8 @@ def label(quantity):
         _, name, ply, fraction, column = words
         place = PLACES.get(fraction, f"at {fraction} of the thickness of")
         return f"`{column}` at `{name}`, {place} ply {ply}, at {when}"
+    if words[0] == "modes":
+        return f"`{words[2]}` of mode {words[1]} at {when}"
     face = "" if words[1] == "middle" else f", {words[1]} face,"
     return f"`{words[2]}` of `{words[0]}`{face} at {when}"
 

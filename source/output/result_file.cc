@@ -129,20 +129,24 @@ namespace Biface
     if (!std::getline(lines, line) || line != header)
       throw InputError("the file '" + path +
                        "' does not have the columns that a restart continues.");
-    std::string kept    = header + '\n';
-    std::size_t n_lines = 0;
+    std::string kept = header + '\n';
+    // complete steps, and lines of the next one
+    std::size_t n_complete = 0, n_lines = 0;
     // a last line without a line end is incomplete
-    while (n_lines < steps.size() * lines_per_step &&
-           std::getline(lines, line) && !lines.eof() &&
-           std::strtoul(line.c_str(), nullptr, 10) ==
-             steps[n_lines / lines_per_step])
+    while (n_complete < steps.size() && std::getline(lines, line) &&
+           !lines.eof() &&
+           std::strtoul(line.c_str(), nullptr, 10) == steps[n_complete])
       {
         kept += line + '\n';
-        ++n_lines;
+        if (++n_lines == n_lines_of(line))
+          {
+            ++n_complete;
+            n_lines = 0;
+          }
       }
-    if (n_lines < steps.size() * lines_per_step)
+    if (n_complete < steps.size())
       throw InputError("the file '" + path + "' contains only " +
-                       std::to_string(n_lines / lines_per_step) + " of the " +
+                       std::to_string(n_complete) + " of the " +
                        std::to_string(steps.size()) +
                        " steps of the checkpoint.");
     write_text(path, kept, false, communicator);

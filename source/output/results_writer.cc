@@ -6,6 +6,8 @@
 #include <biface/base/version.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
+#include <biface/output/mode_vtu.h>
+#include <biface/output/modes_file.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/stiffness_file.h>
@@ -45,6 +47,7 @@ namespace Biface
     add(std::move(history_file));
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
     add(std::make_unique<StiffnessFile>(stages, directory, equations));
+    add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));
@@ -52,6 +55,8 @@ namespace Biface
     add(std::make_unique<PliesFile>(
       parameters.plies, parameters.criteria, directory, equations));
     add(std::make_unique<ShellVtu>(parameters.shell_vtu, directory, equations));
+    add(std::make_unique<ModeVtu>(
+      parameters.shell_vtu, stages, directory, equations));
     add(std::make_unique<PliesVtu>(
       parameters.plies_vtu, parameters.criteria, directory, equations));
 

@@ -73,11 +73,13 @@ namespace Biface
 
   template <int dim>
   void
-  VtuSeries::write_patches(VertexPatches<dim> &patches,
-                           const unsigned int  step) const
+  write_vtu(VertexPatches<dim> &patches,
+            const double        time,
+            const std::string  &path,
+            const MPI_Comm      communicator)
   {
     DataOutBase::VtkFlags flags;
-    flags.time              = step;
+    flags.time              = time;
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     patches.set_flags(flags);
 
@@ -93,7 +95,16 @@ namespace Biface
       text.erase(text.rfind(closing) + closing.size());
     if (Utilities::MPI::this_mpi_process(communicator) > 0)
       text.erase(0, text.find("<Piece"));
-    write_texts_of_ranks(directory.path(file_name(step)), text, communicator);
+    write_texts_of_ranks(path, text, communicator);
+  }
+
+
+  template <int dim>
+  void
+  VtuSeries::write_patches(VertexPatches<dim> &patches,
+                           const unsigned int  step) const
+  {
+    write_vtu(patches, step, directory.path(file_name(step)), communicator);
     write_record();
   }
 
@@ -119,6 +130,17 @@ namespace Biface
 
   template class VertexPatches<2>;
   template class VertexPatches<3>;
+
+  template void
+  write_vtu(VertexPatches<2> &,
+            const double,
+            const std::string &,
+            const MPI_Comm);
+  template void
+  write_vtu(VertexPatches<3> &,
+            const double,
+            const std::string &,
+            const MPI_Comm);
 
   template void
   VtuSeries::write_patches(VertexPatches<2> &, const unsigned int) const;

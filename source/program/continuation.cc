@@ -111,6 +111,7 @@ namespace Biface
                                                "Control value",
                                                "Force",
                                                "Steps",
+                                               "Modes",
                                                "Adaptive steps"};
       return !progress.stage_begun || free_entries.count(match[2]) > 0;
     }

@@ -141,6 +141,26 @@ namespace Biface
        revolution &&
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
+    check_densities();
+  }
+
+
+  void
+  Parameters::check_densities() const
+  {
+    const auto stage =
+      std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
+        return stage.n_modes > 0;
+      });
+    if (stage == stages.end())
+      return;
+    for (const PlyParameters &ply : laminate.plies)
+      for (const Material::Parameters &material : materials)
+        if (material.name == ply.material && material.density == 0)
+          throw InputError("Material " + material.name + "/Density",
+                           "0",
+                           "it must be positive for the 'Modes' of stage " +
+                             std::to_string(stage - stages.begin() + 1));
   }
 
 

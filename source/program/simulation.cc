@@ -12,6 +12,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/plies_on_surface.h>
 #include <biface/program/simulation.h>
+#include <biface/solver/modal_analysis.h>
 
 #include <unistd.h>
 
@@ -131,8 +132,18 @@ namespace Biface
     , state(*mesh)
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
-      make_control(parameters.stages[i])
-        ->check("Stage " + std::to_string(i + 1), *mesh);
+      {
+        const Stage      &stage   = parameters.stages[i];
+        const std::string section = "Stage " + std::to_string(i + 1);
+        make_control(stage)->check(section, *mesh);
+        // beyond, Lanczos' method has no room
+        if (stage.n_modes > mesh->n_unknowns() / 4)
+          throw InputError(section + "/Modes",
+                           std::to_string(stage.n_modes),
+                           "it must be at most " +
+                             std::to_string(mesh->n_unknowns() / 4) +
+                             ", a quarter of the unknowns of the mesh");
+      }
 
     ChartGrid grid = mesh->grid;
     for (unsigned int i = 0; i < parameters.mesh.n_coarse; ++i)
@@ -171,6 +182,8 @@ namespace Biface
 
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
+    for (Stage &stage : coarse_parameters.stages)
+      stage.n_modes = 0;
     const ChartGrid grid         = coarser_grid(mesh->grid);
     const MPI_Comm  communicator = mesh->communicator;
     Simulation      coarse(coarse_parameters,
@@ -225,13 +238,20 @@ namespace Biface
 
     Newton newton(
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
+    std::unique_ptr<ModalAnalysis> modal_analysis;
+    if (std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [](const Stage &stage) { return stage.n_modes > 0; }))
+      modal_analysis = std::make_unique<ModalAnalysis>(
+        equations, contact, *linear_solver, timer);
     LoadStepping load_stepping(parameters.load_stepping,
                                equations,
                                contact,
                                newton,
                                out,
                                nested.get(),
-                               gas.get());
+                               gas.get(),
+                               modal_analysis.get());
     return load_stepping.run(
       parameters.stages, progress, state, ends, observer);
   }

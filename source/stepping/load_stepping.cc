@@ -13,6 +13,7 @@
 #include <biface/model/forces_on_shell.h>
 #include <biface/model/work.h>
 #include <biface/solver/active_set_iteration.h>
+#include <biface/solver/modal_analysis.h>
 #include <biface/stepping/load_stepping.h>
 
 namespace Biface
@@ -38,7 +39,8 @@ namespace Biface
                              Newton                   &newton,
                              ConditionalOStream       &out,
                              const NestedPredictor    *nested,
-                             const Gas                *gas)
+                             const Gas                *gas,
+                             ModalAnalysis            *modal_analysis)
     : parameters(parameters)
     , equations(equations)
     , contact(contact)
@@ -46,6 +48,7 @@ namespace Biface
     , out(out)
     , nested(nested)
     , gas(gas)
+    , modal_analysis(modal_analysis)
   {}
 
 
@@ -77,10 +80,13 @@ namespace Biface
 
         while (control->done() < 1)
           {
-            const auto step = next_step(run);
+            auto step = next_step(run);
             if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
               return *failure;
-            observer(std::get<StepReport>(step), state);
+            StepReport &report = std::get<StepReport>(step);
+            if (stage.n_modes > 0 && control->done() >= 1)
+              report.modes = find_modes(run, report.loads);
+            observer(report, state);
           }
 
         if (is_branched_from(stages, progress.stage))
@@ -412,6 +418,29 @@ namespace Biface
     if (!secant || !tangent)
       return {};
     return StepStiffness{*first, *secant, *tangent};
+  }
+
+
+  std::shared_ptr<const VibrationModes>
+  LoadStepping::find_modes(const StageRun &run, const Loads &loads)
+  {
+    Assert(modal_analysis, ExcNotInitialized());
+    std::optional<Gas::Sealed> sealed;
+    if (run.progress.gas_content)
+      sealed.emplace(*gas, *run.progress.gas_content);
+    auto modes = std::make_shared<const VibrationModes>(modal_analysis->compute(
+      run.state, loads, sealed ? &*sealed : nullptr, run.stage.n_modes));
+    if (!modes->success)
+      {
+        out << "  Warning: the modes of " << run.stage.name
+            << " were not found: " << modes->message << std::endl;
+        return nullptr;
+      }
+    out << "  frequencies:";
+    for (const VibrationMode &mode : modes->modes)
+      out << ' ' << mode.frequency();
+    out << std::endl;
+    return modes;
   }
 
 

@@ -195,6 +195,14 @@ namespace Biface
                       "prescribed ones included, and the travel of the "
                       "foundation count anew from 0.",
                       Patterns::Bool());
+    prm.add_parameter("Modes",
+                      n_modes,
+                      "Number of natural frequencies and modes of vibration "
+                      "of the loaded shell that are computed at the end of "
+                      "the stage, the lowest ones. The foundation holds the "
+                      "nodes in contact along its normal and, with friction, "
+                      "sideways. All plies need a 'Density'.",
+                      Patterns::Integer(0, 1000));
   }
 
 

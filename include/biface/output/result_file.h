@@ -135,7 +135,7 @@ namespace Biface
 
 
   /** A file of results that is a single table, to which each of its steps
-   * appends the same number of lines. The first column is the step. */
+   * appends lines, usually the same number. The first column is the step. */
   class StepTable : public ResultFile
   {
   public:
@@ -152,6 +152,13 @@ namespace Biface
   protected:
     void
     cut_back() override;
+
+    /** The number of lines of a step, by one of them. */
+    virtual unsigned int
+    n_lines_of(const std::string & /*line*/) const
+    {
+      return lines_per_step;
+    }
 
     /** @param lines complete lines, including line ends. */
     void

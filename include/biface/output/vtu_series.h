@@ -56,6 +56,16 @@ namespace Biface
   };
 
 
+  /** Write the patches of all ranks to a VTU file. Must be called on all ranks.
+   * Throws OutputError. */
+  template <int dim>
+  void
+  write_vtu(VertexPatches<dim> &patches,
+            const double        time,
+            const std::string  &path,
+            const MPI_Comm      communicator);
+
+
   /** A VTU file per step, and NAME.pvd, which lists all of them for
    * ParaView. */
   class VtuSeries : public ResultFile

@@ -84,6 +84,11 @@ namespace Biface
     void
     check_gas() const;
 
+    /** Throws InputError if a stage asks for modes and a ply has no
+     * density. */
+    void
+    check_densities() const;
+
     /** Throws InputError if the edges of a closed coordinate are supported or
      * loaded. */
     void

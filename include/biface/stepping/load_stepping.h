@@ -28,6 +28,9 @@
 
 namespace Biface
 {
+  class ModalAnalysis;
+
+
   /** The result of all stages. */
   struct LoadSteppingResult
   {
@@ -75,14 +78,16 @@ namespace Biface
     /** All objects are kept by reference.
      * @param nested the states of a coarser mesh from which steps start; null
      * for none.
-     * @param gas null if no stage has a sealed gas. */
+     * @param gas null if no stage has a sealed gas.
+     * @param modal_analysis null if no stage asks for modes. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
                  Newton                     &newton,
                  dealii::ConditionalOStream &out,
-                 const NestedPredictor      *nested = nullptr,
-                 const Gas                  *gas    = nullptr);
+                 const NestedPredictor      *nested         = nullptr,
+                 const Gas                  *gas            = nullptr,
+                 ModalAnalysis              *modal_analysis = nullptr);
 
     /**
      * Run the stages, continuing from the given progress.
@@ -166,6 +171,11 @@ namespace Biface
     stiffness(const StageRun                          &run,
               const std::optional<FoundationReaction> &before) const;
 
+    /** Compute the modes of the end of a stage and print their frequencies.
+     * @return null if they were not found. */
+    std::shared_ptr<const VibrationModes>
+    find_modes(const StageRun &run, const Loads &loads);
+
     /** Warn once of supported nodes that the foundation has passed through. */
     void
     warn_of_pierced_nodes(const State &state, const Loads &loads);
@@ -186,6 +196,7 @@ namespace Biface
     dealii::ConditionalOStream &out;
     const NestedPredictor      *nested;
     const Gas                  *gas;
+    ModalAnalysis              *modal_analysis;
 
     /** Whether this warning was given. */
     bool warned = false;

@@ -109,6 +109,10 @@ namespace Biface
      * undeformed. */
     bool from_prestress = false;
 
+    /** The number of natural frequencies computed at the end of the stage, see
+     * ModalAnalysis. */
+    unsigned int n_modes = 0;
+
     /** The loads at the end of the stage for given loads at its start. */
     LoadLevel
     end(const LoadLevel &start) const
@@ -156,6 +160,7 @@ namespace Biface
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;
+      archive                                            &n_modes;
     }
   };
 

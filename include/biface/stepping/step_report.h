@@ -3,6 +3,7 @@
 #ifndef biface_stepping_step_report_h
 #define biface_stepping_step_report_h
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,9 @@
 
 namespace Biface
 {
+  struct VibrationModes;
+
+
   /** The report of a converged step: the data needed by output in addition to
    * the State. */
   struct StepReport
@@ -48,6 +52,8 @@ namespace Biface
     /** See NewtonResult. */
     std::optional<unsigned int> n_negative_pivots;
     double                      seconds = 0;
+    /** At the end of a stage that asks for them; null if there are none. */
+    std::shared_ptr<const VibrationModes> modes;
   };
 } // namespace Biface
 

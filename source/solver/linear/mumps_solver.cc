@@ -380,10 +380,27 @@ namespace Biface
 
 
   LinearSolverResult
+  MumpsSolver::factorize_for_many(const LA::SparseMatrix &A,
+                                  const bool              symmetric)
+  {
+    const bool wanted = single_precision;
+    if (factors && factors->in_single_precision())
+      factors.reset();
+    single_precision                = false;
+    const LinearSolverResult result = factorize(A, symmetric);
+    single_precision                = wanted;
+    // smaller problems have factors in double precision anyway
+    factors_for_many = wanted && factors && factors->max_gmres_iterations() > 0;
+    return result;
+  }
+
+
+  LinearSolverResult
   MumpsSolver::factorize_anew()
   {
     has_factors = false;
-    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric))
+    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric) ||
+        (factors_for_many && single_precision))
       if (const int status = analyze(); status < 0)
         {
           factors.reset();
@@ -408,6 +425,7 @@ namespace Biface
   MumpsSolver::analyze()
   {
     TimerOutput::Scope scope(timer, "Linear solver: analysis");
+    factors_for_many = false;
     if (single_precision)
       {
         factors = std::make_unique<FactorsIn<float>>(

@@ -88,6 +88,14 @@ namespace Biface
               const bool              symmetric,
               const bool              similar = false) = 0;
 
+    /** Likewise for so many systems that each of them should be solved as fast
+     * and as exactly as possible. */
+    virtual LinearSolverResult
+    factorize_for_many(const LA::SparseMatrix &A, const bool symmetric)
+    {
+      return factorize(A, symmetric);
+    }
+
     /**
      * Solve @f$A x = b@f$ with the last matrix passed to factorize().
      *

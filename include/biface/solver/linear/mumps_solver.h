@@ -44,6 +44,11 @@ namespace Biface
               const bool              symmetric,
               const bool              similar = false) override;
 
+    /** In double precision. */
+    LinearSolverResult
+    factorize_for_many(const LA::SparseMatrix &A,
+                       const bool              symmetric) override;
+
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
@@ -74,9 +79,12 @@ namespace Biface
     bool
     solve_with_gmres(LA::Vector &x, const LA::Vector &b);
 
-    const MPI_Comm           communicator;
-    dealii::TimerOutput     &timer;
-    bool                     single_precision;
+    const MPI_Comm       communicator;
+    dealii::TimerOutput &timer;
+    bool                 single_precision;
+    /** Whether the factors are in double precision for factorize_for_many()
+     * alone. */
+    bool                     factors_for_many = false;
     std::unique_ptr<Factors> factors;
     bool                     has_factors         = false;
     const LA::SparseMatrix  *matrix              = nullptr;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_wave_numbers_h
+#define biface_model_wave_numbers_h
+
+#include <optional>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/shell_mesh.h>
+
+namespace Biface
+{
+  /** The waves of a displacement field on a full turn. */
+  struct WaveNumbers
+  {
+    /** The number of waves around the axis in which most of the square of the
+     * displacements lies. */
+    unsigned int circumferential;
+    /** Half waves along the meridian: one more than the changes of sign of the
+     * largest component of these waves. */
+    unsigned int meridional;
+  };
+
+  /**
+   * The wave numbers of the mean displacements of the faces, from their Fourier
+   * integrals around the axis; none if the shell is not closed. Must be called
+   * on all ranks.
+   */
+  std::optional<WaveNumbers>
+  wave_numbers(const ShellMesh &mesh, const LA::Vector &V);
+} // namespace Biface
+
+#endif

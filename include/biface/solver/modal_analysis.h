@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_modal_analysis_h
+#define biface_solver_modal_analysis_h
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/timer.h>
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact_interaction.h>
+#include <biface/model/gas.h>
+#include <biface/model/mass_matrix.h>
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+#include <biface/model/wave_numbers.h>
+#include <biface/solver/linear/eigenpairs.h>
+#include <biface/solver/linear/linear_solver.h>
+
+namespace Biface
+{
+  /** A mode of free vibration, @f$\mathbf V(t)=\mathbf V_0+
+   * \Re(\boldsymbol\varphi\,e^{i\omega t})@f$. */
+  struct VibrationMode
+  {
+    /** @f$\omega^2@f$; not positive for modes in which the shell does not
+     * return, and complex only if the tangent is not symmetric. */
+    std::complex<double> square;
+
+    /** @f$\boldsymbol\varphi@f$ (its real part), with the entries of all nodes
+     * of this rank; the largest displacement of a face is 1. */
+    LA::Vector shape;
+
+    /** @f$\boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$. Unit: mass. */
+    double mass = 0;
+
+    /** The participation factors of the translations along x, y and z,
+     * @f$\boldsymbol\varphi^T\mathbf M\mathbf r/
+     * \boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$. */
+    dealii::Tensor<1, 3> participation;
+
+    /** Of a shell that is a full turn. */
+    std::optional<WaveNumbers> waves;
+
+    /** @f$\Re\omega/2\pi@f$. Unit: 1/time. */
+    double
+    frequency() const;
+
+    /** The rate at which the amplitude grows, @f$-\Im\omega@f$: zero in a
+     * stable equilibrium with a symmetric tangent. Of a complex pair, one mode
+     * grows and the other decays. Unit: 1/time. */
+    double
+    growth_rate() const;
+
+    /** The effective mass for a translation. Unit: mass. */
+    double
+    effective_mass(const unsigned int direction) const
+    {
+      return participation[direction] * participation[direction] * mass;
+    }
+  };
+
+
+  /** The result of a modal analysis. */
+  struct VibrationModes
+  {
+    bool success = false;
+    /** The reason of a failure, as part of a sentence. */
+    std::string message;
+    /** In ascending order of @f$\Re\omega^2@f$. */
+    std::vector<VibrationMode> modes;
+    /** Of the whole shell. */
+    double total_mass = 0;
+  };
+
+
+  /**
+   * Natural frequencies and shapes of small vibrations about an equilibrium of
+   * the loaded shell,
+   * @f$\mathbf K\boldsymbol\varphi=\omega^2\mathbf M\boldsymbol\varphi@f$.
+   *
+   * @f$\mathbf K@f$ is the tangent of the equilibrium: with the prestress, the
+   * loads that follow the shell and the gas sealed in it. It is not symmetric
+   * if these are not conservative. The nodes in contact are held along the
+   * normal of the foundation by the regularization of the contact condition,
+   * with the lumped multiplier mass, so that contact never makes the tangent
+   * unsymmetric. With friction, they also stick to the foundation; see
+   * ContactInteraction::set_glued().
+   *
+   * The eigenvalues closest to zero are computed by nearest_eigenpairs() with
+   * the factors of the linear solver, if @f$\mathbf K@f$ is singular, as for a
+   * free shell, those of
+   * @f$\mathbf K+s\mathbf M@f$ with an @f$s@f$ below the eigenvalues of the
+   * elastic modes. Eigenvalues below the
+   * round-off of @f$\mathbf K@f$ are set to zero. Modes of the same frequency
+   * are chosen such that they do not depend on the number of ranks, and that
+   * as few as possible contain a rigid motion.
+   */
+  class ModalAnalysis
+  {
+  public:
+    /** The objects are kept by reference. */
+    ModalAnalysis(ShellEquations           &equations,
+                  const ContactInteraction &contact,
+                  LinearSolver             &linear_solver,
+                  dealii::TimerOutput      &timer);
+
+    /**
+     * Compute the modes of a converged state. The last assembly of the
+     * equations is lost.
+     *
+     * @param gas the gas sealed in; null for none.
+     * @param n the number of modes.
+     */
+    VibrationModes
+    compute(const State       &state,
+            const Loads       &loads,
+            const Gas::Sealed *gas,
+            const unsigned int n);
+
+  private:
+    /** The tangent of the shell that the foundation holds. */
+    void
+    assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
+
+    /** Whether a tangent is symmetric up to round-off, which follower loads
+     * can be, too. */
+    bool
+    is_symmetric(const LA::SparseMatrix &K) const;
+
+    /** A bound of the round-off in
+     * @f$\mathbf x^T\mathbf K\mathbf x@f$. */
+    double
+    roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const;
+
+    /** An estimate of the largest eigenvalue. */
+    double
+    largest_eigenvalue(const LA::SparseMatrix &K) const;
+
+    /** Whether an eigenvalue is smaller than the round-off of @p K. */
+    bool
+    is_zero(const LA::SparseMatrix &K, const Eigenpair &pair) const;
+
+    /** Choose the modes among those of the same frequency, and their signs. */
+    void
+    settle(std::vector<Eigenpair> &pairs) const;
+
+    VibrationMode
+    finish(const Eigenpair &pair) const;
+
+    ShellEquations           &equations;
+    const ContactInteraction &contact;
+    LinearSolver             &linear_solver;
+    dealii::TimerOutput      &timer;
+    const MassMatrix          mass;
+
+    /** The inertia of the six rigid motions, then of arbitrary displacements,
+     * each for a unit of @f$\mathbf r^T\mathbf M\mathbf r@f$. */
+    std::vector<LA::Vector> fields;
+    /** The inertia of the translations. */
+    std::vector<LA::Vector> translations;
+    /** Arbitrary displacements. */
+    LA::Vector start;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include <biface/output/csv.h>
+#include <biface/output/mode_vtu.h>
+#include <biface/solver/modal_analysis.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ModePatches::ModePatches(const ShellMesh  &mesh,
+                           const LA::Vector &displacement,
+                           const LA::Vector &shape)
+    : VertexPatches<2>({"mode", "mode", "mode", "outer_face"})
+  {
+    for (const Cell &cell : mesh.cells)
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          Patch patch = new_patch();
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              const Node &node = mesh.nodes[cell.nodes[v]];
+              patch.vertices[v] =
+                mesh.deformed_position(displacement, node, face);
+              const Tensor<1, 3> u =
+                node.surface.from_frame(mesh.displacement(shape, node, face));
+              for (unsigned int i = 0; i < 3; ++i)
+                patch.data(i, v) = u[i];
+              patch.data(3, v) = face;
+            }
+          patches.push_back(patch);
+        }
+  }
+
+
+  ModeVtu::ModeVtu(const ShellVtu::Parameters &parameters,
+                   const std::vector<Stage>   &stages,
+                   ResultsDirectory           &directory,
+                   const ShellEquations       &equations)
+    : ResultFile("modes-*.pvd", directory, equations)
+    , wanted(parameters.write &&
+             std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+               return stage.n_modes > 0;
+             }))
+  {}
+
+
+  void
+  ModeVtu::write(const StepReport &report, const State &state)
+  {
+    const std::vector<VibrationMode>           &modes = report.modes->modes;
+    std::vector<std::pair<double, std::string>> times_and_names;
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      {
+        const std::string file =
+          "modes-" + Utilities::int_to_string(report.step, 4) + "-" +
+          Utilities::int_to_string(i + 1, 3) + ".vtu";
+        ModePatches patches(equations.mesh, state.displacement, modes[i].shape);
+        write_vtu(patches, i + 1, directory.path(file), communicator);
+        times_and_names.emplace_back(i + 1, file);
+      }
+    std::ostringstream record;
+    DataOutBase::write_pvd_record(record, times_and_names);
+    write_text(path(report.step), record.str(), false, communicator);
+  }
+} // namespace Biface
