@@ -31,9 +31,9 @@ namespace Biface
                mass,
                {"consistent", "lumped"},
                "Matrix from nodal contact pressures to nodal forces: "
-               "'consistent' (as in the paper; pressures oscillate at the "
-               "edge of the contact zone) or 'lumped' (smooth pressures, "
-               "symmetric tangent).");
+               "'lumped' (that of dual basis functions: smooth pressures, "
+               "symmetric tangent) or 'consistent' (as in the paper; pressures "
+               "oscillate at the edge of the contact zone).");
     prm.add_parameter("Regularization",
                       regularization,
                       "The parameter epsilon of the contact condition: a "

@@ -23,7 +23,9 @@ namespace Biface
      * @cite GrigolyukKulikovPlotnikova2004. Pressures oscillate at the edge of
      * the contact zone, and the tangent is not symmetric. */
     consistent,
-    /** Its row sums on the diagonal: smooth pressures, symmetric tangent. */
+    /** Its row sums on the diagonal: smooth pressures, symmetric tangent. It is
+     * the consistent matrix of multipliers that are interpolated by dual basis
+     * functions @cite Wohlmuth2000. */
     lumped
   };
 
@@ -55,7 +57,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      MultiplierMass mass           = MultiplierMass::consistent;
+      MultiplierMass mass           = MultiplierMass::lumped;
       double         regularization = 1e4;
 
       void
