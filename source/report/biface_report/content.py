@@ -14,6 +14,7 @@ from .drawing import STYLE, embed, embed_png
 from .footprint import Footprint, normal_of_nodes
 from .foundation import foundation_in_step, foundation_of
 from .loading import step_labels
+from .modes import modes
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
@@ -29,7 +30,7 @@ def report(run):
     footprint = find_footprint(run)
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
              stick_slip(run, footprint), wheel_forces(run), stiffness(run),
-             sections_of_shell(run), shell(run), points(run), iterations(run),
+             sections_of_shell(run), shell(run), modes(run), points(run), iterations(run),
              ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]

@@ -30,6 +30,9 @@ PROBE_COLUMNS = ("step", "stage", "load_factor", "name", "face", "u_x", "u_y",
 STIFFNESS_COLUMNS = ("step", "stage", "pressure", "force", "approach", "motion",
                      "amount", "direction_x", "direction_y", "direction_z",
                      "secant", "tangent", "secant_F_x", "secant_F_y", "secant_F_z")
+MODE_COLUMNS = ("step", "mode", "stage", "frequency", "growth_rate",
+                "effective_mass_x", "effective_mass_y", "effective_mass_z",
+                "total_mass")
 PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
                "fiber_tension", "s_L", "s_T", "t_LT")
 
@@ -226,6 +229,14 @@ class Run:
         if not path.exists():
             return None
         table, _ = read_csv(path, STIFFNESS_COLUMNS, True)
+        return table.where(np.isin(table["step"], self.steps))
+
+    def modes(self):
+        """modes.csv up to the step of the report; None if it is missing."""
+        path = self.directory / "modes.csv"
+        if not path.exists():
+            return None
+        table, _ = read_csv(path, MODE_COLUMNS, True)
         return table.where(np.isin(table["step"], self.steps))
 
     def setting(self, entry, otherwise=None):
