@@ -510,7 +510,9 @@ def page(runs, fine, ccx_version):
         quadratic bricks have nearly four times as many unknowns; each has eight
         integration points in each of its four plies, and at all of them CalculiX
         turns the stiffness of the ply anew in every iteration. It reaches each
-        approach in several increments, biface in one step.
+        approach in several increments, biface in one step. CPU times also depend on
+        what else the machine does: 4 to 6 s were measured for the same run of
+        biface.
         """),
         "## Reproducing this page",
         fill("On Debian 12:"),
@@ -519,7 +521,7 @@ def page(runs, fine, ccx_version):
         fill("""
         Without `ccx` this target does not exist. The deck `tire.inp` and the results
         of both programs are in `doc/comparison/runs` of the build directory.
-        """), ""])
+        """)]) + "\n"
 
 
 def main():
