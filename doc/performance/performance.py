@@ -27,6 +27,7 @@ from pathlib import Path
 Case = namedtuple("Case", "refinement steps ranks name settings")
 
 LUMPED = ["Contact/Multiplier mass=lumped", "Element/Strain sampling=means"]
+SLACK = LUMPED + ["Material cord/E_L compression=5.1045"]
 ITERATIVE = LUMPED + ["Linear solver/Type=iterative"]
 
 CASES = [
@@ -44,7 +45,8 @@ CASES = [
     Case(4, 1, 1, "lumped", LUMPED),
     Case(4, 1, 2, "lumped", LUMPED),
     Case(8, 1, 2, "lumped", LUMPED),
-    Case(16, 1, 2, "lumped", LUMPED),
+    Case(4, 1, 2, "slack cords", SLACK),
+    Case(16, 1, 2, "slack cords", SLACK),
     Case(1, 1, 1, "iterative", ITERATIVE),
     Case(2, 1, 1, "iterative", ITERATIVE),
     Case(4, 1, 1, "iterative", ITERATIVE),
@@ -241,7 +243,7 @@ def write_page(arguments, results):
 
     growth = []
     for name, ranks, n_small, n_large in (
-            ("refined", 1, 1, 8), ("refined", 2, 1, 8), ("lumped", 2, 4, 16)):
+            ("refined", 1, 1, 8), ("refined", 2, 1, 8), ("slack cords", 2, 4, 16)):
         small, large = (by_key.get((name, n, ranks))
                         for n in (n_small, n_large))
         if small and large:
