@@ -205,39 +205,33 @@ class Run:
         path = self.path(kind, step)
         return read_csv(path, columns)[0] if path.exists() else None
 
+    def _growing_table(self, name, columns):
+        """The lines of a file that grows with the steps, up to the step of the
+        report; None if it is missing."""
+        path = self.directory / name
+        if not path.exists():
+            return None
+        table, _ = read_csv(path, columns, True)
+        return table.where(np.isin(table["step"], self.steps))
+
     def probes(self):
         """The lines of probes.csv for the middle surface, up to the step of the
         report; None if it is missing."""
-        path = self.directory / "probes.csv"
-        if not path.exists():
-            return None
-        table, _ = read_csv(path, PROBE_COLUMNS, True)
-        return table.where(np.isin(table["step"], self.steps)
-                           & (table["face"] == "middle"))
+        table = self._growing_table("probes.csv", PROBE_COLUMNS)
+        return (None if table is None else
+                table.where(table["face"] == "middle"))
 
     def forces(self):
         """forces.csv up to the step of the report; None if it is missing."""
-        path = self.directory / "forces.csv"
-        if not path.exists():
-            return None
-        table, _ = read_csv(path, FORCE_COLUMNS, True)
-        return table.where(np.isin(table["step"], self.steps))
+        return self._growing_table("forces.csv", FORCE_COLUMNS)
 
     def stiffness(self):
         """stiffness.csv up to the step of the report; None if it is missing."""
-        path = self.directory / "stiffness.csv"
-        if not path.exists():
-            return None
-        table, _ = read_csv(path, STIFFNESS_COLUMNS, True)
-        return table.where(np.isin(table["step"], self.steps))
+        return self._growing_table("stiffness.csv", STIFFNESS_COLUMNS)
 
     def modes(self):
         """modes.csv up to the step of the report; None if it is missing."""
-        path = self.directory / "modes.csv"
-        if not path.exists():
-            return None
-        table, _ = read_csv(path, MODE_COLUMNS, True)
-        return table.where(np.isin(table["step"], self.steps))
+        return self._growing_table("modes.csv", MODE_COLUMNS)
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
