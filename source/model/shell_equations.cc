@@ -286,14 +286,8 @@ namespace Biface
       {
         if (mesh.constraints.is_constrained(epetra.GRID(row)))
           continue;
-        int     n_entries;
-        double *values;
-        int    *columns;
-        epetra.ExtractMyRowView(row, n_entries, values, columns);
-        double force = 0;
-        for (int k = 0; k < n_entries; ++k)
-          force +=
-            std::abs(values[k] * state.displacement(epetra.GCID(columns[k])));
+        const double force =
+          absolute_product(matrix.get(), row, state.displacement);
         square += force * force;
       }
     return std::numeric_limits<double>::epsilon() *

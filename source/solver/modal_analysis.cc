@@ -207,16 +207,8 @@ namespace Biface
     const Epetra_CrsMatrix &epetra = K.trilinos_matrix();
     double                  sum    = 0;
     for (int row = 0; row < epetra.NumMyRows(); ++row)
-      {
-        int     n_entries;
-        double *values;
-        int    *columns;
-        epetra.ExtractMyRowView(row, n_entries, values, columns);
-        double force = 0;
-        for (int k = 0; k < n_entries; ++k)
-          force += std::abs(values[k] * ghosted(epetra.GCID(columns[k])));
-        sum += force * std::abs(ghosted(epetra.GRID(row)));
-      }
+      sum +=
+        absolute_product(K, row, ghosted) * std::abs(ghosted(epetra.GRID(row)));
     return std::numeric_limits<double>::epsilon() *
            Utilities::MPI::sum(sum, mesh.communicator);
   }

@@ -6,6 +6,10 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <Epetra_CrsMatrix.h>
+
+#include <cmath>
+
 namespace Biface
 {
   /** The linear algebra of the program. */
@@ -24,6 +28,27 @@ namespace Biface
                      ghosted.get_mpi_communicator());
     owned = ghosted;
     return owned;
+  }
+
+
+  /** The sum of @f$|A_{ij}x_j|@f$ over a row, to which the round-off of the
+   * product is proportional.
+   * @param row the local number of the row.
+   * @param x readable at all columns of this rank. */
+  inline double
+  absolute_product(const LA::SparseMatrix &A,
+                   const int               row,
+                   const LA::Vector       &x)
+  {
+    const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+    int                     n_entries;
+    double                 *values;
+    int                    *columns;
+    epetra.ExtractMyRowView(row, n_entries, values, columns);
+    double sum = 0;
+    for (int k = 0; k < n_entries; ++k)
+      sum += std::abs(values[k] * x(epetra.GCID(columns[k])));
+    return sum;
   }
 } // namespace Biface
 
