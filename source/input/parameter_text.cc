@@ -279,39 +279,38 @@ namespace Biface
   }
 
 
+  std::vector<std::string>
+  declared_names(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text,
+                         ParameterHandler::ShortPRM |
+                           ParameterHandler::KeepDeclarationOrder);
+
+    std::vector<std::string> names;
+    std::istringstream       lines(text.str());
+    std::string              line;
+    std::string              path;
+    while (std::getline(lines, line))
+      {
+        line = Utilities::trim(line);
+        if (line.rfind("subsection ", 0) == 0)
+          {
+            path += line.substr(11) + "/";
+            names.push_back(path);
+          }
+        else if (line.rfind("set ", 0) == 0)
+          names.push_back(path +
+                          Utilities::trim(line.substr(4, line.find('=') - 4)));
+        else if (line == "end")
+          path.erase(path.find_last_of('/', path.size() - 2) + 1);
+      }
+    return names;
+  }
+
+
   namespace
   {
-    /** Full names of all entries and sections. */
-    std::vector<std::string>
-    declared_names(const ParameterHandler &prm)
-    {
-      std::ostringstream text;
-      prm.print_parameters(text,
-                           ParameterHandler::ShortPRM |
-                             ParameterHandler::KeepDeclarationOrder);
-
-      std::vector<std::string> names;
-      std::istringstream       lines(text.str());
-      std::string              line;
-      std::string              path;
-      while (std::getline(lines, line))
-        {
-          line = Utilities::trim(line);
-          if (line.rfind("subsection ", 0) == 0)
-            {
-              path += line.substr(11) + "/";
-              names.push_back(path);
-            }
-          else if (line.rfind("set ", 0) == 0)
-            names.push_back(
-              path + Utilities::trim(line.substr(4, line.find('=') - 4)));
-          else if (line == "end")
-            path.erase(path.find_last_of('/', path.size() - 2) + 1);
-        }
-      return names;
-    }
-
-
     /** Number of single-letter edits between two words. */
     unsigned int
     edit_distance(const std::string &a, const std::string &b)
@@ -331,19 +330,22 @@ namespace Biface
         }
       return row.back();
     }
+  } // namespace
 
 
-    std::string
-    nearest_name(const ParameterHandler &prm, const std::string &name)
-    {
-      const std::vector<std::string> names = declared_names(prm);
-      return *std::min_element(
-        names.begin(), names.end(), [&](const auto &a, const auto &b) {
-          return edit_distance(name, a) < edit_distance(name, b);
-        });
-    }
+  std::string
+  nearest_name(const ParameterHandler &prm, const std::string &name)
+  {
+    const std::vector<std::string> names = declared_names(prm);
+    return *std::min_element(
+      names.begin(), names.end(), [&](const auto &a, const auto &b) {
+        return edit_distance(name, a) < edit_distance(name, b);
+      });
+  }
 
 
+  namespace
+  {
     /** The values allowed by a deal.II pattern, in words. */
     std::string
     allowed_by(const std::string &pattern)

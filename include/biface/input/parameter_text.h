@@ -80,6 +80,16 @@ namespace Biface
                   const std::string &entry);
 
 
+  /** The names of all declared entries, "Section/Entry", and sections,
+   * "Section/". */
+  std::vector<std::string>
+  declared_names(const dealii::ParameterHandler &prm);
+
+  /** The declared name nearest to an unknown one. */
+  std::string
+  nearest_name(const dealii::ParameterHandler &prm, const std::string &name);
+
+
   /**
    * An error of ParameterHandler as one sentence that names file, line, entry,
    * value and what is allowed, or the known name nearest to an unknown one.
