@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_tests_run_file_h
+#define biface_tests_run_file_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <biface/program/program.h>
+
+/** @p text with @p by in the place of all @p what. */
+inline std::string
+replace(std::string text, const std::string &what, const std::string &by)
+{
+  for (auto at = text.find(what); at != std::string::npos;
+       at      = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+
+/**
+ * Run the program on a parameter file, with results in the folder `results`.
+ *
+ * Comments in the file can change the command line:
+ *   # arguments: further arguments, separated by blanks
+ *   # file: a parameter file to use instead of this one
+ * where {PRM} is the folder of the shipped files.
+ *
+ * @return its exit code and its error messages, without the names of folders.
+ */
+inline std::pair<int, std::string>
+run_file(std::string file, const MPI_Comm communicator)
+{
+  using namespace dealii;
+  std::vector<std::string> words{"biface", "--output", "results"};
+  std::ifstream            lines(file);
+  std::string              line;
+  while (std::getline(lines, line))
+    {
+      line = replace(line, "{PRM}", PRM_DIR);
+      if (line.rfind("# arguments: ", 0) == 0)
+        {
+          std::istringstream stream(line.substr(13));
+          std::string        word;
+          while (stream >> word)
+            words.push_back(replace(word, "~", " "));
+        }
+      else if (line.rfind("# file: ", 0) == 0)
+        file = line.substr(8);
+    }
+  words.push_back(file);
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    std::filesystem::remove_all("results");
+  MPI_Barrier(communicator);
+
+  std::vector<char *> arguments;
+  for (std::string &word : words)
+    arguments.push_back(&word[0]);
+  arguments.push_back(nullptr);
+
+  std::ostringstream out, err;
+  const int          code =
+    Biface::run_program(words.size(), arguments.data(), communicator, out, err);
+
+  // all ranks must agree on the exit code
+  const auto  codes   = Utilities::MPI::min_max_avg(code, communicator);
+  std::string message = err.str();
+  if (codes.min != codes.max)
+    message = "the exit codes differ\n" + message;
+  const auto folder = std::filesystem::path(file).parent_path().string();
+  return {code,
+          replace(replace(message, folder + "/", ""),
+                  std::string(PRM_DIR) + "/",
+                  "")};
+}
+
+#endif
