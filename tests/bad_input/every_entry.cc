@@ -383,10 +383,11 @@ namespace
   all_entries()
   {
     // with the sections of the sound analysis
-    std::ofstream("names.prm") << "set Materials = rubber\n";
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::ofstream("names.prm") << "set Materials = rubber\n";
     Biface::Parameters parameters;
     ParameterHandler   prm;
-    Biface::parse_parameters("names.prm", {}, MPI_COMM_SELF, parameters, prm);
+    Biface::parse_parameters("names.prm", {}, MPI_COMM_WORLD, parameters, prm);
     std::stringstream text;
     prm.print_parameters(text, ParameterHandler::JSON);
     boost::property_tree::ptree tree;
