@@ -69,8 +69,8 @@ def draw(run, found):
     for i, path in enumerate(paths):
         axes = picture.add_subplot(lines, columns, i + 1, projection="3d")
         draw_mode(axes, path)
-        axes.set_title(f"{i + 1}: {found['frequency'][i]:.5g}", fontsize=9, y=0.94)
-    picture.subplots_adjust(0, 0, 1, 0.96, 0.02, 0.04)
+        axes.set_title(f"{i + 1}: {found['frequency'][i]:.5g}", fontsize=9, y=1.03)
+    picture.subplots_adjust(0, 0, 1, 0.92, 0.02, 0.12)
     html = figure(
         embed(picture, "png"), "Shapes of the first modes of vibration.",
         f"The first modes of the stage {escape(found['stage'][0])} with their "
