@@ -36,6 +36,11 @@ FACTORS = (Fraction(1, 2), Fraction(1), Fraction(2))
 
 # Headings that do not follow from the file names
 HEADINGS = {
+    "buckling_column": "Euler's column",
+    "buckling_cylinder": "Buckling of a cylinder under axial compression",
+    "buckling_plate": "Buckling of a square plate under compression",
+    "buckling_ring": "Buckling of a long cylinder under pressure",
+    "buckling_ring_dead": "Buckling of a long cylinder under dead pressure",
     "cantilever_end_shear": "Cantilever under end shear",
     "cantilever_roll_up": "Cantilever bent into a circle",
     "clamped_semicylinder": "Clamped semi-cylinder",
@@ -475,8 +480,9 @@ def find_step(run, when):
 
 def find_value(run, words, when):
     """A column of history.csv ('history COLUMN'), of plies-NNNN.csv ('plies
-    NAME PLY PLACE COLUMN'), of modes.csv ('modes MODE COLUMN') or of probes.csv ('NAME FACE COLUMN') at the end of a
-    stage or at a load factor; None if not reached."""
+    NAME PLY PLACE COLUMN'), of modes.csv ('modes MODE COLUMN') and likewise of
+    buckling.csv, or of probes.csv ('NAME FACE COLUMN') at the end of a stage or at
+    a load factor; None if not reached."""
     step = find_step(run, when)
     if step is None:
         return None
@@ -488,8 +494,8 @@ def find_value(run, words, when):
             if [row["name"], row["ply"], row["fraction"]] == words[1:4]:
                 return float(row[words[4]])
         return None
-    if words[0] == "modes":
-        for row in read_csv(run.directory / "modes.csv"):
+    if words[0] in ("modes", "buckling"):
+        for row in read_csv(run.directory / f"{words[0]}.csv"):
             if [row["step"], row["mode"]] == [step["step"], words[1]]:
                 return float(row[words[2]])
         return None
@@ -681,7 +687,7 @@ def label(quantity):
         _, name, ply, fraction, column = words
         place = PLACES.get(fraction, f"at {fraction} of the thickness of")
         return f"`{column}` at `{name}`, {place} ply {ply}, at {when}"
-    if words[0] == "modes":
+    if words[0] in ("modes", "buckling"):
         return f"`{words[2]}` of mode {words[1]} at {when}"
     face = "" if words[1] == "middle" else f", {words[1]} face,"
     return f"`{words[2]}` of `{words[0]}`{face} at {when}"

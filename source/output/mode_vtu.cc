@@ -9,6 +9,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/buckling.h>
 
 namespace Biface
 {
@@ -39,34 +40,83 @@ namespace Biface
   }
 
 
+  ShapesVtu::ShapesVtu(const std::string    &name,
+                       const bool            wanted,
+                       ResultsDirectory     &directory,
+                       const ShellEquations &equations)
+    : ResultFile(name + "-*.pvd", directory, equations)
+    , prefix(name)
+    , wanted(wanted)
+  {}
+
+
+  void
+  ShapesVtu::write_shapes(const unsigned int                     step,
+                          const State                           &state,
+                          const std::vector<const LA::Vector *> &shapes)
+  {
+    std::vector<std::pair<double, std::string>> times_and_names;
+    for (unsigned int i = 0; i < shapes.size(); ++i)
+      {
+        const std::string file = prefix + "-" +
+                                 Utilities::int_to_string(step, 4) + "-" +
+                                 Utilities::int_to_string(i + 1, 3) + ".vtu";
+        ModePatches patches(equations.mesh, state.displacement, *shapes[i]);
+        write_vtu(patches, i + 1, directory.path(file), communicator);
+        times_and_names.emplace_back(i + 1, file);
+      }
+    std::ostringstream record;
+    DataOutBase::write_pvd_record(record, times_and_names);
+    write_text(path(step), record.str(), false, communicator);
+  }
+
+
   ModeVtu::ModeVtu(const ShellVtu::Parameters &parameters,
                    const std::vector<Stage>   &stages,
                    ResultsDirectory           &directory,
                    const ShellEquations       &equations)
-    : ResultFile("modes-*.pvd", directory, equations)
-    , wanted(parameters.write &&
-             std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-               return stage.n_modes > 0;
-             }))
+    : ShapesVtu("modes",
+                parameters.write && std::any_of(stages.begin(),
+                                                stages.end(),
+                                                [](const Stage &stage) {
+                                                  return stage.n_modes > 0;
+                                                }),
+                directory,
+                equations)
   {}
 
 
   void
   ModeVtu::write(const StepReport &report, const State &state)
   {
-    const std::vector<VibrationMode>           &modes = report.modes->modes;
-    std::vector<std::pair<double, std::string>> times_and_names;
-    for (unsigned int i = 0; i < modes.size(); ++i)
-      {
-        const std::string file =
-          "modes-" + Utilities::int_to_string(report.step, 4) + "-" +
-          Utilities::int_to_string(i + 1, 3) + ".vtu";
-        ModePatches patches(equations.mesh, state.displacement, modes[i].shape);
-        write_vtu(patches, i + 1, directory.path(file), communicator);
-        times_and_names.emplace_back(i + 1, file);
-      }
-    std::ostringstream record;
-    DataOutBase::write_pvd_record(record, times_and_names);
-    write_text(path(report.step), record.str(), false, communicator);
+    std::vector<const LA::Vector *> shapes;
+    for (const VibrationMode &mode : report.modes->modes)
+      shapes.push_back(&mode.shape);
+    write_shapes(report.step, state, shapes);
+  }
+
+
+  BucklingVtu::BucklingVtu(const ShellVtu::Parameters &parameters,
+                           const std::vector<Stage>   &stages,
+                           ResultsDirectory           &directory,
+                           const ShellEquations       &equations)
+    : ShapesVtu("buckling",
+                parameters.write && std::any_of(stages.begin(),
+                                                stages.end(),
+                                                [](const Stage &stage) {
+                                                  return stage.n_buckling > 0;
+                                                }),
+                directory,
+                equations)
+  {}
+
+
+  void
+  BucklingVtu::write(const StepReport &report, const State &state)
+  {
+    std::vector<const LA::Vector *> shapes;
+    for (const BucklingMode &mode : report.buckling->modes)
+      shapes.push_back(&mode.shape);
+    write_shapes(report.step, state, shapes);
   }
 } // namespace Biface

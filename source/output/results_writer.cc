@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
+#include <biface/output/buckling_file.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
@@ -48,6 +49,7 @@ namespace Biface
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
     add(std::make_unique<StiffnessFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
+    add(std::make_unique<BucklingFile>(stages, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));
@@ -56,6 +58,8 @@ namespace Biface
       parameters.plies, parameters.criteria, directory, equations));
     add(std::make_unique<ShellVtu>(parameters.shell_vtu, directory, equations));
     add(std::make_unique<ModeVtu>(
+      parameters.shell_vtu, stages, directory, equations));
+    add(std::make_unique<BucklingVtu>(
       parameters.shell_vtu, stages, directory, equations));
     add(std::make_unique<PliesVtu>(
       parameters.plies_vtu, parameters.criteria, directory, equations));

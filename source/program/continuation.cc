@@ -112,6 +112,7 @@ namespace Biface
                                                "Force",
                                                "Steps",
                                                "Modes",
+                                               "Buckling",
                                                "Adaptive steps"};
       return !progress.stage_begun || free_entries.count(match[2]) > 0;
     }

@@ -12,6 +12,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/plies_on_surface.h>
 #include <biface/program/simulation.h>
+#include <biface/solver/buckling_analysis.h>
 #include <biface/solver/modal_analysis.h>
 
 #include <unistd.h>
@@ -137,12 +138,15 @@ namespace Biface
         const std::string section = "Stage " + std::to_string(i + 1);
         make_control(stage)->check(section, *mesh);
         // beyond, Lanczos' method has no room
-        if (stage.n_modes > mesh->n_unknowns() / 4)
-          throw InputError(section + "/Modes",
-                           std::to_string(stage.n_modes),
-                           "it must be at most " +
-                             std::to_string(mesh->n_unknowns() / 4) +
-                             ", a quarter of the unknowns of the mesh");
+        for (const auto &[entry, n] :
+             {std::make_pair("/Modes", stage.n_modes),
+              std::make_pair("/Buckling", stage.n_buckling)})
+          if (n > mesh->n_unknowns() / 4)
+            throw InputError(section + entry,
+                             std::to_string(n),
+                             "it must be at most " +
+                               std::to_string(mesh->n_unknowns() / 4) +
+                               ", a quarter of the unknowns of the mesh");
       }
 
     ChartGrid grid = mesh->grid;
@@ -183,7 +187,7 @@ namespace Biface
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
     for (Stage &stage : coarse_parameters.stages)
-      stage.n_modes = 0;
+      stage.n_modes = stage.n_buckling = 0;
     const ChartGrid grid         = coarser_grid(mesh->grid);
     const MPI_Comm  communicator = mesh->communicator;
     Simulation      coarse(coarse_parameters,
@@ -244,6 +248,12 @@ namespace Biface
                     [](const Stage &stage) { return stage.n_modes > 0; }))
       modal_analysis = std::make_unique<ModalAnalysis>(
         equations, contact, *linear_solver, timer);
+    std::unique_ptr<BucklingAnalysis> buckling_analysis;
+    if (std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [](const Stage &stage) { return stage.n_buckling > 0; }))
+      buckling_analysis = std::make_unique<BucklingAnalysis>(
+        equations, contact, *linear_solver, timer);
     LoadStepping load_stepping(parameters.load_stepping,
                                equations,
                                contact,
@@ -251,7 +261,8 @@ namespace Biface
                                out,
                                nested.get(),
                                gas.get(),
-                               modal_analysis.get());
+                               modal_analysis.get(),
+                               buckling_analysis.get());
     return load_stepping.run(
       parameters.stages, progress, state, ends, observer);
   }

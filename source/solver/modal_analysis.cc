@@ -3,8 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
-#include <Epetra_CrsMatrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,106 +30,13 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    /** A number between -1 and 1 that looks random. */
-    double
-    scattered(const double seed)
-    {
-      const double value = std::sin(12.9898 * seed + 1) * 43758.5453;
-      return 2 * (value - std::floor(value)) - 1;
-    }
-
-
-    /** Different displacements of the nodes for each @p seed, the same on any
-     * number of ranks. */
-    LA::Vector
-    arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed)
-    {
-      LA::Vector v = mesh.owned_vector();
-      for (const Node &node : mesh.nodes)
-        if (node.locally_owned)
-          for (unsigned int d = 0; d < 6; ++d)
-            v(node.dofs[d]) =
-              scattered(6. * node.number + d + std::sqrt(2.) * seed);
-      v.compress(VectorOperation::insert);
-      mesh.constraints.set_zero(v);
-      return v;
-    }
-
-
-    /** The stiffness by which the foundation holds the nodes in contact. */
-    void
-    add_contact(const ContactInteraction &contact,
-                const State              &state,
-                const Loads              &loads,
-                LA::SparseMatrix         &K)
-    {
-      const ShellMesh &mesh = contact.mesh;
-      TangentMatrix    held(mesh, mesh.constraints);
-      LA::Vector       nothing = mesh.owned_vector();
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        {
-          const Cell               &cell = mesh.cells[c];
-          MixedElement::NodalMatrix matrix{};
-          bool                      any = false;
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              if (!state.active[cell.nodes[v]])
-                continue;
-              any               = true;
-              const auto &frame = mesh.nodes[cell.nodes[v]].surface.frame;
-              const Tensor<2, 3> stiffness =
-                contact.traction(state, loads, cell.nodes[v]).stiffness;
-              Tensor<2, 3> in_frame;
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int j = 0; j < 3; ++j)
-                  in_frame[i][j] = cell.geometry.weight / 8 *
-                                   (frame[i] * (stiffness * frame[j]) +
-                                    frame[j] * (stiffness * frame[i]));
-              const double sign = cell.sign_of_outer_face(v);
-              MixedElement::add_stiffness(in_frame, v, sign, v, sign, matrix);
-            }
-          if (any)
-            held.add(c, matrix, MixedElement::NodalVector(), nothing);
-        }
-      held.compress();
-      K.add(1., held.get());
-    }
-
-
-    /** Make the products with @p mass of real vectors those of the unit
-     * matrix. */
-    void
-    orthonormalize(std::vector<LA::Vector> &vectors, const MassMatrix &mass)
-    {
-      if (vectors.empty())
-        return;
-      LA::Vector product(vectors[0]);
-      for (unsigned int i = 0; i < vectors.size(); ++i)
-        {
-          // twice is enough
-          for (unsigned int pass = 0; pass < 2; ++pass)
-            for (unsigned int j = 0; j < i; ++j)
-              {
-                mass.vmult(product, vectors[i]);
-                vectors[i].add(-(product * vectors[j]), vectors[j]);
-              }
-          mass.vmult(product, vectors[i]);
-          vectors[i] /= std::sqrt(product * vectors[i]);
-        }
-    }
-  } // namespace
-
-
   ModalAnalysis::ModalAnalysis(ShellEquations           &equations,
                                const ContactInteraction &contact,
                                LinearSolver             &linear_solver,
                                TimerOutput              &timer)
     : equations(equations)
-    , contact(contact)
     , linear_solver(linear_solver)
-    , timer(timer)
+    , tangent(equations, contact, timer)
     , mass(equations.mesh)
     , start(arbitrary_displacements(equations.mesh, 0))
   {
@@ -162,58 +67,6 @@ namespace Biface
   }
 
 
-  void
-  ModalAnalysis::assemble(const State      &state,
-                          const Loads      &loads,
-                          LA::SparseMatrix &K)
-  {
-    TimerOutput::Scope scope(timer, "Assembly");
-    Loads              alone = loads;
-    alone.foundation.reset();
-    alone.friction.reset();
-    equations.assemble(state, alone);
-    K.copy_from(equations.tangent());
-    if (loads.foundation)
-      {
-        State held = state;
-        if (loads.friction)
-          contact.set_glued(held, true);
-        add_contact(contact, held, loads, K);
-      }
-  }
-
-
-  bool
-  ModalAnalysis::is_symmetric(const LA::SparseMatrix &K) const
-  {
-    const LA::Vector other = arbitrary_displacements(equations.mesh, 7);
-    LA::Vector       product(start);
-    K.vmult(product, start);
-    double difference = other * product;
-    K.vmult(product, other);
-    difference -= start * product;
-    return std::abs(difference) <=
-           10 * (roundoff(K, start) + roundoff(K, other));
-  }
-
-
-  double
-  ModalAnalysis::roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const
-  {
-    const ShellMesh &mesh    = equations.mesh;
-    LA::Vector       ghosted = mesh.ghosted_vector();
-    ghosted                  = x;
-
-    const Epetra_CrsMatrix &epetra = K.trilinos_matrix();
-    double                  sum    = 0;
-    for (int row = 0; row < epetra.NumMyRows(); ++row)
-      sum +=
-        absolute_product(K, row, ghosted) * std::abs(ghosted(epetra.GRID(row)));
-    return std::numeric_limits<double>::epsilon() *
-           Utilities::MPI::sum(sum, mesh.communicator);
-  }
-
-
   double
   ModalAnalysis::largest_eigenvalue(const LA::SparseMatrix &K) const
   {
@@ -233,100 +86,7 @@ namespace Biface
     LA::Vector product(pair.vector);
     mass.vmult(product, pair.vector);
     return std::abs(pair.value) * (product * pair.vector) <=
-           roundoff(K, pair.vector);
-  }
-
-
-  void
-  ModalAnalysis::settle(std::vector<Eigenpair> &pairs) const
-  {
-    // relative distance of frequencies that are the same, and the part of a
-    // field in a group of modes that is not round-off
-    constexpr double same = 1e-7, significant = 1e-5;
-
-    std::stable_sort(
-      pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
-        return a.value.real() < b.value.real();
-      });
-
-    LA::Vector product(start);
-    for (unsigned int begin = 0, end = 0; begin < pairs.size(); begin = end)
-      {
-        end                   = begin + 1;
-        const bool is_complex = (pairs[begin].value.imag() != 0);
-        while (end < pairs.size() && !is_complex &&
-               pairs[end].value.imag() == 0 &&
-               std::abs(pairs[end].value - pairs[end - 1].value) <=
-                 same * std::abs(pairs[end].value))
-          ++end;
-
-        if (is_complex)
-          {
-            // the phase with the largest real part
-            LA::Vector &a = pairs[begin].vector;
-            LA::Vector &b = pairs[begin].imaginary;
-            mass.vmult(product, a);
-            const double aa = product * a, ab = product * b;
-            mass.vmult(product, b);
-            const double phase = -std::atan2(2 * ab, aa - product * b) / 2;
-            LA::Vector   old_a(a);
-            a *= std::cos(phase);
-            a.add(-std::sin(phase), b);
-            b *= std::cos(phase);
-            b.add(std::sin(phase), old_a);
-          }
-
-        std::vector<LA::Vector> vectors;
-        for (unsigned int i = begin; i < end; ++i)
-          vectors.push_back(pairs[i].vector);
-        if (!is_complex)
-          orthonormalize(vectors, mass);
-
-        // Each field in turn selects the one of the remaining combinations of
-        // the vectors that contains most of it.
-        const unsigned int               n = vectors.size();
-        std::vector<std::vector<double>> chosen;
-        for (const LA::Vector &field : fields)
-          {
-            if (chosen.size() == n)
-              break;
-            std::vector<double> c(n);
-            for (unsigned int i = 0; i < n; ++i)
-              c[i] = field * vectors[i];
-            double norm = 0;
-            for (unsigned int pass = 0; pass < 2; ++pass)
-              {
-                for (const auto &other : chosen)
-                  {
-                    double dot = 0;
-                    for (unsigned int i = 0; i < n; ++i)
-                      dot += other[i] * c[i];
-                    for (unsigned int i = 0; i < n; ++i)
-                      c[i] -= dot * other[i];
-                  }
-                norm = 0;
-                for (const double entry : c)
-                  norm += entry * entry;
-                norm = std::sqrt(norm);
-              }
-            if (norm < significant)
-              continue;
-            for (double &entry : c)
-              entry /= norm;
-            chosen.push_back(c);
-          }
-        if (chosen.size() < n)
-          continue;
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            LA::Vector &vector = pairs[begin + k].vector;
-            vector             = 0;
-            for (unsigned int i = 0; i < n; ++i)
-              vector.add(chosen[k][i], vectors[i]);
-            if (is_complex)
-              pairs[begin].imaginary *= chosen[k][k];
-          }
-      }
+           tangent.roundoff(K, pair.vector);
   }
 
 
@@ -337,18 +97,8 @@ namespace Biface
     VibrationMode    mode;
     mode.square = pair.value;
 
-    LA::Vector owned(pair.vector);
-    mesh.constraints.distribute(owned);
-    mode.shape     = mesh.ghosted_vector();
-    mode.shape     = owned;
-    double largest = 0;
-    for (const Node &node : mesh.nodes)
-      if (node.locally_owned)
-        for (unsigned int face = 0; face < 2; ++face)
-          largest =
-            std::max(largest, mesh.displacement(mode.shape, node, face).norm());
-    owned /= Utilities::MPI::max(largest, mesh.communicator);
-    mode.shape = owned;
+    mode.shape             = unit_shape(mesh, pair.vector);
+    const LA::Vector owned = owned_part(mode.shape);
 
     LA::Vector product(owned);
     mass.vmult(product, owned);
@@ -371,13 +121,13 @@ namespace Biface
     result.total_mass = mass.total();
 
     LA::SparseMatrix K;
-    assemble(state, loads, K);
-    Loads alone = loads;
-    alone.foundation.reset();
-    alone.friction.reset();
+    tangent.assemble(state, loads, K);
+    tangent.hold(state, loads, K);
+    const Loads alone = HeldTangent::without_foundation(loads);
 
     EigenvalueProblem problem;
-    problem.symmetric = equations.is_symmetric(alone) || is_symmetric(K);
+    problem.symmetric =
+      equations.is_symmetric(alone) || tangent.is_symmetric(K);
     LinearSolverResult linear;
     // what an iterative solver may leave, relative to the right hand side
     constexpr double exactness = 1e-12;
@@ -486,7 +236,7 @@ namespace Biface
         if (is_zero(K, pair))
           pair.value = 0;
       }
-    settle(eigenpairs.pairs);
+    settle(eigenpairs.pairs, problem.multiply, fields);
     for (const Eigenpair &pair : eigenpairs.pairs)
       if (result.modes.size() < n)
         result.modes.push_back(finish(pair));

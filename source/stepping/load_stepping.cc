@@ -14,6 +14,7 @@
 #include <biface/model/work.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/load_stepping.h>
 
 namespace Biface
@@ -40,7 +41,8 @@ namespace Biface
                              ConditionalOStream       &out,
                              const NestedPredictor    *nested,
                              const Gas                *gas,
-                             ModalAnalysis            *modal_analysis)
+                             ModalAnalysis            *modal_analysis,
+                             BucklingAnalysis         *buckling_analysis)
     : parameters(parameters)
     , equations(equations)
     , contact(contact)
@@ -49,6 +51,7 @@ namespace Biface
     , nested(nested)
     , gas(gas)
     , modal_analysis(modal_analysis)
+    , buckling_analysis(buckling_analysis)
   {}
 
 
@@ -80,12 +83,17 @@ namespace Biface
 
         while (control->done() < 1)
           {
-            auto step = next_step(run);
+            const std::optional<State> before =
+              (stage.n_buckling > 0 ? std::make_optional(state) : std::nullopt);
+            const LoadLevel level_before = progress.reached;
+            auto            step         = next_step(run);
             if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
               return *failure;
             StepReport &report = std::get<StepReport>(step);
             if (stage.n_modes > 0 && control->done() >= 1)
               report.modes = find_modes(run, report.loads);
+            if (before && control->done() >= 1)
+              report.buckling = find_buckling(run, *before, level_before);
             observer(report, state);
           }
 
@@ -441,6 +449,44 @@ namespace Biface
       out << ' ' << mode.frequency();
     out << std::endl;
     return modes;
+  }
+
+
+  std::shared_ptr<const Buckling>
+  LoadStepping::find_buckling(const StageRun  &run,
+                              const State     &before,
+                              const LoadLevel &level_before)
+  {
+    Assert(buckling_analysis, ExcNotInitialized());
+    const LoadLevel &level = run.progress.reached;
+    LoadRates        rates;
+    rates.pressure = level.pressure - level_before.pressure;
+    rates.factor   = level.factor - level_before.factor;
+    rates.travel   = level.travel - level_before.travel;
+
+    const Loads         loads_before = loads_at(level_before, run);
+    const Loads         loads        = loads_at(level, run);
+    const BucklingModes found        = buckling_analysis->compute(
+      {before, loads_before}, {run.state, loads}, rates, run.stage.n_buckling);
+    if (!found.success)
+      {
+        out << "  Warning: the buckling loads of " << run.stage.name
+            << " were not found: " << found.message << std::endl;
+        return nullptr;
+      }
+    auto buckling = std::make_shared<const Buckling>(buckling_from(
+      found.modes, run.progress.control.start, level_before, level));
+    if (buckling->modes.empty())
+      {
+        out << "  no buckling is predicted for this change of the loads"
+            << std::endl;
+        return nullptr;
+      }
+    out << "  buckling at factors of the loads of the stage:";
+    for (const CriticalLoads &critical : buckling->loads)
+      out << ' ' << critical.factor;
+    out << std::endl;
+    return buckling;
   }
 
 

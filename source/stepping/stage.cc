@@ -203,6 +203,17 @@ namespace Biface
                       "nodes in contact along its normal and, with friction, "
                       "sideways. All plies need a 'Density'.",
                       Patterns::Integer(0, 1000));
+    prm.add_parameter("Buckling",
+                      n_buckling,
+                      "Number of buckling loads that are predicted at the end "
+                      "of the stage, the lowest ones: the loads under which "
+                      "the tangent is singular if stresses and loads go on "
+                      "changing as in the last step of the stage, but the "
+                      "shape does not. For the linear buckling load of an "
+                      "unloaded shell, a stage of one step with a small part "
+                      "of this load. See 'Modes' for the nodes in "
+                      "contact.",
+                      Patterns::Integer(0, 1000));
   }
 
 
@@ -236,6 +247,15 @@ namespace Biface
       throw InputError(section + "/Strain theory",
                        "linear",
                        "a stage with 'Gas = sealed' must be nonlinear");
+    if (n_buckling > 0 && sealed)
+      throw InputError(section + "/Buckling",
+                       std::to_string(n_buckling),
+                       "it must be 0 in a stage with 'Gas = sealed'");
+    if (n_buckling > 0 && theory == StrainTheory::linear)
+      throw InputError(section + "/Buckling",
+                       std::to_string(n_buckling),
+                       "it must be 0 in a stage with 'Strain theory = linear', "
+                       "where the tangent does not change");
     if (control != "load" && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",

@@ -6,8 +6,10 @@
 //   # expect: history COLUMN at WHEN is VALUE within FRACTION
 //   # expect: plies NAME PLY PLACE COLUMN at WHEN is VALUE within FRACTION
 //   # expect: modes MODE COLUMN at WHEN is VALUE within FRACTION
+//   # expect: buckling MODE COLUMN at WHEN is VALUE within FRACTION
 // for a column of probes.csv, history.csv, plies-NNNN.csv (PLACE is its column
-// 'fraction') or modes.csv, where WHEN is a load factor or 'end of STAGE';
+// 'fraction'), modes.csv or buckling.csv, where WHEN is a load factor or 'end
+// of STAGE';
 //   # expect: maximum load factor is VALUE within FRACTION
 //   # expect: minimum load factor is VALUE within FRACTION
 // for the first maximum of a path, and the minimum after it;
@@ -60,9 +62,9 @@ namespace
     if (words[0] == "history")
       return std::stod(step.at(words[1]));
 
-    if (words[0] == "modes")
+    if (words[0] == "modes" || words[0] == "buckling")
       {
-        for (const Row &row : read_csv("results/modes.csv"))
+        for (const Row &row : read_csv("results/" + words[0] + ".csv"))
           if (row.at("step") == step.at("step") && row.at("mode") == words[1])
             return std::stod(row.at(words[2]));
         return {};
@@ -190,7 +192,8 @@ main(int argc, char *argv[])
                     std::stod(match[3]),
                     std::stod(match[4]));
           const std::string file_name =
-            (w[0] == "history" || w[0] == "plies" || w[0] == "modes"
+            (w[0] == "history" || w[0] == "plies" || w[0] == "modes" ||
+                 w[0] == "buckling"
                ? w[0]
                : "probes");
           check_true("found in " + file_name + ".csv", value.has_value());

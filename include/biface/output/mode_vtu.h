@@ -12,8 +12,8 @@
 namespace Biface
 {
   /**
-   * Both faces of the loaded shell with the displacements of a mode of
-   * vibration: one quadrilateral per face of every locally owned cell.
+   * Both faces of the loaded shell with the displacements of a mode: one
+   * quadrilateral per face of every locally owned cell.
    */
   class ModePatches : public VertexPatches<2>
   {
@@ -24,16 +24,18 @@ namespace Biface
   };
 
 
-  /** modes-NNNN.pvd and modes-NNNN-MMM.vtu: the modes of vibration at the end
-   * of a stage, with the number of the mode for the time. */
-  class ModeVtu : public ResultFile
+  /** A series of files for ParaView with the shapes of the end of a stage:
+   * NAME-NNNN.pvd and one NAME-NNNN-MMM.vtu per shape, with the number of the
+   * shape for the time. */
+  class ShapesVtu : public ResultFile
   {
   public:
-    /** @param stages those of the run, to see whether there are any modes. */
-    ModeVtu(const ShellVtu::Parameters &parameters,
-            const std::vector<Stage>   &stages,
-            ResultsDirectory           &directory,
-            const ShellEquations       &equations);
+    /** @param name such as "modes".
+     * @param wanted whether there are any shapes and they are requested. */
+    ShapesVtu(const std::string    &name,
+              const bool            wanted,
+              ResultsDirectory     &directory,
+              const ShellEquations &equations);
 
     std::string
     description() const override
@@ -47,6 +49,29 @@ namespace Biface
       return wanted;
     }
 
+  protected:
+    /** Write shapes of a step. */
+    void
+    write_shapes(const unsigned int                     step,
+                 const State                           &state,
+                 const std::vector<const LA::Vector *> &shapes);
+
+  private:
+    const std::string prefix;
+    const bool        wanted;
+  };
+
+
+  /** modes-NNNN.pvd: the modes of vibration. */
+  class ModeVtu : public ShapesVtu
+  {
+  public:
+    /** @param stages those of the run, to see whether there are any modes. */
+    ModeVtu(const ShellVtu::Parameters &parameters,
+            const std::vector<Stage>   &stages,
+            ResultsDirectory           &directory,
+            const ShellEquations       &equations);
+
   private:
     bool
     contains(const StepReport &report) const override
@@ -56,8 +81,28 @@ namespace Biface
 
     void
     write(const StepReport &report, const State &state) override;
+  };
 
-    const bool wanted;
+
+  /** buckling-NNNN.pvd: the shapes in which the shell buckles. */
+  class BucklingVtu : public ShapesVtu
+  {
+  public:
+    /** @param stages those of the run, to see whether there are any. */
+    BucklingVtu(const ShellVtu::Parameters &parameters,
+                const std::vector<Stage>   &stages,
+                ResultsDirectory           &directory,
+                const ShellEquations       &equations);
+
+  private:
+    bool
+    contains(const StepReport &report) const override
+    {
+      return report.buckling != nullptr;
+    }
+
+    void
+    write(const StepReport &report, const State &state) override;
   };
 } // namespace Biface
 

@@ -18,6 +18,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/model/wave_numbers.h>
+#include <biface/solver/held_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/linear_solver.h>
 
@@ -85,11 +86,8 @@ namespace Biface
    *
    * @f$\mathbf K@f$ is the tangent of the equilibrium: with the prestress, the
    * loads that follow the shell and the gas sealed in it. It is not symmetric
-   * if these are not conservative. The nodes in contact are held along the
-   * normal of the foundation by the regularization of the contact condition,
-   * with the lumped multiplier mass, so that contact never makes the tangent
-   * unsymmetric. With friction, they also stick to the foundation; see
-   * ContactInteraction::set_glued().
+   * if these are not conservative. The nodes in contact are held, see
+   * HeldTangent.
    *
    * The eigenvalues closest to zero are computed by nearest_eigenpairs() with
    * the factors of the linear solver, if @f$\mathbf K@f$ is singular, as for a
@@ -123,20 +121,6 @@ namespace Biface
             const unsigned int n);
 
   private:
-    /** The tangent of the shell that the foundation holds. */
-    void
-    assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
-
-    /** Whether a tangent is symmetric up to round-off, which follower loads
-     * can be, too. */
-    bool
-    is_symmetric(const LA::SparseMatrix &K) const;
-
-    /** A bound of the round-off in
-     * @f$\mathbf x^T\mathbf K\mathbf x@f$. */
-    double
-    roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const;
-
     /** An estimate of the largest eigenvalue. */
     double
     largest_eigenvalue(const LA::SparseMatrix &K) const;
@@ -145,18 +129,13 @@ namespace Biface
     bool
     is_zero(const LA::SparseMatrix &K, const Eigenpair &pair) const;
 
-    /** Choose the modes among those of the same frequency, and their signs. */
-    void
-    settle(std::vector<Eigenpair> &pairs) const;
-
     VibrationMode
     finish(const Eigenpair &pair) const;
 
-    ShellEquations           &equations;
-    const ContactInteraction &contact;
-    LinearSolver             &linear_solver;
-    dealii::TimerOutput      &timer;
-    const MassMatrix          mass;
+    ShellEquations  &equations;
+    LinearSolver    &linear_solver;
+    HeldTangent      tangent;
+    const MassMatrix mass;
 
     /** The inertia of the six rigid motions, then of arbitrary displacements,
      * each for a unit of @f$\mathbf r^T\mathbf M\mathbf r@f$. */

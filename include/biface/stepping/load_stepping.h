@@ -28,6 +28,7 @@
 
 namespace Biface
 {
+  class BucklingAnalysis;
   class ModalAnalysis;
 
 
@@ -79,15 +80,17 @@ namespace Biface
      * @param nested the states of a coarser mesh from which steps start; null
      * for none.
      * @param gas null if no stage has a sealed gas.
-     * @param modal_analysis null if no stage asks for modes. */
+     * @param modal_analysis null if no stage asks for modes.
+     * @param buckling_analysis null if no stage asks for buckling. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
                  Newton                     &newton,
                  dealii::ConditionalOStream &out,
-                 const NestedPredictor      *nested         = nullptr,
-                 const Gas                  *gas            = nullptr,
-                 ModalAnalysis              *modal_analysis = nullptr);
+                 const NestedPredictor      *nested            = nullptr,
+                 const Gas                  *gas               = nullptr,
+                 ModalAnalysis              *modal_analysis    = nullptr,
+                 BucklingAnalysis           *buckling_analysis = nullptr);
 
     /**
      * Run the stages, continuing from the given progress.
@@ -176,6 +179,15 @@ namespace Biface
     std::shared_ptr<const VibrationModes>
     find_modes(const StageRun &run, const Loads &loads);
 
+    /** Predict buckling at the end of a stage and print the factors.
+     * @param before, level_before the state and the loads before the last
+     * step.
+     * @return null if the prediction failed. */
+    std::shared_ptr<const Buckling>
+    find_buckling(const StageRun  &run,
+                  const State     &before,
+                  const LoadLevel &level_before);
+
     /** Warn once of supported nodes that the foundation has passed through. */
     void
     warn_of_pierced_nodes(const State &state, const Loads &loads);
@@ -197,6 +209,7 @@ namespace Biface
     const NestedPredictor      *nested;
     const Gas                  *gas;
     ModalAnalysis              *modal_analysis;
+    BucklingAnalysis           *buckling_analysis;
 
     /** Whether this warning was given. */
     bool warned = false;

@@ -113,6 +113,10 @@ namespace Biface
      * ModalAnalysis. */
     unsigned int n_modes = 0;
 
+    /** The number of buckling loads predicted at the end of the stage, see
+     * BucklingAnalysis. */
+    unsigned int n_buckling = 0;
+
     /** The loads at the end of the stage for given loads at its start. */
     LoadLevel
     end(const LoadLevel &start) const
@@ -160,7 +164,7 @@ namespace Biface
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;
-      archive                                            &n_modes;
+      archive &n_modes                                   &n_buckling;
     }
   };
 

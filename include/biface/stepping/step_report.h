@@ -17,6 +17,7 @@
 
 namespace Biface
 {
+  struct Buckling;
   struct VibrationModes;
 
 
@@ -54,6 +55,7 @@ namespace Biface
     double                      seconds = 0;
     /** At the end of a stage that asks for them; null if there are none. */
     std::shared_ptr<const VibrationModes> modes;
+    std::shared_ptr<const Buckling>       buckling;
   };
 } // namespace Biface
 

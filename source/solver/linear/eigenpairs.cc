@@ -15,6 +15,10 @@ namespace Biface
 
   namespace
   {
+    using Multiply =
+      std::function<void(LA::Vector &product, const LA::Vector &x)>;
+
+
     /** A linear system was not solved. */
     struct NotSolved
     {};
@@ -41,6 +45,29 @@ namespace Biface
           throw NotSolved();
       }
     };
+
+
+    /** Make the products with a matrix of real vectors those of the unit
+     * matrix. */
+    void
+    orthonormalize(std::vector<LA::Vector> &vectors, const Multiply &multiply)
+    {
+      if (vectors.empty())
+        return;
+      LA::Vector product(vectors[0]);
+      for (unsigned int i = 0; i < vectors.size(); ++i)
+        {
+          // twice is enough
+          for (unsigned int pass = 0; pass < 2; ++pass)
+            for (unsigned int j = 0; j < i; ++j)
+              {
+                multiply(product, vectors[i]);
+                vectors[i].add(-(product * vectors[j]), vectors[j]);
+              }
+          multiply(product, vectors[i]);
+          vectors[i] /= std::sqrt(product * vectors[i]);
+        }
+    }
   } // namespace
 
 
@@ -51,9 +78,6 @@ namespace Biface
   {
     using Arpack = PArpackSolver<LA::Vector>;
 
-    // of the inverse of the distance from the shift; the frequencies need less,
-    // but the shapes of neighboring modes mix
-    constexpr double       tolerance    = 1e-12;
     constexpr unsigned int max_restarts = 300;
 
     Eigenpairs result;
@@ -66,15 +90,20 @@ namespace Biface
         return result;
       }
 
+    const auto which = (problem.wanted == EigenvalueProblem::Wanted::nearest
+                          ? Arpack::largest_magnitude
+                        : problem.symmetric ? Arpack::algebraically_largest
+                                            : Arpack::largest_real_part);
+
     std::vector<std::complex<double>> values(n);
     std::vector<LA::Vector>           vectors(n + 1, start);
     try
       {
-        SolverControl control(max_restarts, tolerance, false, false);
-        Arpack        solver(control,
-                      start.get_mpi_communicator(),
-                      Arpack::AdditionalData(
-                        n_basis, Arpack::largest_magnitude, problem.symmetric));
+        SolverControl control(max_restarts, problem.tolerance, false, false);
+        Arpack        solver(
+          control,
+          start.get_mpi_communicator(),
+          Arpack::AdditionalData(n_basis, which, problem.symmetric));
         solver.reinit(start);
         solver.set_initial_vector(start);
         solver.set_shift(problem.shift);
@@ -112,5 +141,102 @@ namespace Biface
       }
     result.success = true;
     return result;
+  }
+
+
+  void
+  settle(std::vector<Eigenpair>        &pairs,
+         const Multiply                &multiply,
+         const std::vector<LA::Vector> &fields)
+  {
+    // relative distance of eigenvalues that are the same, and the part of a
+    // field in a group of vectors that is not round-off
+    constexpr double same = 1e-7, significant = 1e-5;
+
+    std::stable_sort(
+      pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
+        return a.value.real() < b.value.real();
+      });
+
+    if (pairs.empty())
+      return;
+    LA::Vector product(pairs[0].vector);
+    for (unsigned int begin = 0, end = 0; begin < pairs.size(); begin = end)
+      {
+        end                   = begin + 1;
+        const bool is_complex = (pairs[begin].value.imag() != 0);
+        while (end < pairs.size() && !is_complex &&
+               pairs[end].value.imag() == 0 &&
+               std::abs(pairs[end].value - pairs[end - 1].value) <=
+                 same * std::abs(pairs[end].value))
+          ++end;
+
+        if (is_complex)
+          {
+            // the phase with the largest real part
+            LA::Vector &a = pairs[begin].vector;
+            LA::Vector &b = pairs[begin].imaginary;
+            multiply(product, a);
+            const double aa = product * a, ab = product * b;
+            multiply(product, b);
+            const double phase = -std::atan2(2 * ab, aa - product * b) / 2;
+            LA::Vector   old_a(a);
+            a *= std::cos(phase);
+            a.add(-std::sin(phase), b);
+            b *= std::cos(phase);
+            b.add(std::sin(phase), old_a);
+          }
+
+        std::vector<LA::Vector> vectors;
+        for (unsigned int i = begin; i < end; ++i)
+          vectors.push_back(pairs[i].vector);
+        if (!is_complex)
+          orthonormalize(vectors, multiply);
+
+        // Each field in turn selects the one of the remaining combinations of
+        // the vectors that contains most of it.
+        const unsigned int               n = vectors.size();
+        std::vector<std::vector<double>> chosen;
+        for (const LA::Vector &field : fields)
+          {
+            if (chosen.size() == n)
+              break;
+            std::vector<double> c(n);
+            for (unsigned int i = 0; i < n; ++i)
+              c[i] = field * vectors[i];
+            double norm = 0;
+            for (unsigned int pass = 0; pass < 2; ++pass)
+              {
+                for (const auto &other : chosen)
+                  {
+                    double dot = 0;
+                    for (unsigned int i = 0; i < n; ++i)
+                      dot += other[i] * c[i];
+                    for (unsigned int i = 0; i < n; ++i)
+                      c[i] -= dot * other[i];
+                  }
+                norm = 0;
+                for (const double entry : c)
+                  norm += entry * entry;
+                norm = std::sqrt(norm);
+              }
+            if (norm < significant)
+              continue;
+            for (double &entry : c)
+              entry /= norm;
+            chosen.push_back(c);
+          }
+        if (chosen.size() < n)
+          continue;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            LA::Vector &vector = pairs[begin + k].vector;
+            vector             = 0;
+            for (unsigned int i = 0; i < n; ++i)
+              vector.add(chosen[k][i], vectors[i]);
+            if (is_complex)
+              pairs[begin].imaginary *= chosen[k][k];
+          }
+      }
   }
 } // namespace Biface

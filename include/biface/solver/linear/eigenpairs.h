@@ -17,6 +17,17 @@ namespace Biface
    * x@f$ with a positive semidefinite @f$\mathbf B@f$, as operators. */
   struct EigenvalueProblem
   {
+    /** Which @f$\theta=1/(\lambda-\sigma)@f$ are wanted. */
+    enum class Wanted
+    {
+      /** Those of the greatest magnitude: @f$\lambda@f$ closest to the
+       * shift. */
+      nearest,
+      /** Those of the greatest real part: the next @f$\lambda@f$ above the
+       * shift, if they are real. */
+      next_above
+    };
+
     /** Solve @f$(\mathbf A-\sigma\mathbf B)\mathbf x=\mathbf b@f$.
      * @return whether this succeeded, the same on all ranks. */
     std::function<bool(LA::Vector &x, const LA::Vector &b)> solve;
@@ -29,6 +40,12 @@ namespace Biface
 
     /** Whether @f$\mathbf A@f$ is symmetric. */
     bool symmetric = true;
+
+    Wanted wanted = Wanted::nearest;
+
+    /** Of @f$\theta@f$, relative to its magnitude. The eigenvalues need less
+     * than the default, but without it the shapes of neighboring ones mix. */
+    double tolerance = 1e-12;
   };
 
 
@@ -52,7 +69,7 @@ namespace Biface
 
 
   /**
-   * The eigenvalues closest to the shift, by the implicitly restarted Lanczos
+   * The wanted eigenvalues, by the implicitly restarted Lanczos
    * method of ARPACK @cite LehoucqSorensenYang1998 on
    * @f$(\mathbf A-\sigma\mathbf B)^{-1}\mathbf B@f$, or that of Arnoldi if
    * @f$\mathbf A@f$ is not symmetric. Must be called on all ranks.
@@ -64,6 +81,22 @@ namespace Biface
   nearest_eigenpairs(const EigenvalueProblem &problem,
                      const unsigned int       n,
                      const LA::Vector        &start);
+
+
+  /**
+   * Sort pairs by the real part of the eigenvalue, and choose the vectors of
+   * the same eigenvalue such that they do not depend on the order of
+   * summation: each field in turn selects the one that contains most of it. The
+   * phases and signs follow likewise.
+   *
+   * @param multiply the product with a symmetric positive semidefinite matrix,
+   * for which these vectors become orthonormal.
+   */
+  void
+  settle(std::vector<Eigenpair> &pairs,
+         const std::function<void(LA::Vector &product, const LA::Vector &x)>
+                                       &multiply,
+         const std::vector<LA::Vector> &fields);
 } // namespace Biface
 
 #endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_buckling_file_h
+#define biface_output_buckling_file_h
+
+#include <string>
+#include <vector>
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** buckling.csv: a line for each buckling load predicted at the end of a
+   * stage; see Buckling. */
+  class BucklingFile : public StepTable
+  {
+  public:
+    /** @param stages those of the run, to see whether the file would be
+     * empty. */
+    BucklingFile(const std::vector<Stage> &stages,
+                 ResultsDirectory         &directory,
+                 const ShellEquations     &equations);
+
+    bool
+    is_wanted() const override
+    {
+      return any;
+    }
+
+  private:
+    bool
+    contains(const StepReport &report) const override
+    {
+      return report.buckling != nullptr;
+    }
+
+    unsigned int
+    n_lines_of(const std::string &line) const override;
+
+    void
+    write(const StepReport &report, const State &state) override;
+
+    const bool any;
+  };
+} // namespace Biface
+
+#endif

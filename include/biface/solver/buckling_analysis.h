@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_buckling_analysis_h
+#define biface_solver_buckling_analysis_h
+
+#include <deal.II/base/timer.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact_interaction.h>
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+#include <biface/model/wave_numbers.h>
+#include <biface/solver/held_tangent.h>
+#include <biface/solver/linear/eigenpairs.h>
+#include <biface/solver/linear/linear_solver.h>
+
+namespace Biface
+{
+  /** A shape in which the shell buckles. */
+  struct BucklingMode
+  {
+    /** s: 0 for the resultants and loads before, 1 for those of the
+     * equilibrium. */
+    double position = 0;
+
+    /** With the entries of all nodes of this rank; the largest displacement of
+     * a face is 1. */
+    LA::Vector shape;
+
+    /** The work of the change of the loads on the shape, relative to that on a
+     * motion of all nodes by the largest displacement: 0 at a bifurcation, but
+     * not at a limit point. */
+    double load_work = 0;
+
+    /** Of a shell that is a full turn. */
+    std::optional<WaveNumbers> waves;
+  };
+
+
+  /** The result of an analysis of buckling. */
+  struct BucklingModes
+  {
+    bool success = false;
+    /** The reason of a failure, as part of a sentence. */
+    std::string message;
+    /** In ascending order of the position. */
+    std::vector<BucklingMode> modes;
+  };
+
+
+  /**
+   * Linearized prediction of buckling from an equilibrium and the change of the
+   * resultants and loads on the way to it, see section 9 of doc/theory.md: the
+   * lowest @f$s>0@f$ with
+   * @f$(\mathbf K_0-s\,\mathbf G)\boldsymbol\varphi=\mathbf 0@f$,
+   * @f$\mathbf G=\mathbf K_0-\mathbf K_1@f$, where @f$\mathbf K_1@f$ is the
+   * tangent of the equilibrium, see HeldTangent, and @f$\mathbf K_0@f$ that for
+   * the same displacements with the resultants and the loads before. The
+   * tangent is linear in these, so that the line through both has no error but
+   * that of frozen displacements.
+   *
+   * If @f$\mathbf K_0@f$ is symmetric and the linear solver counts no negative
+   * pivots, Lanczos' method works in the inner product of @f$\mathbf K_0@f$,
+   * and a count of the pivots below the shift proves that no @f$s@f$ is
+   * missed. Otherwise it is Arnoldi's method, which finds real @f$s@f$ only.
+   */
+  class BucklingAnalysis
+  {
+  public:
+    /** The objects are kept by reference. */
+    BucklingAnalysis(ShellEquations           &equations,
+                     const ContactInteraction &contact,
+                     LinearSolver             &linear_solver,
+                     dealii::TimerOutput      &timer);
+
+    /** A converged state and its loads. */
+    struct Equilibrium
+    {
+      const State &state;
+      const Loads &loads;
+    };
+
+    /**
+     * Compute the lowest shapes. The last assembly of the equations is lost.
+     *
+     * @param before an earlier equilibrium; its displacements do not matter.
+     * @param now the equilibrium from which to predict.
+     * @param rates the change of the loads from one to the other, in any unit.
+     * @param n the number of shapes; there may be fewer.
+     */
+    BucklingModes
+    compute(const Equilibrium &before,
+            const Equilibrium &now,
+            const LoadRates   &rates,
+            const unsigned int n);
+
+  private:
+    struct Pencil;
+
+    void
+    assemble(const Equilibrium &before, const Equilibrium &now, Pencil &pencil);
+
+    /** Prepare to solve systems with
+     * @f$\mathbf K_0-\sigma\mathbf G@f$. */
+    LinearSolverResult
+    factorize(Pencil &pencil, const double shift);
+
+    /** The lowest position, roughly; none if there is none. */
+    std::optional<double>
+    estimate_lowest(Pencil &pencil, BucklingModes &result);
+
+    /** The next positions above the shift. */
+    Eigenpairs
+    find_above_shift(Pencil &pencil, const unsigned int n);
+
+    /** Keep the pairs with a real positive value, in whose shapes the loads
+     * soften the shell. */
+    void
+    keep_buckling(const Pencil &pencil, std::vector<Eigenpair> &pairs) const;
+
+    /** Whether the loads soften the shell in a shape by more than round-off. */
+    bool
+    is_softened(const Pencil &pencil, const LA::Vector &shape) const;
+
+    ShellEquations           &equations;
+    const ContactInteraction &contact;
+    LinearSolver             &linear_solver;
+    HeldTangent               tangent;
+    /** Arbitrary displacements. */
+    const LA::Vector        start;
+    std::vector<LA::Vector> fields;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_held_tangent_h
+#define biface_solver_held_tangent_h
+
+#include <deal.II/base/timer.h>
+
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact_interaction.h>
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+
+namespace Biface
+{
+  /**
+   * The tangent of an equilibrium for motions that do not change the nodes in
+   * contact, for eigenvalue problems: with the prestress and the loads that
+   * follow the shell, without the gas sealed in it.
+   *
+   * The nodes in contact are held along the normal of the foundation by the
+   * regularization of the contact condition, with the lumped multiplier mass,
+   * so that contact never makes the tangent unsymmetric. With friction, they
+   * also stick to the foundation; see ContactInteraction::set_glued().
+   */
+  class HeldTangent
+  {
+  public:
+    /** The objects are kept by reference. */
+    HeldTangent(ShellEquations           &equations,
+                const ContactInteraction &contact,
+                dealii::TimerOutput      &timer);
+
+    /** The tangent of the shell without the foundation. The last assembly of
+     * the equations is lost. */
+    void
+    assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
+
+    /** Add what holds the nodes in contact, if there is a foundation. */
+    void
+    hold(const State &state, const Loads &loads, LA::SparseMatrix &K) const;
+
+    /** The loads without the foundation. */
+    static Loads
+    without_foundation(const Loads &loads);
+
+    /** Whether a tangent is symmetric up to round-off, which follower loads
+     * can be, too. */
+    bool
+    is_symmetric(const LA::SparseMatrix &K) const;
+
+    /** A bound of the round-off in
+     * @f$\mathbf x^T\mathbf K\mathbf x@f$. */
+    double
+    roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const;
+
+  private:
+    ShellEquations           &equations;
+    const ContactInteraction &contact;
+    dealii::TimerOutput      &timer;
+  };
+
+
+  /** Different displacements of the nodes for each @p seed, zero where supports
+   * prescribe them, the same on any number of ranks. */
+  LA::Vector
+  arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed);
+
+  /** The shape of an eigenvector, with the entries of all nodes of this rank
+   * and those that constraints give; the largest displacement of a face is
+   * 1. */
+  LA::Vector
+  unit_shape(const ShellMesh &mesh, const LA::Vector &vector);
+} // namespace Biface
+
+#endif

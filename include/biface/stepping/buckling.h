@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_buckling_h
+#define biface_stepping_buckling_h
+
+#include <vector>
+
+#include <biface/solver/buckling_analysis.h>
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /** Loads under which a tangent becomes singular. */
+  struct CriticalLoads
+  {
+    /** The fraction of the change of the loads from the start of the stage to
+     * its end. */
+    double    factor = 0;
+    LoadLevel level;
+  };
+
+
+  /** The prediction of buckling at the end of a stage. */
+  struct Buckling
+  {
+    /** In ascending order of the factor. */
+    std::vector<BucklingMode> modes;
+    /** For each of the modes. */
+    std::vector<CriticalLoads> loads;
+  };
+
+
+  /** The part of a change of the loads that a level has reached, by the first
+   * load that changes; NaN if none does. */
+  double
+  part_of_loads(const LoadLevel &start,
+                const LoadLevel &reached,
+                const LoadLevel &end);
+
+  /** The loads on the straight line through two levels: 0 for the first, 1 for
+   * the second. */
+  LoadLevel
+  loads_on_line(const LoadLevel &first,
+                const LoadLevel &second,
+                const double     position);
+
+  /** The critical loads of buckling modes.
+   * @param start the loads at the start of the stage.
+   * @param first, second those of the two equilibria of the analysis; the
+   * second one is the end of the stage. */
+  Buckling
+  buckling_from(const std::vector<BucklingMode> &modes,
+                const LoadLevel                 &start,
+                const LoadLevel                 &first,
+                const LoadLevel                 &second);
+} // namespace Biface
+
+#endif

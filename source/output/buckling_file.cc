@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <biface/output/buckling_file.h>
+#include <biface/output/csv.h>
+#include <biface/stepping/buckling.h>
+
+namespace Biface
+{
+  BucklingFile::BucklingFile(const std::vector<Stage> &stages,
+                             ResultsDirectory         &directory,
+                             const ShellEquations     &equations)
+    : StepTable("buckling.csv",
+                "step,modes,mode,stage,factor,pressure,load_factor,approach,"
+                "load_work,circumferential_waves,meridional_half_waves",
+                0,
+                directory,
+                equations)
+    , any(std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+      return stage.n_buckling > 0;
+    }))
+  {}
+
+
+  unsigned int
+  BucklingFile::n_lines_of(const std::string &line) const
+  {
+    const auto comma = line.find(',');
+    return comma == std::string::npos
+             ? 0
+             : std::strtoul(line.c_str() + comma + 1, nullptr, 10);
+  }
+
+
+  void
+  BucklingFile::write(const StepReport &report, const State & /*state*/)
+  {
+    const Buckling &buckling = *report.buckling;
+    std::string     lines;
+    for (unsigned int i = 0; i < buckling.modes.size(); ++i)
+      {
+        const BucklingMode  &mode     = buckling.modes[i];
+        const CriticalLoads &critical = buckling.loads[i];
+        lines += std::to_string(report.step) + ',' +
+                 std::to_string(buckling.modes.size()) + ',' +
+                 std::to_string(i + 1) + ',' + report.stage;
+        for (const double value : {critical.factor,
+                                   critical.level.pressure,
+                                   critical.level.factor,
+                                   critical.level.travel,
+                                   mode.load_work})
+          lines += ',' + csv_number(value);
+        lines +=
+          (mode.waves ? ',' + std::to_string(mode.waves->circumferential) +
+                          ',' + std::to_string(mode.waves->meridional)
+                      : ",nan,nan") +
+          std::string("\n");
+      }
+    append(lines);
+  }
+} // namespace Biface

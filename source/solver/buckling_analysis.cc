@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/model/rigid_motions.h>
+#include <biface/solver/buckling_analysis.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  /** The matrices @f$\mathbf K_0-s\,\mathbf G@f$. */
+  struct BucklingAnalysis::Pencil
+  {
+    LA::SparseMatrix K_0, K_1, G;
+    /** The last matrix that was factorized, and its shift. */
+    LA::SparseMatrix shifted;
+    double           shift     = 0;
+    bool             symmetric = true;
+    /** Whether @f$\mathbf K_0@f$ is symmetric positive definite. */
+    bool definite = false;
+  };
+
+
+  BucklingAnalysis::BucklingAnalysis(ShellEquations           &equations,
+                                     const ContactInteraction &contact,
+                                     LinearSolver             &linear_solver,
+                                     TimerOutput              &timer)
+    : equations(equations)
+    , contact(contact)
+    , linear_solver(linear_solver)
+    , tangent(equations, contact, timer)
+    , start(arbitrary_displacements(equations.mesh, 0))
+  {
+    // enough for shapes of the same load
+    constexpr unsigned int n_arbitrary = 6;
+
+    const ShellMesh &mesh = equations.mesh;
+    for (const std::vector<double> &motion : rigid_motions(mesh))
+      {
+        LA::Vector field = mesh.owned_vector();
+        std::copy(motion.begin(), motion.end(), field.begin());
+        fields.push_back(field);
+      }
+    for (unsigned int seed = 1; seed <= n_arbitrary; ++seed)
+      fields.push_back(arbitrary_displacements(mesh, seed));
+    for (LA::Vector &field : fields)
+      field /= field.l2_norm();
+  }
+
+
+  void
+  BucklingAnalysis::assemble(const Equilibrium &before,
+                             const Equilibrium &now,
+                             Pencil            &pencil)
+  {
+    State earlier      = now.state;
+    earlier.resultants = before.state.resultants;
+    tangent.assemble(earlier, before.loads, pencil.K_0);
+    tangent.assemble(now.state, now.loads, pencil.K_1);
+    for (LA::SparseMatrix *K : {&pencil.K_0, &pencil.K_1})
+      tangent.hold(now.state, now.loads, *K);
+    pencil.G.copy_from(pencil.K_0);
+    pencil.G.add(-1., pencil.K_1);
+    // a shift must not change the sign of arbitrary entries of the diagonal
+    for (const auto i : equations.mesh.locally_owned)
+      if (equations.mesh.constraints.is_constrained(i))
+        pencil.G.set(i, i, 0.);
+    pencil.G.compress(VectorOperation::insert);
+
+    const auto is_symmetric = [&](const Loads &loads) {
+      return equations.is_symmetric(HeldTangent::without_foundation(loads));
+    };
+    pencil.symmetric =
+      (is_symmetric(before.loads) && is_symmetric(now.loads)) ||
+      (tangent.is_symmetric(pencil.K_0) && tangent.is_symmetric(pencil.K_1));
+  }
+
+
+  LinearSolverResult
+  BucklingAnalysis::factorize(Pencil &pencil, const double shift)
+  {
+    pencil.shift = shift;
+    pencil.shifted.copy_from(pencil.K_0);
+    pencil.shifted.add(-shift, pencil.G);
+    return linear_solver.factorize_for_many(pencil.shifted, pencil.symmetric);
+  }
+
+
+  namespace
+  {
+    // what an iterative solver may leave, relative to the right hand side
+    constexpr double exactness = 1e-12;
+  } // namespace
+
+
+  std::optional<double>
+  BucklingAnalysis::estimate_lowest(Pencil &pencil, BucklingModes &result)
+  {
+    const LinearSolverResult linear = factorize(pencil, 0);
+    if (!linear.success)
+      {
+        result.message = linear.message;
+        return {};
+      }
+    pencil.definite = pencil.symmetric && linear.n_negative_pivots == 0u;
+
+    // G x = (1/s) K_0 x
+    EigenvalueProblem problem;
+    problem.symmetric = pencil.definite;
+    problem.wanted    = EigenvalueProblem::Wanted::next_above;
+    problem.tolerance = 1e-3;
+    LA::Vector between(start);
+    problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
+      if (pencil.definite)
+        pencil.K_0.vmult(product, x);
+      else
+        product = x;
+    };
+    problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
+      if (pencil.definite)
+        {
+          if (!linear_solver.solve(x, b, exactness).success)
+            return false;
+          pencil.G.vmult(between, x);
+        }
+      else
+        pencil.G.vmult(between, b);
+      return linear_solver.solve(x, between, exactness).success;
+    };
+    // complex ones may come first
+    const unsigned int n          = (pencil.definite ? 1 : 6);
+    Eigenpairs         eigenpairs = nearest_eigenpairs(problem, n, start);
+    result.success                = eigenpairs.success;
+    result.message                = eigenpairs.message;
+    keep_buckling(pencil, eigenpairs.pairs);
+    std::optional<double> lowest;
+    for (const Eigenpair &pair : eigenpairs.pairs)
+      lowest = std::min(lowest.value_or(pair.value.real()), pair.value.real());
+    return lowest;
+  }
+
+
+  Eigenpairs
+  BucklingAnalysis::find_above_shift(Pencil &pencil, const unsigned int n)
+  {
+    EigenvalueProblem problem;
+    problem.symmetric = pencil.definite;
+    problem.wanted    = EigenvalueProblem::Wanted::next_above;
+    LA::Vector between(start);
+    if (pencil.definite)
+      {
+        // (K_0 - sigma G)^-1 K_0 has the eigenvalues s/(s - sigma)
+        problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
+          pencil.K_0.vmult(product, x);
+        };
+        problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
+          return linear_solver.solve(x, b, exactness).success;
+        };
+      }
+    else
+      {
+        // (K_0 - sigma G)^-1 G has the eigenvalues 1/(s - sigma)
+        problem.shift    = pencil.shift;
+        problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
+          product = x;
+        };
+        problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
+          pencil.G.vmult(between, b);
+          return linear_solver.solve(x, between, exactness).success;
+        };
+      }
+    Eigenpairs found = nearest_eigenpairs(problem, n, start);
+    if (pencil.definite)
+      for (Eigenpair &pair : found.pairs)
+        pair.value = pencil.shift / (1. - pair.value);
+    return found;
+  }
+
+
+  void
+  BucklingAnalysis::keep_buckling(const Pencil           &pencil,
+                                  std::vector<Eigenpair> &pairs) const
+  {
+    // the others belong to reversed loads, or to oscillations of tangents that
+    // are not symmetric
+    constexpr double real = 1e-8;
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [&](const Eigenpair &pair) {
+                                 return !(pair.value.real() > 0) ||
+                                        std::abs(pair.value.imag()) >
+                                          real * pair.value.real() ||
+                                        !is_softened(pencil, pair.vector);
+                               }),
+                pairs.end());
+    for (Eigenpair &pair : pairs)
+      pair.value.imag(0);
+  }
+
+
+  bool
+  BucklingAnalysis::is_softened(const Pencil     &pencil,
+                                const LA::Vector &shape) const
+  {
+    LA::Vector product(shape);
+    pencil.G.vmult(product, shape);
+    return std::abs(product * shape) > tangent.roundoff(pencil.K_0, shape) +
+                                         tangent.roundoff(pencil.K_1, shape);
+  }
+
+
+  BucklingModes
+  BucklingAnalysis::compute(const Equilibrium &before,
+                            const Equilibrium &now,
+                            const LoadRates   &rates,
+                            const unsigned int n)
+  {
+    const ShellMesh &mesh = equations.mesh;
+    BucklingModes    result;
+    Pencil           pencil;
+    assemble(before, now, pencil);
+    const std::optional<double> lowest = estimate_lowest(pencil, result);
+    if (!lowest)
+      return result;
+    result.success = false;
+
+    // below the lowest position, of which only an estimate is known; closer, if
+    // a matrix happens to be singular
+    constexpr double   below = 0.9, lower = 0.7;
+    constexpr unsigned max_attempts = 12;
+    const unsigned int n_computed =
+      std::max(n, std::min<unsigned int>(n + 4, mesh.n_unknowns() / 4));
+    LinearSolverResult linear;
+    double             shift = below * *lowest;
+    for (unsigned int attempt = 0; attempt < max_attempts; ++attempt)
+      {
+        linear = factorize(pencil, shift);
+        if (linear.success &&
+            !(pencil.definite && linear.n_negative_pivots > 0u))
+          break;
+        shift *= lower;
+      }
+    if (!linear.success)
+      {
+        result.message = linear.message;
+        return result;
+      }
+    Eigenpairs eigenpairs = find_above_shift(pencil, n_computed);
+    result.success        = eigenpairs.success;
+    result.message        = eigenpairs.message;
+    if (!result.success)
+      return result;
+
+    std::vector<Eigenpair> &pairs = eigenpairs.pairs;
+    keep_buckling(pencil, pairs);
+    settle(
+      pairs,
+      [&](LA::Vector &product, const LA::Vector &x) {
+        if (pencil.definite)
+          pencil.K_0.vmult(product, x);
+        else
+          product = x;
+      },
+      fields);
+
+    const LA::Vector loads =
+      equations.load_direction(now.state, now.loads, rates);
+    const double all_loads = loads.l1_norm();
+    for (const Eigenpair &pair : pairs)
+      if (result.modes.size() < n)
+        {
+          BucklingMode mode;
+          mode.position = pair.value.real();
+          mode.shape    = unit_shape(mesh, pair.vector);
+          if (all_loads > 0)
+            mode.load_work =
+              std::abs(loads * owned_part(mode.shape)) / all_loads;
+          mode.waves = wave_numbers(mesh, mode.shape);
+          result.modes.push_back(mode);
+        }
+    return result;
+  }
+} // namespace Biface
