@@ -2,208 +2,19 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <csignal>
-#include <cstdio>
 #include <iostream>
-#include <memory>
-#include <optional>
 
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/model/rigid_motions.h>
-#include <biface/output/results_writer.h>
-#include <biface/program/checkpoint_writer.h>
+#include <biface/program/analysis.h>
 #include <biface/program/command_line.h>
-#include <biface/program/continuation.h>
-#include <biface/program/messages.h>
 #include <biface/program/program.h>
 #include <biface/program/run_log.h>
-#include <biface/program/signal_watch.h>
-#include <biface/program/simulation.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** The checkpoint to continue from, if requested and consistent. */
-    std::unique_ptr<const Checkpoint>
-    find_checkpoint(const Parameters &parameters,
-                    const RunRecord  &record,
-                    const bool        restart,
-                    const MPI_Comm    communicator)
-    {
-      if (!restart)
-        return nullptr;
-      auto checkpoint = std::make_unique<const Checkpoint>(
-        parameters.output.directory, communicator);
-      const RunRecord &before = checkpoint->get_record();
-      check_continuation(before.parameters,
-                         record.parameters,
-                         before.files,
-                         record.files,
-                         before.progress);
-      return checkpoint;
-    }
-
-
-    /** Print the reason why a run ended early. */
-    ExitCode
-    explain_end(const LoadSteppingResult &result,
-                const unsigned int        n_steps,
-                const int                 signal,
-                RunLog                   &log,
-                ConditionalOStream       &err)
-    {
-      const std::string message =
-        "biface: " +
-        (result.stopped ? std::string("stopped by ") + signal_name(signal)
-                        : result.message) +
-        "; " + std::to_string(n_steps) +
-        (n_steps == 1 ? " converged step is kept.\n"
-                      : " converged steps are kept.\n") +
-        (result.stopped ? "" : failure_paragraph(result));
-      err << message << std::flush;
-      log.note(message);
-      if (result.stopped)
-        return signal == SIGINT ? interrupted : terminated;
-      return no_convergence;
-    }
-
-
-    /** Run the stages and write the results.
-     * @param checkpoint from which the run continues; null for a new run. */
-    ExitCode
-    run_stages(const Parameters   &parameters,
-               const std::string  &file_name,
-               const Checkpoint   *checkpoint,
-               RunRecord          &record,
-               Simulation         &simulation,
-               RunLog             &log,
-               ConditionalOStream &err)
-    {
-      const std::string    &directory    = parameters.output.directory;
-      const ShellEquations &equations    = simulation.get_equations();
-      const Progress       &progress     = simulation.get_progress();
-      const MPI_Comm        communicator = equations.mesh.communicator;
-      ConditionalOStream   &out          = simulation.get_stream();
-
-      const SignalWatch                     signals;
-      std::optional<ResultsWriter::Written> written;
-      if (checkpoint != nullptr)
-        {
-          written        = checkpoint->get_record().written;
-          record.summary = checkpoint->get_record().summary;
-        }
-      else
-        remove_checkpoints(directory, communicator);
-      const Gas    *gas = simulation.get_gas();
-      ResultsWriter results(parameters.output,
-                            parameters.stages,
-                            equations,
-                            gas ? &gas->cavity : nullptr,
-                            written);
-
-      log.open(directory + "/run.log", checkpoint != nullptr);
-      if (checkpoint != nullptr)
-        {
-          if (!checkpoint->get_warning().empty())
-            out << checkpoint->get_warning() << std::endl;
-          out << "The run continues after step " << progress.n_steps << '.'
-              << std::endl;
-          checkpoint->remove_unusable();
-        }
-      results.write_parameters(record.parameters, file_name);
-      for (const std::string &sentence : results.warnings())
-        out << sentence << std::endl;
-
-      CheckpointWriter checkpoints(parameters.checkpoint,
-                                   directory,
-                                   simulation,
-                                   results,
-                                   checkpoint != nullptr);
-      checkpoints.write(record);
-      const StepCounter        counter(parameters.stages, progress);
-      const LoadSteppingResult result = simulation.run(
-        [&](const StepReport &report, const State &state) {
-          TimerOutput::Scope scope(simulation.get_timer(), "Output");
-          out << counter.line(report, progress) << std::endl;
-          results.write_step(report, state);
-          record.summary.add(
-            report, state, equations.mesh, results.get_failure_maxima());
-          checkpoints.write_if_due(record);
-        },
-        [&]() { return signals.caught(communicator) != 0; });
-      checkpoints.write(record);
-
-      out << std::endl;
-      if (out.is_active())
-        record.summary.print(equations.mesh.points, out.get_stream());
-      print_costs(simulation, out);
-      out << (result.success ? "Results" : "Results so far");
-      print_files(directory, results.list(), out);
-      if (result.success)
-        return done;
-      return explain_end(
-        result, progress.n_steps, signals.caught(communicator), log, err);
-    }
-
-
-    ExitCode
-    run_simulation(const Parameters               &parameters,
-                   const ParameterHandler         &prm,
-                   const std::vector<std::string> &notes,
-                   const CommandLine              &command_line,
-                   const MPI_Comm                  communicator,
-                   std::ostream                   &screen,
-                   ConditionalOStream             &err)
-    {
-      RunLog log(screen,
-                 command_line.quiet,
-                 Utilities::MPI::this_mpi_process(communicator) == 0);
-
-      RunRecord record;
-      record.version    = version();
-      record.parameters = print_parameters(prm);
-      record.files      = parameters.named_pairs();
-      record.stages     = parameters.stages;
-      const auto checkpoint =
-        find_checkpoint(parameters, record, command_line.restart, communicator);
-
-      Simulation          simulation(parameters, communicator, log.stream());
-      ConditionalOStream &out = simulation.get_stream();
-      print_header(simulation, out);
-      for (const std::string &note : notes)
-        out << note << std::endl;
-      for (const std::string &warning : parameters.warnings())
-        out << warning << std::endl;
-      if (command_line.action == CommandLine::Action::check)
-        {
-          out << "Parameters OK." << std::endl;
-          return done;
-        }
-      if (checkpoint)
-        {
-          simulation.restore(*checkpoint, checkpoint->get_record().stages);
-          const Progress &progress = simulation.get_progress();
-          if (progress.at_end_of(parameters.stages))
-            {
-              out << "Run already complete after " << progress.n_steps
-                  << " steps." << std::endl;
-              return done;
-            }
-        }
-      return run_stages(parameters,
-                        command_line.file_name,
-                        checkpoint.get(),
-                        record,
-                        simulation,
-                        log,
-                        err);
-    }
-  } // namespace
-
 
   ExitCode
   run_program(int            argc,
@@ -253,13 +64,14 @@ namespace Biface
                 return done;
               }
             source = command_line.file_name + ": ";
-            return run_simulation(parameters,
-                                  prm,
-                                  notes,
-                                  command_line,
-                                  communicator,
-                                  out_stream,
-                                  err);
+            AnalysisOptions options;
+            options.file_name  = command_line.file_name;
+            options.restart    = command_line.restart;
+            options.check_only = (command_line.action == Action::check);
+            RunLog log(out_stream, command_line.quiet, is_root);
+            return analyze(
+                     parameters, prm, notes, options, communicator, log, err)
+              .code;
           }
         return done;
       }

@@ -233,9 +233,11 @@ namespace Biface
 
   LoadSteppingResult
   Simulation::run(const LoadStepping::Observer &observer,
-                  const Newton::Stop           &stop)
+                  const Newton::Stop           &stop,
+                  const NestedPredictor        *predictor)
   {
-    const std::unique_ptr<const NestedPredictor> nested = run_coarser(stop);
+    const std::unique_ptr<const NestedPredictor> nested =
+      (predictor ? nullptr : run_coarser(stop));
     if (nested)
       out << "\nFiner mesh of " << mesh->n_cells() << " cells, "
           << mesh->n_unknowns() << " unknowns" << std::endl;
@@ -259,7 +261,7 @@ namespace Biface
                                contact,
                                newton,
                                out,
-                               nested.get(),
+                               predictor ? predictor : nested.get(),
                                gas.get(),
                                modal_analysis.get(),
                                buckling_analysis.get());

@@ -42,9 +42,14 @@ namespace Biface
                std::ostream     &stream);
 
     /** Run all remaining stages and pass each converged step to @p observer.
-     * @param stop see Newton. */
+     * @param stop see Newton.
+     * @param predictor states of another analysis with the same stages and
+     * mesh, from which steps start in place of those of coarser meshes; null
+     * for none. */
     LoadSteppingResult
-    run(const LoadStepping::Observer &observer, const Newton::Stop &stop = {});
+    run(const LoadStepping::Observer &observer,
+        const Newton::Stop           &stop      = {},
+        const NestedPredictor        *predictor = nullptr);
 
     const ShellEquations &
     get_equations() const
