@@ -450,4 +450,26 @@ namespace Biface
              "needs one 'end'.";
     return source + ": " + said;
   }
+
+
+  void
+  parse_parameter_text(ParameterHandler  &prm,
+                       const std::string &source,
+                       const std::string &text,
+                       const bool         skip_undefined)
+  {
+    try
+      {
+        prm.parse_input_from_string(text, "", skip_undefined);
+      }
+    catch (const ExceptionBase &exception)
+      {
+        throw InputError(parameter_sentence(exception, source, text, prm));
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(parameter_place(source, text, error.get_entry()) +
+                         error.what());
+      }
+  }
 } // namespace Biface

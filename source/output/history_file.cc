@@ -27,38 +27,38 @@ namespace Biface
     {
       return denominator > 0 ? numerator / denominator : 0.;
     }
-
-
-    std::string
-    history_header(const FailureCriteria &criteria,
-                   const Layup           &layup,
-                   const bool             with_volume,
-                   const bool             is_wheel)
-    {
-      std::string header =
-        "step,stage,approach,force,contact_nodes,contact_area,"
-        "max_pressure,iterations,seconds,pressure,load_factor,"
-        "strain_energy,load_work,foundation_work,friction_work,slide_x,"
-        "slide_y,slide_z,turn,slipping_nodes";
-      if (with_volume)
-        header += ",volume";
-      for (const FailureCriterion &criterion : criteria.requested())
-        for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
-          header += ',' + criterion.column + '_' + what;
-      if (layup.has_slack_cords())
-        header += ",slack_cords";
-      header += ",footprint_length,footprint_width,footprint_area,"
-                "mean_pressure,recovered_max_pressure,load_ratio,"
-                "slipping_area";
-      if (is_wheel)
-        header += ",loaded_radius";
-      const TensionMembers members(layup);
-      if (members.exist())
-        for (const std::string what : {"", "_alpha_1", "_alpha_2", "_ply"})
-          header += ",max_" + members.name() + what;
-      return header;
-    }
   } // namespace
+
+
+  std::string
+  HistoryFile::header(const FailureCriteria &criteria,
+                      const ShellMesh       &mesh,
+                      const bool             with_volume)
+  {
+    const Layup &layup = mesh.layup;
+    std::string  header =
+      "step,stage,approach,force,contact_nodes,contact_area,"
+      "max_pressure,iterations,seconds,pressure,load_factor,"
+      "strain_energy,load_work,foundation_work,friction_work,slide_x,"
+      "slide_y,slide_z,turn,slipping_nodes";
+    if (with_volume)
+      header += ",volume";
+    for (const FailureCriterion &criterion : criteria.requested())
+      for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
+        header += ',' + criterion.column + '_' + what;
+    if (layup.has_slack_cords())
+      header += ",slack_cords";
+    header += ",footprint_length,footprint_width,footprint_area,"
+              "mean_pressure,recovered_max_pressure,load_ratio,"
+              "slipping_area";
+    if (is_wheel(mesh))
+      header += ",loaded_radius";
+    const TensionMembers members(layup);
+    if (members.exist())
+      for (const std::string what : {"", "_alpha_1", "_alpha_2", "_ply"})
+        header += ",max_" + members.name() + what;
+    return header;
+  }
 
 
   HistoryFile::HistoryFile(const FailureCriteria &criteria,
@@ -66,10 +66,7 @@ namespace Biface
                            ResultsDirectory      &directory,
                            const ShellEquations  &equations)
     : StepTable("history.csv",
-                history_header(criteria,
-                               equations.mesh.layup,
-                               cavity != nullptr,
-                               is_wheel(equations.mesh)),
+                header(criteria, equations.mesh, cavity != nullptr),
                 1,
                 directory,
                 equations)

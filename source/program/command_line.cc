@@ -12,6 +12,7 @@ namespace Biface
     const option options[] = {
       {"set", required_argument, nullptr, 's'},
       {"output", required_argument, nullptr, 'o'},
+      {"study", no_argument, nullptr, 't'},
       {"restart", no_argument, nullptr, 'r'},
       {"print-parameters", optional_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
@@ -30,8 +31,10 @@ namespace Biface
             overrides.emplace_back(optarg);
             break;
           case 'o':
-            overrides.emplace_back(std::string("Output/Directory=") + optarg,
-                                   std::string("--output ") + optarg);
+            output = optarg;
+            break;
+          case 't':
+            study = true;
             break;
           case 'r':
             restart = true;
@@ -65,6 +68,11 @@ namespace Biface
                              std::string(argv[optind - 1]) + "'; see --help.");
         }
 
+    // a study has a directory of its own
+    if (!output.empty() && !study)
+      overrides.emplace_back("Output/Directory=" + output,
+                             "--output " + output);
+
     if (optind < argc)
       file_name = argv[optind++];
     if (optind < argc)
@@ -87,7 +95,10 @@ namespace Biface
            "\n"
            "  --set \"Section/Entry=value\"  override the file (repeatable)\n"
            "  --output DIR                 directory of the results\n"
-           "  --restart                    continue the run in this directory\n"
+           "  --study                      run the study that the file "
+           "describes\n"
+           "  --restart                    continue the run or study in this "
+           "directory\n"
            "  --print-parameters[=json]    print all entries with their "
            "documentation\n"
            "  --check                      check the file, do not run\n"

@@ -139,17 +139,6 @@ namespace Biface
     }
 
 
-    /** The shortest text from which the same number is read. */
-    std::string
-    exact(const double value)
-    {
-      std::array<char, 32> text;
-      const auto           end =
-        std::to_chars(text.data(), text.data() + text.size(), value);
-      return {text.data(), end.ptr};
-    }
-
-
     /** Remove a word at the start of a text, and the blanks behind it.
      * @return whether it was there. */
     bool
@@ -277,6 +266,14 @@ namespace Biface
   }
 
 
+  void
+  DesignVariable::check(const ParameterHandler &prm) const
+  {
+    for (const Number &number : numbers)
+      find(number, prm);
+  }
+
+
   double
   DesignVariable::value(const ParameterHandler &prm) const
   {
@@ -302,6 +299,16 @@ namespace Biface
                            number_to_string(values[0]) + " and " +
                            number_to_string(other) + " in the file");
     return values[0];
+  }
+
+
+  std::string
+  exact_number(const double value)
+  {
+    std::array<char, 32> text;
+    const auto           end =
+      std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
   }
 
 
@@ -371,7 +378,7 @@ namespace Biface
                                            given.substr(span.begin, span.size),
                                            "it must contain numbers")) *
               change.factor;
-            text += exact(value);
+            text += exact_number(value);
           }
         text += given.substr(copied);
         result.emplace_back(entry + "=" + text, source);

@@ -11,6 +11,7 @@
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>
 #include <biface/program/run_log.h>
+#include <biface/program/study.h>
 
 namespace Biface
 {
@@ -38,6 +39,8 @@ namespace Biface
           out << CommandLine::help();
         else if (command_line.action == Action::print_version)
           out << "biface " << version() << std::endl;
+        else if (command_line.study)
+          return run_study(command_line, communicator, out_stream, err);
         else
           {
             Parameters       parameters;

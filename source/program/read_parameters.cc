@@ -19,28 +19,6 @@ namespace Biface
 
   namespace
   {
-    void
-    parse(ParameterHandler  &prm,
-          const std::string &source,
-          const std::string &text,
-          const bool         skip_undefined)
-    {
-      try
-        {
-          prm.parse_input_from_string(text, "", skip_undefined);
-        }
-      catch (const ExceptionBase &exception)
-        {
-          throw InputError(parameter_sentence(exception, source, text, prm));
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(parameter_place(source, text, error.get_entry()) +
-                           error.what());
-        }
-    }
-
-
     /** A text of settings. */
     struct Source
     {
@@ -212,7 +190,7 @@ namespace Biface
                              }))
               used_old_names.push_back(old);
           check_parameter_text(source.name, source.text);
-          parse(names_only, source.name, source.text, true);
+          parse_parameter_text(names_only, source.name, source.text, true);
         }
 
       if (materials.size() > 1000)
@@ -235,7 +213,7 @@ namespace Biface
       for (const Source &source : sources)
         {
           check_sections(source, materials, n_stages);
-          parse(prm, source.name, source.text, false);
+          parse_parameter_text(prm, source.name, source.text, false);
         }
 
       make_names_absolute(file_name, parameters, prm);

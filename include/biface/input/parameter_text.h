@@ -80,6 +80,22 @@ namespace Biface
                   const std::string &entry);
 
 
+  /**
+   * Parse a parameter file.
+   *
+   * Throws InputError, see parameter_sentence().
+   *
+   * @param prm the declared entries.
+   * @param source the name of the text in error messages.
+   * @param skip_undefined whether entries that are not declared are ignored.
+   */
+  void
+  parse_parameter_text(dealii::ParameterHandler &prm,
+                       const std::string        &source,
+                       const std::string        &text,
+                       const bool                skip_undefined = false);
+
+
   /** The names of all declared entries, "Section/Entry", and sections,
    * "Section/". */
   std::vector<std::string>

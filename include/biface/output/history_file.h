@@ -22,6 +22,12 @@ namespace Biface
                 ResultsDirectory      &directory,
                 const ShellEquations  &equations);
 
+    /** The names of the columns, separated by commas. */
+    static std::string
+    header(const FailureCriteria &criteria,
+           const ShellMesh       &mesh,
+           const bool             with_volume);
+
     std::vector<std::string>
     warnings() const override;
 

@@ -25,6 +25,10 @@ namespace Biface
     Action                action = Action::run;
     std::string           file_name;
     std::vector<Override> overrides;
+    /** Whether the file describes a study. */
+    bool study = false;
+    /** The directory of the results of a study; empty for that of its file. */
+    std::string output;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
     /** Whether to print only errors to the screen. */

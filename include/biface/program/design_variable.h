@@ -50,6 +50,10 @@ namespace Biface
       return factor;
     }
 
+    /** Throws InputError if a number does not exist in a parameter file. */
+    void
+    check(const dealii::ParameterHandler &prm) const;
+
     /** The value in a parameter file; 1 for a factor. Throws InputError if
      * there is no such number, or if its numbers differ.
      * @param prm the entries of the file and their values. */
@@ -91,6 +95,10 @@ namespace Biface
              const std::string &);
   };
 
+
+  /** The shortest text from which the same number is read. */
+  std::string
+  exact_number(const double value);
 
   /** A list of design variables, separated by semicolons. Throws InputError if
    * it is anything else, or if two of them have the same name. */
