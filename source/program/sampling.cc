@@ -272,7 +272,7 @@ namespace Biface
       throw InputError(
         "Study/Samples file", "", "'Sampling = file' needs the name of a file");
     const std::string path =
-      (std::filesystem::path(folder) / file_name).string();
+      (std::filesystem::path(folder) / file_name).lexically_normal().string();
     std::istringstream lines(read_file(path, communicator));
 
     std::string                      line;

@@ -80,7 +80,12 @@ namespace Biface
     {
       std::vector<Override> result;
       for (const std::string &item : split_list(entry, text, ';'))
-        result.emplace_back(item, "--study " + item);
+        {
+          if (item.find('=') == std::string::npos || item[0] == '=')
+            throw InputError(
+              entry, item, "it must have the form 'Section/Entry=value'");
+          result.emplace_back(item, "--study " + item);
+        }
       return result;
     }
 
@@ -307,6 +312,7 @@ namespace Biface
 
       const MPI_Comm        communicator;
       const bool            is_root;
+      const std::string     study_file;
       std::string           base_file;
       std::vector<Override> base_overrides;
       Parameters            base;
@@ -323,8 +329,9 @@ namespace Biface
     Study::Study(const CommandLine &command_line, const MPI_Comm communicator)
       : communicator(communicator)
       , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
+      , study_file(command_line.file_name)
     {
-      const std::string &name = command_line.file_name;
+      const std::string &name = study_file;
       const std::string  folder =
         std::filesystem::path(name).parent_path().string();
       const std::string text = read_file(name, communicator);
@@ -408,17 +415,24 @@ namespace Biface
     Study::check(const Group &group) const
     {
       std::ostringstream screen;
-      const Simulation   simulation(base, group.communicator, screen);
-      const std::string  header =
-        HistoryFile::header(base.output.criteria,
-                            simulation.get_equations().mesh,
-                            simulation.get_gas() != nullptr);
+      std::string        header;
+      try
+        {
+          const Simulation simulation(base, group.communicator, screen);
+          header = HistoryFile::header(base.output.criteria,
+                                       simulation.get_equations().mesh,
+                                       simulation.get_gas() != nullptr);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(base_file + ": " + error.what());
+        }
       const std::vector<std::string> columns =
         Utilities::split_string_list(header, ',');
       for (const StudyParameters::Output &output : parameters.outputs)
         if (std::find(columns.begin(), columns.end(), output.column) ==
             columns.end())
-          throw InputError("the entry 'Study/Outputs' names " +
+          throw InputError(study_file + ": the entry 'Study/Outputs' names " +
                            Biface::quoted(output.column) +
                            ", but history.csv has only the columns " +
                            Biface::quoted(header, 2000) + ".");
