@@ -25,7 +25,8 @@ def parse_arguments():
         description="Writes one self-contained HTML page about a directory "
                     "of biface results.")
     parser.add_argument("directory", metavar="OUTPUT_DIR", type=Path,
-                        help="directory with history.csv and the other results")
+                        help="directory with history.csv and the other results, "
+                             "or with study.csv")
     parser.add_argument("--step", type=int, metavar="N",
                         help="the step to show (default: the last one)")
     parser.add_argument("-o", "--output", metavar="FILE", type=Path,
@@ -42,12 +43,19 @@ def main():
                   f"{package}).", file=sys.stderr)
             return 1
 
+    from . import study
     from .content import report
     from .results import ReportError, Run
 
     path = arguments.output or arguments.directory / "report.html"
     try:
-        text = report(Run(arguments.directory, arguments.step))
+        if (arguments.directory / "study.csv").exists():
+            if arguments.step is not None:
+                raise ReportError("--step belongs to a run, but "
+                                  f"{arguments.directory} holds a study.")
+            text = study.report(study.Study(arguments.directory))
+        else:
+            text = report(Run(arguments.directory, arguments.step))
         path.write_text(text, encoding="utf-8")
     except ReportError as error:
         print(f"biface-report: {error}", file=sys.stderr)

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page about a study: main effects, responses, and the table of samples."""
+
+import csv
+import io
+import textwrap
+from html import escape
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from .drawing import BLUE, GRAY, RED, STYLE, embed
+from .page import (LeftOut, Section, count, details, figure, missing, number,
+                   page, paragraph, plain_number, table)
+from .parameters import read_parameters
+from .results import ReportError, read_text, to_number
+
+# The columns after the outputs
+LAST_COLUMNS = ["status", "steps", "iterations", "seconds"]
+# More charts of one row or column would be too small
+MAXIMUM_CHARTS = 6
+# A quadratic response needs more samples than it has coefficients, by this factor
+SPARE = 2
+
+
+class Study:
+    """A directory with study.csv, read and checked."""
+
+    def __init__(self, directory):
+        self.directory = Path(directory)
+        path = self.directory / "study.csv"
+        lines = list(csv.reader(io.StringIO(read_text(path))))
+        names = lines[0] if lines else []
+        if len(names) < 6 or names[0] != "sample" or names[-4:] != LAST_COLUMNS:
+            raise ReportError(f"{path} is damaged: its first line does not name "
+                              "the columns of a study.")
+        if len(lines) == 1:
+            raise ReportError(f"{path} has no sample: there is nothing to report "
+                              "before the first one is done.")
+        for i, line in enumerate(lines[1:], start=2):
+            if len(line) != len(names):
+                raise ReportError(f"{path}, line {i}, is damaged: it has "
+                                  f"{len(line)} fields where {len(names)} are "
+                                  "named.")
+        self.columns = {
+            name: [line[k] if name == "status" else
+                   to_number(line[k], name, f"{path}, line {i},")
+                   for i, line in enumerate(lines[1:], start=2)]
+            for k, name in enumerate(names)}
+        self.status = self.columns["status"]
+        self.is_ok = np.array([status == "ok" for status in self.status])
+        self.parameters = self._read_parameters()
+        self.variables, self.outputs = self._split(names[1:-4])
+
+    def _read_parameters(self):
+        path = self.directory / "study.prm"
+        return read_parameters(read_text(path)) if path.exists() else None
+
+    def _split(self, names):
+        """The columns of variables and those of outputs: the latter are as many
+        as study.prm names, and empty in samples that failed."""
+        entry = self.parameters and self.parameters.find("Study/Outputs")
+        n_outputs = (len([item for item in entry.value.split(",") if item.strip()])
+                     if entry else 0)
+        at = max(len(names) - n_outputs, 0)
+        return names[:at], names[at:]
+
+    def values(self, name):
+        """The numbers of a column, of the samples that did not fail."""
+        return np.array(self.columns[name], dtype=float)[self.is_ok]
+
+
+def report(study):
+    """The page of a study."""
+    plt.rcParams.update(STYLE)
+    parts = [main_effects(study), responses(study), scatter(study),
+             failures(study), samples(study)]
+    sections = [part for part in parts if isinstance(part, Section)]
+    absent = [part for part in parts if isinstance(part, LeftOut)]
+    if absent:
+        sections.append(missing(absent))
+    name = study.directory.resolve().name
+    n = len(study.status)
+    failed = n - int(study.is_ok.sum())
+    text = (f"Study in the directory {escape(name)}, {count(n, 'sample')}"
+            + (f", {failed} of them failed" if failed else "") + ".")
+    return page(f"biface: study {name}", paragraph(text, "facts")
+                + paragraph("Units are those of the input.", "facts"), sections)
+
+
+# ---------------------------------------------------------------- effects
+
+
+class Response:
+    """The least-squares fit of an output by a polynomial of the variables, scaled
+    to [-1, 1]: linear, and with squares and products if there are samples
+    enough."""
+
+    def __init__(self, inputs, output):
+        self.low, self.high = inputs.min(0), inputs.max(0)
+        self.degree = 2 if len(output) >= SPARE * self._terms(2) else 1
+        matrix = self._matrix(inputs)
+        self.coefficients = np.linalg.lstsq(matrix, output, rcond=None)[0]
+        rest = output - matrix @ self.coefficients
+        spread = ((output - output.mean())**2).sum()
+        self.explained = 1 - (rest**2).sum() / spread if spread > 0 else 1.
+
+    def _terms(self, degree):
+        n = len(self.low)
+        return 1 + n if degree == 1 else 1 + n + n * (n + 1) // 2
+
+    def _matrix(self, inputs):
+        size = np.where(self.high > self.low, self.high - self.low, 1)
+        x = 2 * (inputs - self.low) / size - 1
+        n = x.shape[1]
+        terms = [np.ones(len(x))] + [x[:, i] for i in range(n)]
+        if self.degree == 2:
+            terms += [x[:, i] * x[:, j] for i in range(n) for j in range(i, n)]
+        return np.stack(terms, -1)
+
+    def along(self, variable, values):
+        """The output over one variable, the others in the middle."""
+        points = np.tile((self.low + self.high) / 2, (len(values), 1))
+        points[:, variable] = values
+        return self._matrix(points) @ self.coefficients
+
+    def effect(self, variable):
+        """The change of the output as the variable goes through its range."""
+        ends = np.array([self.low[variable], self.high[variable]])
+        return float(np.diff(self.along(variable, ends))[0])
+
+
+def fits(study):
+    """The response of each output, or None if there are too few samples."""
+    varying = [name for name in study.variables
+               if np.ptp(study.values(name) if study.is_ok.any() else [0]) > 0]
+    if study.is_ok.sum() < len(varying) + 2 or not varying or not study.outputs:
+        return None
+    inputs = np.stack([study.values(name) for name in varying], -1)
+    return varying, {name: Response(inputs, study.values(name))
+                     for name in study.outputs}
+
+
+def main_effects(study):
+    """Bars and a table of the changes of outputs over the ranges of variables."""
+    name = "Main effects"
+    found = fits(study)
+    if found is None:
+        return LeftOut(name, "It needs outputs, and two more samples than variables "
+                       "that vary.")
+    varying, responses_of = found
+    rows = []
+    for output, response in responses_of.items():
+        rows.append([escape(output)]
+                    + [number(response.effect(i), 4) for i in range(len(varying))]
+                    + [number(study.values(output).mean()),
+                       plain_number(100 * response.explained, 3) + " %"])
+    html = table("Main effects", ["Output"] + [escape(v) for v in varying]
+                 + ["Mean", "Explained"], rows)
+    shown = list(responses_of)[:MAXIMUM_CHARTS]
+    drawing, axes = plt.subplots(
+        1, len(shown), squeeze=False, sharey=True,
+        figsize=(1.2 + 2.1 * len(shown), 0.9 + 0.42 * len(varying)))
+    for each, output in zip(axes[0], shown):
+        mean = abs(study.values(output).mean()) or 1
+        effects = [100 * responses_of[output].effect(i) / mean
+                   for i in range(len(varying))]
+        each.barh(range(len(varying)), effects, height=0.6,
+                  color=[RED if e < 0 else BLUE for e in effects])
+        each.axvline(0, color="0.3", linewidth=0.8)
+        each.set_title(label(output), fontsize=10)
+        each.set_xlabel("% of the mean", fontsize=10)
+        each.grid(axis="y", visible=False)
+    axes[0][0].set_yticks(range(len(varying)), varying)
+    axes[0][0].invert_yaxis()
+    text = paragraph(
+        "The change of each output while one variable goes through its range and "
+        "the others stay in the middle, by a polynomial of the variables fitted to "
+        "all samples, of the second degree where there are enough of them. "
+        "Explained: the part of the variance of the output that the polynomial "
+        "describes.")
+    return Section("effects", name, figure(
+        embed(drawing), "Bar charts of the main effects of the variables on the "
+        "outputs.") + html + text, True)
+
+
+def label(name):
+    """The name of a column, broken into short lines."""
+    return textwrap.fill(name.replace("_", " "), 14)
+
+
+def grid_of_charts(rows, columns):
+    """Axes in rows and columns, which share their scales."""
+    return plt.subplots(len(rows), len(columns), squeeze=False, sharex="col",
+                        sharey="row",
+                        figsize=(1 + 2.1 * len(columns), 0.6 + 1.6 * len(rows)))
+
+
+def responses(study):
+    """Each output against each variable."""
+    name = "Responses"
+    found = fits(study)
+    if found is None:
+        return LeftOut(name, "It needs outputs, and two more samples than variables "
+                       "that vary.")
+    varying, responses_of = found
+    rows, columns = study.outputs[:MAXIMUM_CHARTS], varying[:MAXIMUM_CHARTS]
+    drawing, axes = grid_of_charts(rows, columns)
+    for line, output in zip(axes, rows):
+        for i, (each, variable) in enumerate(zip(line, columns)):
+            x = study.values(variable)
+            each.plot(x, study.values(output), ".", color=GRAY, markersize=3)
+            at = np.linspace(x.min(), x.max(), 40)
+            each.plot(at, responses_of[output].along(i, at), color=BLUE)
+            each.tick_params(labelsize=8)
+        line[0].set_ylabel(label(output), fontsize=9)
+    for each, variable in zip(axes[-1], columns):
+        each.set_xlabel(variable, fontsize=10)
+    text = ("Dots: samples. Lines: the fitted polynomial, with the other variables "
+            "in the middle of their ranges.")
+    return Section("responses", name, figure(
+        embed(drawing), "Charts of each output against each variable.", text), True)
+
+
+def scatter(study):
+    """Outputs against each other."""
+    name = "Outputs against each other"
+    outputs = study.outputs[:MAXIMUM_CHARTS]
+    if len(outputs) < 2 or study.is_ok.sum() < 2:
+        return LeftOut(name, "It needs two outputs and two samples.")
+    drawing, axes = grid_of_charts(outputs[1:], outputs[:-1])
+    for i, line in enumerate(axes):
+        for j, each in enumerate(line):
+            if j > i:
+                each.set_visible(False)
+                continue
+            each.plot(study.values(outputs[j]), study.values(outputs[i + 1]), ".",
+                      color=BLUE, markersize=3)
+            each.tick_params(labelsize=8)
+        line[0].set_ylabel(label(outputs[i + 1]), fontsize=9)
+    for each, output in zip(axes[-1], outputs):
+        each.set_xlabel(label(output), fontsize=9)
+    return Section("scatter", name, figure(
+        embed(drawing), "Charts of the outputs against each other.",
+        "One dot per sample."), True)
+
+
+def failures(study):
+    """The samples that failed, and why."""
+    name = "Samples that failed"
+    failed = np.flatnonzero(~study.is_ok)
+    if len(failed) == 0:
+        return LeftOut(name, "There are none.")
+    rows = [[f"{int(study.columns['sample'][i])}"]
+            + [number(study.columns[v][i]) for v in study.variables]
+            + [escape(study.status[i])] for i in failed]
+    return Section("failures", name, table(
+        name, ["Sample"] + [escape(v) for v in study.variables] + ["Reason"],
+        rows).replace('class="scroll"', 'class="scroll words"', 1), True)
+
+
+def samples(study):
+    """The table, and the cost."""
+    names = study.variables + study.outputs + ["iterations", "seconds"]
+    rows = [[f"{int(study.columns['sample'][i])}"]
+            + [number(study.columns[name][i]) for name in names]
+            for i in range(len(study.status))]
+    seconds = np.array(study.columns["seconds"])
+    iterations = np.array(study.columns["iterations"])
+    text = paragraph(
+        f"{count(len(rows), 'sample')} took {plain_number(seconds.sum(), 4)} s and "
+        f"{int(iterations.sum())} Newton iterations in all.")
+    return Section("samples", "Samples", text + details(
+        "All samples, from study.csv",
+        table("All samples", ["Sample"] + [escape(n) for n in names], rows)), True)
