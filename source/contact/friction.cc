@@ -28,6 +28,14 @@ namespace Biface
                       "under a tangential traction t moves by t/epsilon_t. "
                       "Positive. Unit: pressure/length.",
                       Patterns::Double());
+    prm.add_parameter("Critical velocity",
+                      critical_velocity,
+                      "The velocity s_c in the law of friction of a rolling "
+                      "wheel, t = -mu p s/sqrt(|s|^2 + s_c^2) with the slip "
+                      "velocity s: what sticks creeps more slowly than s_c. "
+                      "About 1e-3 times the ground velocity; stages that roll "
+                      "with friction need it. Unit: length/time.",
+                      Patterns::Double());
   }
 
 
@@ -36,6 +44,7 @@ namespace Biface
   {
     check_friction("Contact/Friction", coefficient);
     check_positive("Contact/Tangential regularization", regularization);
+    check_not_negative("Contact/Critical velocity", critical_velocity);
   }
 
 

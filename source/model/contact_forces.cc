@@ -61,7 +61,43 @@ namespace Biface
                                         at.cell.sign_of_outer_face(s),
                                         forces.tangent);
           }
+        if (at.loads.rolling)
+          add_neighbor(at.cell, s, traction, forces.tangent);
       }
+  }
+
+
+  void
+  ContactForces::add_neighbor(const Cell                         &cell,
+                              const unsigned int                  s,
+                              const ContactInteraction::Traction &traction,
+                              MixedElement::NodalMatrix          &K) const
+  {
+    const ShellMesh &mesh    = contact.mesh;
+    const auto      &stencil = contact.flow_lines.at(cell.nodes[s]);
+    if (!stencil)
+      return;
+    const unsigned int r    = s ^ 2;
+    const unsigned int side = (r > s ? 1 : 0);
+    // The node's area on both sides; on a surface of revolution areas are
+    // proportional to angles
+    const double area = cell.geometry.weight / 4 *
+                        (stencil->angles[0] + stencil->angles[1]) /
+                        stencil->angles[side];
+    const auto  &own      = mesh.nodes[cell.nodes[s]].surface.frame;
+    const auto  &neighbor = mesh.nodes[cell.nodes[r]].surface.frame;
+    Tensor<2, 3> stiffness;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        stiffness[i][j] =
+          area *
+          (own[i] * (traction.stiffness_of_neighbors[side] * neighbor[j]));
+    MixedElement::add_stiffness(stiffness,
+                                s,
+                                cell.sign_of_outer_face(s),
+                                r,
+                                cell.sign_of_outer_face(r),
+                                K);
   }
 
 
@@ -70,7 +106,7 @@ namespace Biface
                                      const LoadRates           &rates,
                                      MixedElement::NodalVector &force) const
   {
-    if (rates.travel == 0)
+    if (rates.travel == 0 && rates.angular_velocity == 0)
       return;
     const ShellMesh &mesh = contact.mesh;
     const auto       M =
@@ -82,10 +118,12 @@ namespace Biface
           continue;
         // a travel of the foundation is equivalent to the opposite displacement
         // of the node
+        const ContactInteraction::Traction traction =
+          contact.traction(at.state, at.loads, node);
         const Tensor<1, 3> change =
           -rates.travel *
-          (contact.traction(at.state, at.loads, node).stiffness *
-           at.loads.foundation->direction());
+            (traction.stiffness * at.loads.foundation->direction()) +
+          rates.angular_velocity * traction.per_angular_velocity;
         for (unsigned int r = 0; r < 4; ++r)
           {
             const Tensor<1, 3> m =

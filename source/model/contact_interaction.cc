@@ -61,6 +61,7 @@ namespace Biface
                                          const Parameters &parameters)
     : mesh(mesh)
     , condition(parameters.condition)
+    , flow_lines(mesh)
     , foundation_at_rest(parameters.foundation)
     , friction_parameters(parameters.friction)
   {}
@@ -77,6 +78,21 @@ namespace Biface
       own ? coefficient : friction_parameters.coefficient,
       friction_parameters.regularization);
     return law->is_zero() && !glued ? nullptr : law;
+  }
+
+
+  Rolling
+  ContactInteraction::rolling(const double angular_velocity,
+                              const double speed,
+                              const double slip_angle) const
+  {
+    Rolling result;
+    result.angular_velocity  = angular_velocity;
+    result.critical_velocity = friction_parameters.critical_velocity;
+    if (speed != 0)
+      result.ground_velocity = Rolling::ground_velocity_of(
+        WheelAxes(foundation(0).direction()), speed, slip_angle);
+    return result;
   }
 
 
@@ -210,10 +226,16 @@ namespace Biface
         if (!active)
           continue;
         state.multipliers[n][0] = condition.multiplier(clearance);
-        if (!loads.friction || state.grips[n] == Grip::none)
+        if (!loads.friction || (!loads.rolling && state.grips[n] == Grip::none))
           continue;
         const auto tangents = loads.foundation->tangents(at.foundation.normal);
-        if (state.grips[n] != Grip::glued)
+        if (loads.rolling)
+          state.grips[n] =
+            (SlipVelocityLaw(*loads.friction, loads.rolling->critical_velocity)
+                 .slips(slip_velocity(state, loads, n))
+               ? Grip::slip
+               : Grip::stick);
+        else if (state.grips[n] != Grip::glued)
           {
             const Tensor<1, 3> trial =
               loads.friction->trial(slip(state, loads, n, at).tangential);
@@ -252,12 +274,14 @@ namespace Biface
   {
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        if (!state.active[n])
+        if (!state.active[n] || (loads.rolling && !loads.friction))
           {
             state.grips[n]        = Grip::none;
             state.stick_points[n] = Point<3>();
             continue;
           }
+        if (loads.rolling)
+          continue;
         const bool holds = (loads.friction && state.grips[n] != Grip::none);
         if (holds && state.grips[n] != Grip::slip)
           continue;
@@ -272,6 +296,17 @@ namespace Biface
         // slips
         state.grips[n]        = (holds ? Grip::slip : Grip::stick);
         state.stick_points[n] = loads.foundation->at_rest(x);
+      }
+  }
+
+
+  void
+  ContactInteraction::forget_history(State &state) const
+  {
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        state.grips[n]        = Grip::none;
+        state.stick_points[n] = Point<3>();
       }
   }
 
@@ -350,11 +385,88 @@ namespace Biface
 
 
   Tensor<1, 3>
+  ContactInteraction::slope_along_flow(const State       &state,
+                                       const unsigned int node) const
+  {
+    const auto position = [&](const unsigned int n) {
+      return Tensor<1, 3>(mesh.deformed_position(
+        state.displacement, mesh.nodes[n], Resultants::outer));
+    };
+    const FlowLines::Stencil &stencil = *flow_lines.at(node);
+    return stencil.per_neighbor() *
+           (position(stencil.neighbors[1]) - position(stencil.neighbors[0]));
+  }
+
+
+  Tensor<1, 3>
+  ContactInteraction::relative_velocity(const State       &state,
+                                        const Loads       &loads,
+                                        const unsigned int node) const
+  {
+    if (!flow_lines.at(node))
+      return {};
+    return loads.rolling->relative_velocity(slope_along_flow(state, node));
+  }
+
+
+  Tensor<1, 3>
+  ContactInteraction::slip_velocity(const State       &state,
+                                    const Loads       &loads,
+                                    const unsigned int node) const
+  {
+    const Tensor<1, 3> n = contact_at(state, loads, node).foundation.normal;
+    const Tensor<1, 3> v = relative_velocity(state, loads, node);
+    return v - (n * v) * n;
+  }
+
+
+  void
+  ContactInteraction::add_rolling_friction(const State       &state,
+                                           const Loads       &loads,
+                                           const unsigned int node,
+                                           const Contact     &at,
+                                           Traction          &result) const
+  {
+    const auto &stencil = flow_lines.at(node);
+    if (!stencil)
+      return;
+    const Rolling      &rolling  = *loads.rolling;
+    const Tensor<1, 3> &n        = at.foundation.normal;
+    const Tensor<2, 3>  gradient = Tensor<2, 3>(at.foundation.normal_gradient);
+    const Tensor<1, 3>  slope    = slope_along_flow(state, node);
+    const Tensor<1, 3>  v        = rolling.relative_velocity(slope);
+    const Tensor<2, 3>  tangential =
+      Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
+
+    const SlipVelocityLaw law(*loads.friction, rolling.critical_velocity);
+    const SlipVelocityLaw::Traction friction = law.traction(
+      tangential * v, -condition.multiplier(at.foundation.clearance));
+    const Tensor<2, 3> per_velocity = friction.per_slip * tangential;
+
+    result.value += friction.value;
+    result.stiffness += friction.per_slip * ((n * v) * gradient +
+                                             outer_product(n, gradient * v)) -
+                        outer_product(friction.per_pressure,
+                                      condition.multiplier_stiffness() * n);
+    result.stiffness_of_neighbors[1] =
+      stencil->per_neighbor() * rolling.angular_velocity * per_velocity;
+    result.stiffness_of_neighbors[0] = -result.stiffness_of_neighbors[1];
+    result.per_angular_velocity      = -per_velocity * slope;
+  }
+
+
+  Tensor<1, 3>
   ContactInteraction::friction_traction(const State       &state,
                                         const Loads       &loads,
                                         const unsigned int node,
                                         const Contact     &at) const
   {
+    if (loads.rolling)
+      {
+        Traction traction;
+        add_rolling_friction(state, loads, node, at, traction);
+        return traction.value;
+      }
     const FrictionLaw &law = *loads.friction;
     const Tensor<1, 3> trial =
       law.trial(slip(state, loads, node, at).tangential);
@@ -376,9 +488,17 @@ namespace Biface
     const double           lambda  = condition.multiplier(at.clearance);
     const double           epsilon = condition.multiplier_stiffness();
     const Tensor<2, 3>     normal_gradient(at.normal_gradient);
-    Traction               result{lambda * n,
-                    epsilon * outer_product(n, n) - lambda * normal_gradient};
-    if (!loads.friction || state.grips[node] == Grip::none)
+    Traction               result;
+    result.value     = lambda * n;
+    result.stiffness = epsilon * outer_product(n, n) - lambda * normal_gradient;
+    if (!loads.friction)
+      return result;
+    if (loads.rolling)
+      {
+        add_rolling_friction(state, loads, node, contact, result);
+        return result;
+      }
+    if (state.grips[node] == Grip::none)
       return result;
 
     const FrictionLaw &law  = *loads.friction;
@@ -409,7 +529,7 @@ namespace Biface
                                     const Loads &loads) const
   {
     double work = 0;
-    if (loads.friction)
+    if (loads.friction && !loads.rolling)
       for (const Cell &cell : mesh.cells)
         for (const unsigned int n : cell.nodes)
           if (slips(after, loads, n) && before.grips[n] != Grip::none)

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include <biface/model/centrifugal_forces.h>
 #include <biface/model/contact_forces.h>
 #include <biface/model/edge_moments.h>
 #include <biface/model/shell_equations.h>
@@ -29,6 +30,7 @@ namespace Biface
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
     terms.push_back(
       std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
+    terms.push_back(std::make_unique<CentrifugalForces>(mesh));
     terms.push_back(std::make_unique<ContactForces>(contact));
     return terms;
   }

@@ -11,6 +11,7 @@
 #include <biface/output/modes_file.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/results_writer.h>
+#include <biface/output/rolling_file.h>
 #include <biface/output/stiffness_file.h>
 
 namespace Biface
@@ -48,6 +49,7 @@ namespace Biface
     add(std::move(history_file));
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
     add(std::make_unique<StiffnessFile>(stages, directory, equations));
+    add(std::make_unique<RollingFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));

@@ -142,6 +142,7 @@ namespace Biface
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     check_densities();
+    check_rolling();
   }
 
 
@@ -161,6 +162,83 @@ namespace Biface
                            "0",
                            "it must be positive for the 'Modes' of stage " +
                              std::to_string(stage - stages.begin() + 1));
+  }
+
+
+  void
+  Parameters::check_rolling() const
+  {
+    // at the end of each stage
+    std::vector<bool> rolls;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const Stage      &stage   = stages[i];
+        const std::string section = "Stage " + std::to_string(i + 1);
+        const auto        before  = stage_before(stages, i);
+        const bool        rolled  = before && rolls[*before];
+        const bool        begins  = stage.rolls(LoadLevel());
+        const bool        stops   = stage.angular_velocity.value_or(1) == 0 &&
+                           stage.ground_velocity.value_or(1) == 0;
+        rolls.push_back(begins || (rolled && !stops));
+        if (!begins && !rolled)
+          continue;
+
+        if (!mesh.closed ||
+            surface.type != ReferenceSurface::Parameters::Type::revolution)
+          throw InputError("the shell rolls or spins in stage " +
+                           std::to_string(i + 1) +
+                           ", which needs 'Surface/Type = surface of "
+                           "revolution' and 'Mesh/Closed in alpha_2 = true'.");
+        if (stage.glued)
+          throw InputError(section + "/Glued",
+                           "true",
+                           "nothing is glued to the ground where the wheel "
+                           "rolls");
+        if (stage.n_modes > 0)
+          throw InputError(section + "/Modes",
+                           std::to_string(stage.n_modes),
+                           "it must be 0 where the wheel rolls or spins: the "
+                           "gyroscopic terms are not implemented");
+        if (stage.n_buckling > 0)
+          throw InputError(section + "/Buckling",
+                           std::to_string(stage.n_buckling),
+                           "it must be 0 where the wheel rolls or spins");
+        if (!stage.contact)
+          {
+            if (stage.ground_velocity.value_or(0) != 0)
+              throw InputError(section + "/Ground velocity",
+                               number_to_string(*stage.ground_velocity),
+                               "it needs 'Contact = true'");
+            continue;
+          }
+        const Tensor<1, 3> &direction = contact.foundation.line.direction;
+        if (contact.foundation.shape !=
+            RigidFoundation::Parameters::Shape::plane)
+          throw InputError("the wheel rolls in stage " + std::to_string(i + 1) +
+                           ", which needs 'Contact/Foundation = plane'.");
+        if (!WheelAxes::fit(direction))
+          throw InputError("Contact/Direction",
+                           vector_to_string(direction),
+                           "a wheel with the y axis as its axle cannot roll on "
+                           "this ground");
+        const std::string &coefficient =
+          (stage.friction.empty() ? contact.friction.coefficient
+                                  : stage.friction);
+        if (FrictionLaw(section + "/Friction", coefficient, 1).is_zero())
+          continue;
+        if (contact.friction.critical_velocity == 0)
+          throw InputError("Contact/Critical velocity",
+                           "0",
+                           "it must be positive for the friction of the wheel "
+                           "that rolls in stage " +
+                             std::to_string(i + 1));
+        if (contact.condition.mass != MultiplierMass::lumped)
+          throw InputError("Contact/Multiplier mass",
+                           "consistent",
+                           "it must be 'lumped' for the friction of the wheel "
+                           "that rolls in stage " +
+                             std::to_string(i + 1));
+      }
   }
 
 

@@ -14,6 +14,11 @@ namespace Biface
   {
     using Motion = FoundationStiffness::Motion;
 
+    if (from.level.angular_velocity != to.level.angular_velocity ||
+        from.level.ground_velocity != to.level.ground_velocity ||
+        from.level.slip_angle != to.level.slip_angle)
+      return {};
+
     const double       approach = to.level.travel - from.level.travel;
     const Tensor<1, 3> slide    = to.level.slide - from.level.slide;
     const double       turn     = to.level.turn - from.level.turn;

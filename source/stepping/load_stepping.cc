@@ -74,7 +74,9 @@ namespace Biface
           contact.friction("Stage " + std::to_string(progress.stage + 1) +
                              "/Friction",
                            stage.friction,
-                           stage.glued)};
+                           stage.glued),
+          stage.rolls(progress.stage_begun ? progress.control.start
+                                           : progress.reached)};
 
         if (progress.stage_begun)
           control->restore(progress.control);
@@ -152,6 +154,8 @@ namespace Biface
         progress.reaction = {progress.reached, {}, {}};
       }
     progress.first_reaction = progress.reaction;
+    if (run.rolls)
+      contact.forget_history(run.state);
     contact.set_glued(run.state, stage.glued);
     equations.internal_forces().set_theory(stage.theory, run.state);
     progress.gas_content.reset();
@@ -290,6 +294,14 @@ namespace Biface
         if (first.turn != 0)
           out << ", turn " << first.turn;
       }
+    if (run.rolls)
+      {
+        out << ", angular velocity " << first.angular_velocity;
+        if (first.ground_velocity != 0)
+          out << ", ground velocity " << first.ground_velocity;
+        if (first.slip_angle != 0)
+          out << ", slip angle " << first.slip_angle;
+      }
     out << (trial.equation ? " at its start" : "") << std::endl;
 
     const NewtonIteration iteration = newton.parameters.iteration;
@@ -377,6 +389,7 @@ namespace Biface
     report.loads      = loads_at(progress.reached, run);
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
     report.work       = progress.work;
+    report.level      = progress.reached;
     if (run.stage.contact)
       {
         report.slide = progress.reached.slide;
@@ -393,6 +406,9 @@ namespace Biface
           force_of_foundation(equations, run.state, report.loads, Point<3>());
         progress.reaction = {progress.reached, now.force, now.moment};
         report.stiffness  = stiffness(run, reaction_before);
+        if (report.loads.rolling)
+          report.rolling =
+            summarize_rolling(equations, contact, run.state, report.loads);
         warn_of_pierced_nodes(run.state, report.loads);
       }
     report.iterations        = result.iterations;
@@ -532,6 +548,10 @@ namespace Biface
                                                : level.pressure);
     loads.factor   = level.factor;
     loads.factor_of_shape = run.progress.factor_of_shape;
+    if (run.rolls)
+      loads.rolling = contact.rolling(level.angular_velocity,
+                                      level.ground_velocity,
+                                      level.slip_angle * numbers::PI / 180);
     return loads;
   }
 

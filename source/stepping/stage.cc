@@ -111,6 +111,33 @@ namespace Biface
       "right-handed about 'Contact/Direction' through the point where it first "
       "touched the shell; this axis slides with the foundation. 'unchanged': "
       "as at the start of the stage. Unit: degrees.");
+    add_optional_number(
+      prm,
+      "Angular velocity",
+      angular_velocity,
+      unchanged,
+      "Angular velocity of a steadily rolling or spinning wheel at the end of "
+      "the stage, right-handed about the y axis. 'unchanged': as at the start "
+      "of the stage. Unit: radians/time.");
+    add_optional_number(
+      prm,
+      "Ground velocity",
+      ground_velocity,
+      unchanged,
+      "Speed of the wheel over the ground at the end of the stage, positive "
+      "forward: the direction in which a wheel with positive 'Angular "
+      "velocity' rolls. If it or the angular velocity is not 0 at either end "
+      "of the stage, friction follows from the slip velocity, see "
+      "'Contact/Critical velocity', without history. 'unchanged': as at the "
+      "start of the stage. Unit: length/time.");
+    add_optional_number(
+      prm,
+      "Slip angle",
+      slip_angle,
+      unchanged,
+      "Angle between the direction in which the wheel moves over the ground "
+      "and its plane at the end of the stage, positive to the left. "
+      "'unchanged': as at the start of the stage. Unit: degrees.");
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction in the stage, instead of that "
@@ -141,7 +168,8 @@ namespace Biface
       "points, until the loads of the stage are reached; 'Steps' sets the "
       "first step: 1/Steps of the loads), or 'foundation force' (equal steps "
       "of the force on the foundation and of all loads; the travel is "
-      "computed).",
+      "computed), or 'axle moment' (equal steps of the moment of the axle on a "
+      "rolling wheel and of all loads; the angular velocity is computed).",
       Patterns::Selection(selection));
     prm.add_parameter("Control point",
                       control_point,
@@ -164,6 +192,12 @@ namespace Biface
                       force,
                       "Compressive force on the foundation at the end of a "
                       "stage with 'Control = foundation force'. Unit: force.",
+                      Patterns::Double());
+    prm.add_parameter("Axle moment",
+                      axle_moment,
+                      "Moment of the axle on the wheel about the y axis at the "
+                      "end of a stage with 'Control = axle moment': 0 for free "
+                      "rolling, negative for braking. Unit: force*length.",
                       Patterns::Double());
     prm.add_parameter("Steps",
                       n_steps,
@@ -234,6 +268,9 @@ namespace Biface
     check_load("Travel", travel);
     check_load("Load factor", factor);
     check_load("Turn", turn);
+    check_load("Angular velocity", angular_velocity);
+    check_load("Ground velocity", ground_velocity);
+    check_load("Slip angle", slip_angle);
     if (slide)
       check_finite(section + "/Slide", *slide);
     if (!friction.empty())
@@ -264,6 +301,10 @@ namespace Biface
       throw InputError(section + "/Force",
                        number_to_string(force),
                        "it needs 'Control = foundation force'");
+    if (control != "axle moment" && axle_moment != 0)
+      throw InputError(section + "/Axle moment",
+                       number_to_string(axle_moment),
+                       "it needs 'Control = axle moment'");
     if (!contact && travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
                        number_to_string(*travel),

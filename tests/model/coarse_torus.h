@@ -13,11 +13,12 @@
 #include <biface/surface/surface_of_revolution.h>
 
 /** A section of the torus of the bias tire on a coarse, uneven grid, held at
- * its edges in the first coordinate. */
+ * its edges in the first coordinate; or the full turn. */
 inline std::unique_ptr<Biface::ShellMesh>
 coarse_torus(
   const Biface::Layup         &layup,
-  const Biface::StrainSampling sampling = Biface::StrainSampling::vertices)
+  const Biface::StrainSampling sampling = Biface::StrainSampling::vertices,
+  const bool                   closed   = false)
 {
   using namespace Biface;
 
@@ -27,8 +28,11 @@ coarse_torus(
   supports.edges[0] = supports.edges[1] = parse_support("support", "fixed", 0);
   ChartGrid::Parameters parameters;
   parameters.intervals = {{parse_intervals("intervals", "-60:50:5:1.1"),
-                           parse_intervals("intervals", "-30:30:6")}};
-  parameters.closed    = false;
+                           parse_intervals("intervals",
+                                           closed ? "-180:-30:4, -30:30:7, "
+                                                    "30:180:5"
+                                                  : "-30:30:6")}};
+  parameters.closed    = closed;
   const ChartGrid grid(parameters, *surface);
   return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
                                      std::move(surface),

@@ -51,6 +51,8 @@ namespace Biface
     {
       std::string coefficient    = "0";
       double      regularization = 1e2;
+      /** See SlipVelocityLaw; 0 if not given. */
+      double critical_velocity = 0;
 
       void
       add_parameters(dealii::ParameterHandler &prm);

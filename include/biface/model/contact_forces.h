@@ -62,6 +62,17 @@ namespace Biface
     }
 
   private:
+    /** Add the derivative of the force at a vertex of a rolling shell by the
+     * displacement of its neighbor along the flow in the same cell. The cells
+     * on either side of a node add what depends on the neighbor on this side,
+     * for the whole area of the node: the sparsity pattern does not grow. Only
+     * for the lumped mass. */
+    void
+    add_neighbor(const Cell                         &cell,
+                 const unsigned int                  vertex,
+                 const ContactInteraction::Traction &traction,
+                 MixedElement::NodalMatrix          &K) const;
+
     const ContactInteraction &contact;
   };
 } // namespace Biface

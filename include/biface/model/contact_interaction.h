@@ -14,6 +14,7 @@
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
+#include <biface/model/flow_lines.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 
@@ -105,6 +106,13 @@ namespace Biface
              const std::string &coefficient,
              const bool         glued) const;
 
+    /** How the shell rolls over the foundation at rest.
+     * @param speed, slip_angle see Rolling::ground_velocity_of(). */
+    Rolling
+    rolling(const double angular_velocity,
+            const double speed,
+            const double slip_angle) const;
+
     /** The travel at which the foundation just touches a free node of the
      * deformed outer face, one that can come into contact. Throws InputError if
      * it misses the shell, or if the shell does not fit into it. */
@@ -191,6 +199,11 @@ namespace Biface
        * friction
        * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
       dealii::Tensor<2, 3> stiffness;
+      /** If the shell rolls with friction: minus the derivatives with respect
+       * to the positions of the neighbors along the flow, behind and ahead, and
+       * the derivative with respect to the angular velocity. */
+      std::array<dealii::Tensor<2, 3>, 2> stiffness_of_neighbors{};
+      dealii::Tensor<1, 3>                per_angular_velocity{};
     };
 
     /** @param node the position of an active node in ShellMesh::nodes. */
@@ -218,8 +231,27 @@ namespace Biface
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 
+    /** The velocity of the particle at a node of a shell that rolls, relative
+     * to the ground. Zero at nodes whose neighbors are not on this rank, see
+     * FlowLines. */
+    dealii::Tensor<1, 3>
+    relative_velocity(const State       &state,
+                      const Loads       &loads,
+                      const unsigned int node) const;
+
+    /** Its part in the tangent plane, at a node in contact. */
+    dealii::Tensor<1, 3>
+    slip_velocity(const State       &state,
+                  const Loads       &loads,
+                  const unsigned int node) const;
+
+    /** Let all nodes forget how they stick: a rolling shell has no history. */
+    void
+    forget_history(State &state) const;
+
     const ShellMesh       &mesh;
     const ContactCondition condition;
+    const FlowLines        flow_lines;
 
   private:
     /** The geometry of contact at a node. */
@@ -246,6 +278,19 @@ namespace Biface
          const Loads       &loads,
          const unsigned int node,
          const Contact     &at) const;
+
+    /** @f$\partial\mathbf x/\partial\varphi@f$ of the outer face at a node
+     * with neighbors, see FlowLines. */
+    dealii::Tensor<1, 3>
+    slope_along_flow(const State &state, const unsigned int node) const;
+
+    /** Add the traction of a node that rolls over the ground, with friction. */
+    void
+    add_rolling_friction(const State       &state,
+                         const Loads       &loads,
+                         const unsigned int node,
+                         const Contact     &at,
+                         Traction          &result) const;
 
     /** The tangential traction at an active node. */
     dealii::Tensor<1, 3>

@@ -14,6 +14,7 @@
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
+#include <biface/contact/rolling.h>
 #include <biface/element/modes.h>
 #include <biface/model/shell_mesh.h>
 
@@ -61,7 +62,8 @@ namespace Biface
     /** How the foundation holds the nodes of this rank sideways, and the points
      * of the foundation at rest to which they stick. In a step a node may begin
      * and cease to slip; everything else is the history of friction up to the
-     * end of the last step, see ContactInteraction::record_history(). */
+     * end of the last step, see ContactInteraction::record_history(). If the
+     * shell rolls, there is no history, and the grips tell where it slips. */
     std::vector<Grip>             grips;
     std::vector<dealii::Point<3>> stick_points;
 
@@ -91,6 +93,10 @@ namespace Biface
 
     /** Null without friction. */
     std::shared_ptr<const FrictionLaw> friction;
+
+    /** Set if the shell rolls: then friction follows from the slip velocity,
+     * see SlipVelocityLaw, instead of the history of the state. */
+    std::optional<Rolling> rolling;
   };
 
 
@@ -101,6 +107,8 @@ namespace Biface
     double factor   = 0;
     /** Travel of the foundation. */
     double travel = 0;
+    /** See Rolling. */
+    double angular_velocity = 0;
   };
 
 

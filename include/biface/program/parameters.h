@@ -89,6 +89,10 @@ namespace Biface
     void
     check_densities() const;
 
+    /** Check the stages in which the shell rolls. */
+    void
+    check_rolling() const;
+
     /** Throws InputError if the edges of a closed coordinate are supported or
      * loaded. */
     void

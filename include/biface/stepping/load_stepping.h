@@ -117,6 +117,8 @@ namespace Biface
       State       &state;
       /** Null without friction. */
       std::shared_ptr<const FrictionLaw> friction;
+      /** See Stage::rolls(). */
+      bool rolls;
     };
 
     /** The result of an attempt at a step. */

@@ -36,12 +36,23 @@ namespace Biface
     /** See RigidFoundation::displaced(); the turn is in degrees. */
     dealii::Tensor<1, 3> slide;
     double               turn = 0;
+    /** Of a rolling wheel, see Rolling; the slip angle is in degrees. */
+    double angular_velocity = 0;
+    double ground_velocity  = 0;
+    double slip_angle       = 0;
+
+    bool
+    rolls() const
+    {
+      return angular_velocity != 0 || ground_velocity != 0;
+    }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &pressure &factor &travel &slide &turn;
+      archive &pressure &factor &travel &slide   &turn;
+      archive &angular_velocity &ground_velocity &slip_angle;
     }
   };
 
@@ -83,6 +94,11 @@ namespace Biface
      */
     std::optional<dealii::Tensor<1, 3>> slide;
     std::optional<double>               turn;
+    /** How the wheel rolls at the end of the stage, see LoadLevel. */
+    std::optional<double> angular_velocity, ground_velocity, slip_angle;
+    /** The moment of the axle on the wheel at the end of the stage, if
+     * prescribed. */
+    double axle_moment = 0;
     /** The coefficient of friction, see FrictionLaw; empty for that of the
      * section 'Contact'. */
     std::string friction;
@@ -125,7 +141,18 @@ namespace Biface
               factor.value_or(start.factor),
               travel.value_or(start.travel),
               slide.value_or(start.slide),
-              turn.value_or(start.turn)};
+              turn.value_or(start.turn),
+              angular_velocity.value_or(start.angular_velocity),
+              ground_velocity.value_or(start.ground_velocity),
+              slip_angle.value_or(start.slip_angle)};
+    }
+
+    /** Whether the shell rolls: it does not stand both at the start and at the
+     * end of the stage. */
+    bool
+    rolls(const LoadLevel &start) const
+    {
+      return start.rolls() || end(start).rolls() || control == "axle moment";
     }
 
     /** Whether the foundation may move while it is there. */
@@ -161,6 +188,10 @@ namespace Biface
       serialize_optional(archive, pressure);
       serialize_optional(archive, travel);
       serialize_optional(archive, factor);
+      serialize_optional(archive, angular_velocity);
+      serialize_optional(archive, ground_velocity);
+      serialize_optional(archive, slip_angle);
+      archive                                            &axle_moment;
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/model/footprint.h>
+#include <biface/model/rolling_summary.h>
 #include <biface/model/state.h>
 #include <biface/model/work.h>
 #include <biface/stepping/foundation_stiffness.h>
@@ -40,6 +41,10 @@ namespace Biface
     /** Its motion sideways and turn, in degrees. */
     dealii::Tensor<1, 3> slide;
     double               turn = 0;
+    /** All loads and motions reached. */
+    LoadLevel level;
+    /** If the wheel rolls over the ground. */
+    std::optional<RollingSummary> rolling;
     /** See Progress. */
     Work           work;
     ContactSummary contact;

@@ -6,6 +6,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/stepping/controls/arc_length_control.h>
+#include <biface/stepping/controls/axle_moment_control.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/controls/displacement_control.h>
 #include <biface/stepping/controls/force_control.h>
@@ -30,7 +31,8 @@ namespace Biface
       controls{{"load", &make<LoadControl>},
                {"displacement", &make<DisplacementControl>},
                {"arc length", &make<ArcLengthControl>},
-               {"foundation force", &make<ForceControl>}};
+               {"foundation force", &make<ForceControl>},
+               {"axle moment", &make<AxleMomentControl>}};
   } // namespace
 
 
@@ -85,12 +87,16 @@ namespace Biface
   Control::KnownStart
   Control::known_end(const KnownStart &start) const
   {
-    return {stage.pressure ? stage.pressure : start.pressure,
-            stage.factor ? stage.factor : start.factor,
-            stage.travel ? stage.travel : start.travel,
-            stage.slide ? stage.slide : start.slide,
-            stage.turn ? stage.turn : start.turn,
-            false};
+    return {
+      stage.pressure ? stage.pressure : start.pressure,
+      stage.factor ? stage.factor : start.factor,
+      stage.travel ? stage.travel : start.travel,
+      stage.slide ? stage.slide : start.slide,
+      stage.turn ? stage.turn : start.turn,
+      stage.angular_velocity ? stage.angular_velocity : start.angular_velocity,
+      stage.ground_velocity ? stage.ground_velocity : start.ground_velocity,
+      stage.slip_angle ? stage.slip_angle : start.slip_angle,
+      false};
   }
 
 
@@ -128,6 +134,10 @@ namespace Biface
       stage.pressure == now.pressure && stage.factor == now.factor &&
       stage.travel == now.travel && stage.slide == now.slide &&
       stage.turn == now.turn && stage.force == now.force &&
+      stage.angular_velocity == now.angular_velocity &&
+      stage.ground_velocity == now.ground_velocity &&
+      stage.slip_angle == now.slip_angle &&
+      stage.axle_moment == now.axle_moment &&
       stage.control_value == now.control_value;
     if (same_way && stage.n_steps == now.n_steps &&
         stage.adaptive == now.adaptive)
@@ -163,11 +173,16 @@ namespace Biface
   std::vector<Control::Way>
   Control::ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const
   {
-    std::vector<Way> ways{{start.pressure, reached.pressure, end.pressure},
-                          {start.factor, reached.factor, end.factor},
-                          {start.turn, reached.turn, end.turn}};
+    std::vector<Way> ways{
+      {start.pressure, reached.pressure, end.pressure},
+      {start.factor, reached.factor, end.factor},
+      {start.turn, reached.turn, end.turn},
+      {start.ground_velocity, reached.ground_velocity, end.ground_velocity},
+      {start.slip_angle, reached.slip_angle, end.slip_angle}};
     for (unsigned int i = 0; i < 3; ++i)
       ways.push_back({start.slide[i], reached.slide[i], end.slide[i]});
+    ways.push_back(
+      {start.angular_velocity, reached.angular_velocity, end.angular_velocity});
     ways.push_back({start.travel, reached.travel, end.travel});
     return ways;
   }
@@ -183,7 +198,12 @@ namespace Biface
             start.factor + fraction * (end.factor - start.factor),
             start.travel + fraction * (end.travel - start.travel),
             start.slide + fraction * (end.slide - start.slide),
-            start.turn + fraction * (end.turn - start.turn)};
+            start.turn + fraction * (end.turn - start.turn),
+            start.angular_velocity +
+              fraction * (end.angular_velocity - start.angular_velocity),
+            start.ground_velocity +
+              fraction * (end.ground_velocity - start.ground_velocity),
+            start.slip_angle + fraction * (end.slip_angle - start.slip_angle)};
   }
 
 

@@ -53,13 +53,14 @@ namespace Biface
       std::optional<double>               pressure, factor, travel;
       std::optional<dealii::Tensor<1, 3>> slide;
       std::optional<double>               turn;
+      std::optional<double> angular_velocity, ground_velocity, slip_angle;
       /** Whether all displacements are zero. */
       bool is_undeformed = false;
 
       static KnownStart
       undeformed()
       {
-        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., true};
+        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., 0., 0., 0., true};
       }
 
       static KnownStart
@@ -70,6 +71,9 @@ namespace Biface
                 level.travel,
                 level.slide,
                 level.turn,
+                level.angular_velocity,
+                level.ground_velocity,
+                level.slip_angle,
                 false};
       }
     };
@@ -241,7 +245,8 @@ namespace Biface
     static std::optional<double>
     common_part(const std::vector<Way> &ways);
 
-    /** The paths of the loads; the last one is that of the travel. */
+    /** The paths of the loads; the last two are those of the angular velocity
+     * and of the travel. */
     std::vector<Way>
     ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_rolling_summary_h
+#define biface_model_rolling_summary_h
+
+#include <deal.II/base/tensor.h>
+
+#include <biface/model/shell_equations.h>
+#include <biface/model/state.h>
+
+namespace Biface
+{
+  /** The forces and powers of a wheel that rolls over a plane. */
+  struct RollingSummary
+  {
+    /** Of the ground on the wheel, in the axes of WheelAxes; the moment is
+     * about the contact center, where the line from the center of the wheel
+     * down in its middle plane meets the ground. */
+    dealii::Tensor<1, 3> force, moment;
+
+    /** See axle_moment(). */
+    double axle_moment = 0;
+
+    /** The speed over the ground per angular velocity; not a number without
+     * one. Unit: length. */
+    double rolling_radius = 0;
+
+    /** Powers. Of the axle on the wheel, of the ground on the wheel, and what
+     * friction turns into heat. Their balance is @p mismatch, axle + ground -
+     * friction: the error of the mesh, which is zero in the limit. Most of it
+     * is @p normal, the power of the contact pressure on particles that cross
+     * the surface of the ground at the edge of contact, where a segment of the
+     * mesh is half in contact; @p mismatch plus @p normal is the rest. */
+    double axle_power = 0, ground_power = 0, friction_power = 0,
+           normal_power = 0, mismatch = 0;
+  };
+
+
+  /** The figures of a converged state on a plane. Must be called on all
+   * ranks. */
+  RollingSummary
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &contact,
+                    const State              &state,
+                    const Loads              &loads);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_rolling_file_h
+#define biface_output_rolling_file_h
+
+#include <vector>
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** rolling.csv: a line for each step in which a wheel rolls over the ground,
+   * see RollingSummary. */
+  class RollingFile : public StepTable
+  {
+  public:
+    /** @param stages those of the run, to see whether the file would be
+     * empty. */
+    RollingFile(const std::vector<Stage> &stages,
+                ResultsDirectory         &directory,
+                const ShellEquations     &equations);
+
+    bool
+    is_wanted() const override
+    {
+      return any_rolling;
+    }
+
+  private:
+    bool
+    contains(const StepReport &report) const override
+    {
+      return report.rolling.has_value();
+    }
+
+    void
+    write(const StepReport &report, const State &state) override;
+
+    const bool any_rolling;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <biface/model/axle_moment.h>
+#include <biface/model/forces_on_shell.h>
+#include <biface/model/rolling_summary.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Point<3>
+    contact_center(const RigidFoundation &ground)
+    {
+      Tensor<1, 3> down = ground.direction();
+      down[1]           = 0;
+      return Point<3>(ground.clearance(Point<3>()) /
+                      (ground.direction() * down) * down);
+    }
+  } // namespace
+
+
+  RollingSummary
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &contact,
+                    const State              &state,
+                    const Loads              &loads)
+  {
+    const RigidFoundation &ground  = *loads.foundation;
+    const Rolling         &rolling = *loads.rolling;
+    const WheelAxes        axes(ground.direction());
+    const auto             in_axes = [&](const Tensor<1, 3> &v) {
+      return Tensor<1, 3>({axes.forward * v, axes.left * v, axes.up * v});
+    };
+
+    const ForceOnShell exerted =
+      force_of_foundation(equations, state, loads, contact_center(ground));
+
+    // each column of the mass adds up to a quarter
+    std::vector<double> powers(2);
+    const ShellMesh    &mesh = equations.mesh;
+    for (const Cell &cell : mesh.cells)
+      for (const unsigned int n : cell.nodes)
+        if (state.active[n])
+          {
+            const double area     = cell.geometry.weight / 4;
+            const auto   traction = contact_traction(mesh, state, loads, n);
+            const Tensor<1, 3> v  = contact.relative_velocity(state, loads, n);
+            powers[0] -= area * (traction.friction * v);
+            powers[1] += area * ((traction.total - traction.friction) * v);
+          }
+    Utilities::MPI::sum(powers, mesh.communicator, powers);
+
+    RollingSummary result;
+    result.force       = in_axes(exerted.force);
+    result.moment      = in_axes(exerted.moment);
+    result.axle_moment = axle_moment(equations, state, loads).value;
+    result.rolling_radius =
+      (rolling.angular_velocity != 0
+         ? std::copysign(rolling.ground_velocity.norm(),
+                         -(rolling.ground_velocity * axes.forward)) /
+             rolling.angular_velocity
+         : std::numeric_limits<double>::quiet_NaN());
+    result.axle_power     = result.axle_moment * rolling.angular_velocity;
+    result.ground_power   = exerted.force * rolling.ground_velocity;
+    result.friction_power = powers[0];
+    result.normal_power   = powers[1];
+    result.mismatch =
+      result.axle_power + result.ground_power - result.friction_power;
+    return result;
+  }
+} // namespace Biface

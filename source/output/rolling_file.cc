@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <string>
+
+#include <biface/output/csv.h>
+#include <biface/output/rolling_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  RollingFile::RollingFile(const std::vector<Stage> &stages,
+                           ResultsDirectory         &directory,
+                           const ShellEquations     &equations)
+    : StepTable("rolling.csv",
+                "step,stage,angular_velocity,ground_velocity,slip_angle,"
+                "rolling_radius,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
+                "ground_power,friction_power,normal_power,mismatch",
+                1,
+                directory,
+                equations)
+    , any_rolling(
+        std::any_of(stages.begin(),
+                    stages.end(),
+                    [](const Stage &stage) { return stage.contact; }) &&
+        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.rolls(LoadLevel());
+        }))
+  {}
+
+
+  void
+  RollingFile::write(const StepReport &report, const State & /*state*/)
+  {
+    const RollingSummary &rolling = *report.rolling;
+    std::vector<double>   values{report.level.angular_velocity,
+                               report.level.ground_velocity,
+                               report.level.slip_angle,
+                               rolling.rolling_radius};
+    for (const Tensor<1, 3> &vector : {rolling.force, rolling.moment})
+      for (unsigned int i = 0; i < 3; ++i)
+        values.push_back(vector[i]);
+    for (const double value : {rolling.axle_moment,
+                               rolling.axle_power,
+                               rolling.ground_power,
+                               rolling.friction_power,
+                               rolling.normal_power,
+                               rolling.mismatch})
+      values.push_back(value);
+    std::string line = std::to_string(report.step) + ',' + report.stage;
+    for (const double value : values)
+      line += ',' + csv_number(value);
+    append(line + '\n');
+  }
+} // namespace Biface
