@@ -201,19 +201,16 @@ namespace Biface
     unsigned int n_changes = 0;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        const Node &node      = mesh.nodes[n];
-        bool        active    = false;
-        double      clearance = 0;
-        Contact     at{};
+        const Node        &node   = mesh.nodes[n];
+        const Tensor<1, 3> last   = state.multipliers[n];
+        bool               active = false;
+        Contact            at{};
         if (loads.foundation && node.outer_face_free)
           {
-            at        = contact_at(state, loads, n);
-            clearance = at.foundation.clearance;
-            // the multiplier that was eliminated from the last linear system
-            const double multiplier =
-              (state.active[n] ? condition.multiplier(clearance) : 0.);
-            active = (!held.empty() && held[n]) ||
-                     condition.should_be_active(multiplier, clearance);
+            at = contact_at(state, loads, n);
+            active =
+              (!held.empty() && held[n]) ||
+              condition.should_be_active(last[0], at.foundation.clearance);
           }
         if (active != static_cast<bool>(state.active[n]))
           {
@@ -221,11 +218,10 @@ namespace Biface
             if (node.locally_owned)
               ++n_changes;
           }
-        const Tensor<1, 3> last = state.multipliers[n];
-        state.multipliers[n]    = 0;
+        state.multipliers[n] = 0;
         if (!active)
           continue;
-        state.multipliers[n][0] = condition.multiplier(clearance);
+        state.multipliers[n][0] = last[0];
         if (!loads.friction || (!loads.rolling && state.grips[n] == Grip::none))
           continue;
         const auto tangents = loads.foundation->tangents(at.foundation.normal);
@@ -245,8 +241,7 @@ namespace Biface
             const bool reversed =
               state.grips[n] == Grip::slip &&
               trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
-            const bool beyond =
-              loads.friction->should_slip(trial, -state.multipliers[n][0]);
+            const bool beyond = loads.friction->should_slip(trial, -last[0]);
             state.grips[n] = (beyond && !reversed ? Grip::slip : Grip::stick);
             // the iteration has to go on until the node obeys the law
             if (beyond && reversed && node.locally_owned)
@@ -257,6 +252,57 @@ namespace Biface
           state.multipliers[n][1 + i] = tangents[i] * friction;
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
+  }
+
+
+  std::vector<ContactInteraction::Linearization>
+  ContactInteraction::linearize(const State &state, const Loads &loads) const
+  {
+    std::vector<Linearization> result(mesh.nodes.size());
+    if (loads.foundation)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (state.active[n])
+          {
+            const Contact at = contact_at(state, loads, n);
+            result[n]        = {loads.foundation->at_rest(at.x),
+                                at.foundation.clearance,
+                                at.foundation.normal};
+          }
+    return result;
+  }
+
+
+  void
+  ContactInteraction::predict_multipliers(
+    State                            &state,
+    const Loads                      &loads,
+    const std::vector<Linearization> &before) const
+  {
+    AssertDimension(before.size(), mesh.nodes.size());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (loads.foundation && state.active[n])
+        {
+          const Tensor<1, 3> motion =
+            mesh.deformed_position(
+              state.displacement, mesh.nodes[n], Resultants::outer) -
+            loads.foundation->present(before[n].at_rest);
+          state.multipliers[n][0] = condition.multiplier(
+            before[n].clearance - before[n].normal * motion);
+        }
+      else
+        state.multipliers[n] = 0;
+  }
+
+
+  unsigned int
+  ContactInteraction::settle(State &state, const Loads &loads) const
+  {
+    if (loads.foundation)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].outer_face_free)
+          state.multipliers[n][0] = std::min(
+            0., condition.multiplier(clearance(state, loads, mesh.nodes[n])));
+    return update_active_set(state, loads);
   }
 
 
@@ -439,11 +485,13 @@ namespace Biface
       Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
 
     const SlipVelocityLaw law(*loads.friction, rolling.critical_velocity);
-    const SlipVelocityLaw::Traction friction = law.traction(
-      tangential * v, -condition.multiplier(at.foundation.clearance));
+    const double          lambda = state.multipliers[node][0];
+    const double          exact = condition.multiplier(at.foundation.clearance);
+    const SlipVelocityLaw::Traction friction =
+      law.traction(tangential * v, -lambda);
     const Tensor<2, 3> per_velocity = friction.per_slip * tangential;
 
-    result.value += friction.value;
+    result.value += friction.value + (lambda - exact) * friction.per_pressure;
     result.stiffness += friction.per_slip * ((n * v) * gradient +
                                              outer_product(n, gradient * v)) -
                         outer_product(friction.per_pressure,
@@ -471,8 +519,7 @@ namespace Biface
     const Tensor<1, 3> trial =
       law.trial(slip(state, loads, node, at).tangential);
     return state.grips[node] == Grip::slip
-             ? law.slip(trial, -condition.multiplier(at.foundation.clearance))
-                 .traction
+             ? law.slip(trial, -state.multipliers[node][0]).traction
              : trial;
   }
 
@@ -485,11 +532,12 @@ namespace Biface
     const Contact          contact = contact_at(state, loads, node);
     const FoundationPoint &at      = contact.foundation;
     const Tensor<1, 3>    &n       = at.normal;
-    const double           lambda  = condition.multiplier(at.clearance);
+    const double           lambda  = state.multipliers[node][0];
+    const double           exact   = condition.multiplier(at.clearance);
     const double           epsilon = condition.multiplier_stiffness();
     const Tensor<2, 3>     normal_gradient(at.normal_gradient);
     Traction               result;
-    result.value     = lambda * n;
+    result.value     = exact * n;
     result.stiffness = epsilon * outer_product(n, n) - lambda * normal_gradient;
     if (!loads.friction)
       return result;
@@ -513,8 +561,8 @@ namespace Biface
     if (state.grips[node] == Grip::slip)
       {
         const FrictionLaw::Slip limited = law.slip(t, -lambda);
-        t                               = limited.traction;
-        derivative                      = limited.per_trial * derivative +
+        t          = limited.traction + (lambda - exact) * limited.per_pressure;
+        derivative = limited.per_trial * derivative +
                      outer_product(limited.per_pressure, epsilon * n);
       }
     result.value += t;

@@ -119,13 +119,14 @@ namespace Biface
 
 
   unsigned int
-  ActiveSetIteration::release(State &state, const Loads &loads)
+  ActiveSetIteration::settle(State &state, const Loads &loads)
   {
-    if (held.empty())
-      return 0;
-    out << "    releasing the nodes held in contact" << std::endl;
-    held.clear();
-    cycle.restart();
-    return contact.update_active_set(state, loads);
+    if (!held.empty())
+      {
+        out << "    releasing the nodes held in contact" << std::endl;
+        held.clear();
+        cycle.restart();
+      }
+    return contact.settle(state, loads);
   }
 } // namespace Biface

@@ -188,7 +188,7 @@ namespace Biface
 
         if (is_converged(iterate))
           {
-            iterate.n_changes = iterate.zone.release(state, iterate.loads);
+            iterate.n_changes = iterate.zone.settle(state, iterate.loads);
             if (iterate.n_changes > 0)
               {
                 result.residuals.pop_back();
@@ -388,8 +388,10 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Update of the state");
     iterate.mu += increment.mu;
     iterate.total += increment.displacement;
+    const auto contacts = contact.linearize(iterate.state, iterate.loads);
     equations.update(iterate.state, increment.displacement, iterate.iteration);
-    iterate.loads       = iterate.parametrized.on(iterate.state, iterate.mu);
+    iterate.loads = iterate.parametrized.on(iterate.state, iterate.mu);
+    contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
     iterate.last_update = increment.displacement.linfty_norm();
     ++iterate.result.iterations;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The primal-dual decision releases an active node that is pulled and holds one
-// that is pressed, also where the clearance is not yet that of the multiplier;
-// a node apart enters where it has penetrated. Where the multiplier is that of
-// the clearance, the sign of the clearance decides.
+// that is pressed, whatever the clearance, which is not yet that of the
+// multiplier; a node apart enters where it has penetrated. Where the multiplier
+// is that of the clearance, the sign of the clearance decides.
 
 #include <biface/contact/contact_condition.h>
 
@@ -25,8 +25,10 @@ main()
              condition.should_be_active(-p, 0));
   check_true("pulled, the foundation just reached: released",
              !condition.should_be_active(p, 0));
-  check_true("pulled, but deep inside: held",
-             condition.should_be_active(p, -2 * c));
+  check_true("pressed, far from the foundation: held",
+             condition.should_be_active(-p, 1e4 * c));
+  check_true("pulled, though deep inside: released",
+             !condition.should_be_active(p, -1e4 * c));
   check_true("apart, penetrated: enters", condition.should_be_active(0, -c));
   check_true("apart, clear of it: stays apart",
              !condition.should_be_active(0, c));

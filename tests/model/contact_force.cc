@@ -40,7 +40,7 @@ namespace
     const double touching =
       std::abs(contact.travel_to_touch(state, loads)) / mesh->size();
     loads.foundation            = loads.foundation->moved(6);
-    const unsigned int n_active = contact.update_active_set(state, loads);
+    const unsigned int n_active = contact.settle(state, loads);
 
     // the forces of the contact alone
     equations.assemble(state, Loads());

@@ -27,7 +27,6 @@ main(int argc, char *argv[])
            "Contact/Foundation=" + shape,
            "Contact/Drum/Radius=1000",
            "Contact/Sphere/Radius=1000",
-           "Contact/Regularization=10",
            "Contact/Friction=0.4",
            "Stage 2/Steps=2",
            "Stage 2/Travel=15",

@@ -47,13 +47,13 @@ namespace
       cross_product_3d(loads.foundation->direction(), Tensor<1, 3>({1, 2, 3}));
     loads.foundation = loads.foundation->displaced(across, 0.1, pivot);
     loads.friction   = contact.friction("", "", false);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
     contact.record_history(state, loads);
 
     // the foundation moves on, and some nodes are said to do something else
     loads.foundation =
       contact.foundation(touching + 15).displaced(1.3 * across, 0.12, pivot);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
       if (state.grips[n] != Grip::none)

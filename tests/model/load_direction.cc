@@ -43,7 +43,7 @@ namespace
     loads.pressure   = 0.1;
     loads.factor     = 0.7;
     loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
 
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (is_root)

@@ -32,11 +32,11 @@ namespace
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
     loads.foundation = contact.foundation(contact.touching_travel(state) + 12);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
     // another displacement, farther back: nodes leave
     loads.foundation = loads.foundation->moved(-7);
     state            = at(equations, state, some_displacement(*mesh, 0.6, 5));
-    const unsigned int n_changes = contact.update_active_set(state, loads);
+    const unsigned int n_changes = contact.settle(state, loads);
 
     double apart = 0, condition = 0, tangential = 0, largest = 0;
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)

@@ -40,7 +40,7 @@ namespace
     loads.foundation = contact.foundation(contact.touching_travel(state) + 15);
     loads.friction   = contact.friction("", "", false);
     loads.rolling    = contact.rolling(omega, 200 * omega + 5, 0.02);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
     const unsigned int n_active   = contact.count_active(state);
     const unsigned int n_slipping = contact.count_slipping(state, loads);
 

@@ -41,7 +41,7 @@ namespace
     loads.pressure = (with_pressure ? 0.1 : 0.);
     if (with_foundation)
       loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
-    contact.update_active_set(state, loads);
+    contact.settle(state, loads);
     equations.assemble(state, loads);
 
     LA::Vector       product = mesh->owned_vector();

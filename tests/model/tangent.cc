@@ -91,7 +91,7 @@ namespace
     loads.pressure   = 0.1;
     loads.factor     = 0.7;
     loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
-    const unsigned int n_active = contact.update_active_set(state, loads);
+    const unsigned int n_active = contact.settle(state, loads);
 
     equations.assemble(state, loads);
     const double force = equations.residual().l2_norm();

@@ -46,7 +46,7 @@ main(int argc, char *argv[])
   const unsigned int n_changes = zone.update(state, far);
   out << n_changes << " changes" << std::endl;
   print("far, held");
-  const unsigned int n_released = zone.release(state, far);
+  const unsigned int n_released = zone.settle(state, far);
   out << n_released << " changes" << std::endl;
   print("far, released");
   for (unsigned int k = 0; k < 5; ++k)

@@ -46,11 +46,10 @@ namespace Biface
    *   @f$\lambda\le 0@f$;
    * - not in contact (inactive): @f$\lambda = 0@f$, @f$c\ge 0@f$.
    *
-   * For a given active set the multiplier is a function of the displacements,
-   * @f$\lambda=\varepsilon c@f$, so that it is not an unknown of the linear
-   * systems. The primal-dual active set method
-   * @cite HintermuellerItoKunisch2002 determines the active nodes, see
-   * should_be_active().
+   * For a given active set @f$\lambda=\varepsilon c@f$, with the linearized
+   * clearance in the linear systems, from which the multiplier is eliminated.
+   * The primal-dual active set method @cite HintermuellerItoKunisch2002
+   * determines the active nodes, see should_be_active().
    */
   class ContactCondition
   {
@@ -91,21 +90,20 @@ namespace Biface
      * Whether a node should be active in the next iteration: if
      * @f$\lambda + \kappa\,(c - \lambda/\varepsilon) < 0@f$, as in deal.II's
      * step-41 @cite dealIIStep41 with the clearance of the regularized
-     * condition. An active node becomes inactive if it is in tension, an
-     * inactive node becomes active if it has penetrated.
+     * condition, for arbitrarily small @f$\kappa>0@f$. An active node becomes
+     * inactive if it is in tension, an inactive node becomes active if it has
+     * penetrated.
      *
      * @param multiplier that of the last solution, 0 if the node was inactive.
-     * @param clearance that of the same solution.
+     * @param clearance that of the same solution, not linearized.
      */
     bool
     should_be_active(const double multiplier, const double clearance) const
     {
       // any kappa > 0 gives the same result if the multiplier is that of the
-      // clearance; with this one both have the same weight
-      const double kappa = parameters.regularization / 2;
-      return multiplier +
-               kappa * (clearance - multiplier / parameters.regularization) <
-             0;
+      // clearance. On a curved foundation, the error of a linearized clearance
+      // times the regularization may be many times the pressure
+      return multiplier < 0 || (multiplier == 0 && clearance < 0);
     }
 
     MultiplierMass

@@ -139,12 +139,34 @@ namespace Biface
     double
     clearance(const State &state, const Loads &loads, const Node &node) const;
 
-    /** One iteration of the primal-dual active set method: compute the
-     * multipliers of the active nodes from the displacements of the state,
-     * update the active set, decide which of its nodes stick and which slip,
-     * and compute the multipliers of the new set. A node that slips sticks in
-     * the next iteration if it has passed its stick point: friction does not
-     * push.
+    /** The contact at an active node, linearized in the motion of the node
+     * against the foundation. */
+    struct Linearization
+    {
+      /** The point of the foundation at rest at the node. */
+      dealii::Point<3>     at_rest;
+      double               clearance;
+      dealii::Tensor<1, 3> normal;
+    };
+
+    /** The contact at all nodes of this rank; of use at active nodes only. */
+    std::vector<Linearization>
+    linearize(const State &state, const Loads &loads) const;
+
+    /** After an increment, set the multipliers along the normal of the active
+     * nodes to those of the linear system, which are linear in the motions of
+     * shell and foundation, and those of the other nodes to zero.
+     * @param before the contact before the increment. */
+    void
+    predict_multipliers(State                            &state,
+                        const Loads                      &loads,
+                        const std::vector<Linearization> &before) const;
+
+    /** One iteration of the primal-dual active set method: update the active
+     * set from multipliers and clearances, decide which of its nodes stick and
+     * which slip, and compute their tangential multipliers. Nodes that enter
+     * have no multiplier yet. A node that slips sticks in the next iteration if
+     * it has passed its stick point: friction does not push.
      * @param held nodes that remain active in any case; empty for none.
      * @return the number of changes of the active set, and of nodes that stick
      * only for this reason, on all ranks. */
@@ -152,6 +174,12 @@ namespace Biface
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
+
+    /** Set the multipliers to those of the displacements and update the active
+     * set, which then is that of the penetrated nodes.
+     * @return the number of changes, see update_active_set(). */
+    unsigned int
+    settle(State &state, const Loads &loads) const;
 
     /** Let all nodes stick that have a stick point, where nothing is known
      * about the slip: too many slipping nodes have too little stiffness. */
@@ -189,14 +217,18 @@ namespace Biface
                   const State &after,
                   const Loads &loads) const;
 
-    /** The contact traction at an active node. */
+    /** The contact traction at an active node, as it enters the linear system
+     * from which the multiplier @f$\lambda@f$ of the next iterate is
+     * eliminated. */
     struct Traction
     {
-      /** The traction on the shell, @f$\lambda\mathbf n+\mathbf t@f$. Unit:
-       * force/area. */
+      /** The traction on the shell, @f$\varepsilon c\,\mathbf n+\mathbf t@f$
+       * with the clearance c, and @f$\mathbf t@f$ extrapolated linearly from
+       * the multiplier of the state to @f$\varepsilon c@f$, which it is in
+       * converged states. Unit: force/area. */
       dealii::Tensor<1, 3> value;
-      /** Minus its derivative with respect to the position of the node; without
-       * friction
+      /** Minus its derivative with respect to the position of the node, with
+       * the multiplier @f$\lambda@f$ of the state; without friction
        * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
       dealii::Tensor<2, 3> stiffness;
       /** If the shell rolls with friction: minus the derivatives with respect
@@ -212,9 +244,8 @@ namespace Biface
              const Loads       &loads,
              const unsigned int node) const;
 
-    /** The compressive force on the foundation, see ContactSummary, from the
-     * multipliers of the displacements, with its derivatives for a fixed active
-     * set. */
+    /** The compressive force on the foundation, see ContactSummary, from
+     * traction(), with its derivatives for a fixed active set. */
     struct Force
     {
       double value;

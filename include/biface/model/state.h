@@ -55,6 +55,9 @@ namespace Biface
      * shell per area of the middle surface. The first component, along the
      * normal of the foundation, is minus the pressure; the two tangential
      * components, see RigidFoundation::tangents(), are zero without friction.
+     * In the iteration, the first component is an unknown like the resultants:
+     * the solution of the last linear system, zero at nodes that have just
+     * entered. In converged states it is that of the clearance.
      * Unit: force/area.
      */
     std::vector<dealii::Tensor<1, 3>> multipliers;

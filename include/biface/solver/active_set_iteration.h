@@ -86,10 +86,11 @@ namespace Biface
     unsigned int
     update(State &state, const Loads &loads);
 
-    /** Release the nodes that are held.
+    /** With an iteration that has converged, set the multipliers to those of
+     * the displacements, and release the nodes that are held.
      * @return the number of changes, on all ranks. */
     unsigned int
-    release(State &state, const Loads &loads);
+    settle(State &state, const Loads &loads);
 
     /** The message on a second cycle; empty without one. */
     const std::string &
