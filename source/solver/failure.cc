@@ -15,8 +15,8 @@ namespace Biface
       "if the shell snaps through or buckles, 'Control = displacement' or "
       "'arc length', which pass turning points of the load";
     const char zone_edge[] =
-      "smaller cells at the edge of the contact zone, 'Contact/Multiplier "
-      "mass = lumped', or a smaller 'Contact/Regularization'";
+      "smaller cells at the edge of the contact zone, or a smaller "
+      "'Contact/Regularization'";
 
 
     std::string
@@ -74,9 +74,8 @@ namespace Biface
                                "run lists free rigid motions); ") +
                    turning_points + "; other plies or moduli";
           case FailureCause::out_of_memory:
-            return "fewer cells, 'Contact/Multiplier mass = lumped' (half of "
-                   "the matrix suffices), 'Linear solver/Type = iterative', or "
-                   "more machines";
+            return "fewer cells, 'Linear solver/Type = iterative', or more "
+                   "machines";
           case FailureCause::linear_iterations:
             return "more 'Linear solver/Maximum iterations', or 'Linear "
                    "solver/Type = direct'";
