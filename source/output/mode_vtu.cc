@@ -3,7 +3,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include <biface/output/csv.h>
@@ -44,9 +43,7 @@ namespace Biface
                        const bool            wanted,
                        ResultsDirectory     &directory,
                        const ShellEquations &equations)
-    : ResultFile(name + "-*.pvd", directory, equations)
-    , prefix(name)
-    , wanted(wanted)
+    : ParaViewFiles(name + "-*.pvd", wanted, directory, equations), prefix(name)
   {}
 
 
@@ -65,9 +62,7 @@ namespace Biface
         write_vtu(patches, i + 1, directory.path(file), communicator);
         times_and_names.emplace_back(i + 1, file);
       }
-    std::ostringstream record;
-    DataOutBase::write_pvd_record(record, times_and_names);
-    write_text(path(step), record.str(), false, communicator);
+    write_list(path(step), times_and_names);
   }
 
 

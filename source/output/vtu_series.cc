@@ -6,7 +6,6 @@
 #include <deal.II/numerics/data_component_interpretation.h>
 
 #include <sstream>
-#include <utility>
 
 #include <biface/output/csv.h>
 #include <biface/output/vtu_series.h>
@@ -53,13 +52,23 @@ namespace Biface
   }
 
 
+  void
+  ParaViewFiles::write_list(
+    const std::string                                 &path,
+    const std::vector<std::pair<double, std::string>> &times_and_names) const
+  {
+    std::ostringstream record;
+    DataOutBase::write_pvd_record(record, times_and_names);
+    write_text(path, record.str(), false, communicator);
+  }
+
+
   VtuSeries::VtuSeries(const std::string    &series,
                        const bool            wanted,
                        ResultsDirectory     &directory,
                        const ShellEquations &equations)
-    : ResultFile(series + ".pvd", directory, equations)
+    : ParaViewFiles(series + ".pvd", wanted, directory, equations)
     , series(series)
-    , wanted(wanted)
   {}
 
 
@@ -115,9 +124,7 @@ namespace Biface
     std::vector<std::pair<double, std::string>> times_and_names;
     for (const unsigned int step : get_steps())
       times_and_names.emplace_back(step, file_name(step));
-    std::ostringstream record;
-    DataOutBase::write_pvd_record(record, times_and_names);
-    write_text(path(), record.str(), false, communicator);
+    write_list(path(), times_and_names);
   }
 
 

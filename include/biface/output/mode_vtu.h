@@ -27,7 +27,7 @@ namespace Biface
   /** A series of files for ParaView with the shapes of the end of a stage:
    * NAME-NNNN.pvd and one NAME-NNNN-MMM.vtu per shape, with the number of the
    * shape for the time. */
-  class ShapesVtu : public ResultFile
+  class ShapesVtu : public ParaViewFiles
   {
   public:
     /** @param name such as "modes".
@@ -36,18 +36,6 @@ namespace Biface
               const bool            wanted,
               ResultsDirectory     &directory,
               const ShellEquations &equations);
-
-    std::string
-    description() const override
-    {
-      return name + " (for ParaView)";
-    }
-
-    bool
-    is_wanted() const override
-    {
-      return wanted;
-    }
 
   protected:
     /** Write shapes of a step. */
@@ -58,7 +46,6 @@ namespace Biface
 
   private:
     const std::string prefix;
-    const bool        wanted;
   };
 
 

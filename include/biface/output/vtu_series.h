@@ -7,6 +7,7 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <biface/output/result_file.h>
@@ -66,15 +67,17 @@ namespace Biface
             const MPI_Comm      communicator);
 
 
-  /** A VTU file per step, and NAME.pvd, which lists all of them for
-   * ParaView. */
-  class VtuSeries : public ResultFile
+  /** VTU files, and a PVD file that lists them for ParaView. */
+  class ParaViewFiles : public ResultFile
   {
   public:
-    VtuSeries(const std::string    &series,
-              const bool            wanted,
-              ResultsDirectory     &directory,
-              const ShellEquations &equations);
+    /** @param list the name of the PVD file, see ResultFile. */
+    ParaViewFiles(const std::string    &list,
+                  const bool            wanted,
+                  ResultsDirectory     &directory,
+                  const ShellEquations &equations)
+      : ResultFile(list, directory, equations), wanted(wanted)
+    {}
 
     std::string
     description() const override
@@ -87,6 +90,27 @@ namespace Biface
     {
       return wanted;
     }
+
+  protected:
+    /** Write a PVD file with the times and names of VTU files. */
+    void
+    write_list(
+      const std::string                                 &path,
+      const std::vector<std::pair<double, std::string>> &times_and_names) const;
+
+  private:
+    const bool wanted;
+  };
+
+
+  /** A VTU file per step, and NAME.pvd, which lists all of them. */
+  class VtuSeries : public ParaViewFiles
+  {
+  public:
+    VtuSeries(const std::string    &series,
+              const bool            wanted,
+              ResultsDirectory     &directory,
+              const ShellEquations &equations);
 
   protected:
     void
@@ -106,7 +130,6 @@ namespace Biface
     file_name(const unsigned int step) const;
 
     const std::string series;
-    const bool        wanted;
   };
 } // namespace Biface
 
