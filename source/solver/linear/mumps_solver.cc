@@ -369,13 +369,15 @@ namespace Biface
                          const bool              symmetric,
                          const bool              similar)
   {
-    const bool keep_factors = similar && has_factors &&
+    const bool keep_factors = similar && factors_of != FactorsOf::nothing &&
                               factors->is_for(A, symmetric) &&
                               factors->max_gmres_iterations() > 0;
     matrix              = &A;
     matrix_is_symmetric = symmetric;
-    factors_are_current = false;
-    return keep_factors ? factorized() : factorize_anew();
+    if (!keep_factors)
+      return factorize_anew();
+    factors_of = FactorsOf::similar_matrix;
+    return factorized();
   }
 
 
@@ -383,24 +385,30 @@ namespace Biface
   MumpsSolver::factorize_for_many(const LA::SparseMatrix &A,
                                   const bool              symmetric)
   {
-    const bool wanted = single_precision;
-    if (factors && factors->in_single_precision())
-      factors.reset();
+    const bool wanted               = single_precision;
     single_precision                = false;
     const LinearSolverResult result = factorize(A, symmetric);
     single_precision                = wanted;
-    // smaller problems have factors in double precision anyway
-    factors_for_many = wanted && factors && factors->max_gmres_iterations() > 0;
     return result;
+  }
+
+
+  bool
+  MumpsSolver::factors_fit() const
+  {
+    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric))
+      return false;
+    // in small problems single precision saves no time
+    return factors->in_single_precision() == single_precision ||
+           (single_precision && factors->max_gmres_iterations() == 0);
   }
 
 
   LinearSolverResult
   MumpsSolver::factorize_anew()
   {
-    has_factors = false;
-    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric) ||
-        (factors_for_many && single_precision))
+    factors_of = FactorsOf::nothing;
+    if (!factors_fit())
       if (const int status = analyze(); status < 0)
         {
           factors.reset();
@@ -416,7 +424,7 @@ namespace Biface
           return mumps_failure("factorization", status);
         }
     }
-    has_factors = factors_are_current = true;
+    factors_of = FactorsOf::matrix;
     return factorized();
   }
 
@@ -425,7 +433,6 @@ namespace Biface
   MumpsSolver::analyze()
   {
     TimerOutput::Scope scope(timer, "Linear solver: analysis");
-    factors_for_many = false;
     if (single_precision)
       {
         factors = std::make_unique<FactorsIn<float>>(
@@ -444,7 +451,6 @@ namespace Biface
   MumpsSolver::factorize_in_double_precision()
   {
     single_precision = false;
-    factors.reset();
     return factorize_anew();
   }
 
@@ -538,7 +544,7 @@ namespace Biface
     Assert(matrix != nullptr, ExcNotInitialized());
     LinearSolverResult result;
     result.success = true;
-    if (!factors_are_current)
+    if (factors_of != FactorsOf::matrix)
       {
         if (solve_with_gmres(x, b))
           return result;

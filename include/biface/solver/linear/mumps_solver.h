@@ -57,6 +57,20 @@ namespace Biface
     template <typename number>
     class FactorsIn;
 
+    /** Of which matrix the factors are. */
+    enum class FactorsOf
+    {
+      /** Of none: there are none, or only the pattern is analyzed. */
+      nothing,
+      similar_matrix,
+      matrix
+    };
+
+    /** Whether the factors have the pattern of the matrix and the precision of
+     * new ones. */
+    bool
+    factors_fit() const;
+
     LinearSolverResult
     factorize_anew();
 
@@ -81,16 +95,12 @@ namespace Biface
 
     const MPI_Comm       communicator;
     dealii::TimerOutput &timer;
-    bool                 single_precision;
-    /** Whether the factors are in double precision for factorize_for_many()
-     * alone. */
-    bool                     factors_for_many = false;
-    std::unique_ptr<Factors> factors;
-    bool                     has_factors         = false;
+    /** Whether new factors are in single precision where that saves time. */
+    bool                     single_precision;
     const LA::SparseMatrix  *matrix              = nullptr;
     bool                     matrix_is_symmetric = false;
-    /** Whether the factors are those of the matrix. */
-    bool factors_are_current = false;
+    std::unique_ptr<Factors> factors;
+    FactorsOf                factors_of = FactorsOf::nothing;
   };
 } // namespace Biface
 
