@@ -185,10 +185,23 @@ namespace Biface
 
         if (!mesh.closed ||
             surface.type != ReferenceSurface::Parameters::Type::revolution)
-          throw InputError("the shell rolls or spins in stage " +
-                           std::to_string(i + 1) +
-                           ", which needs 'Surface/Type = surface of "
-                           "revolution' and 'Mesh/Closed in alpha_2 = true'.");
+          {
+            const auto refuse = [&](const std::string &entry,
+                                    const std::string &value) {
+              throw InputError(section + "/" + entry,
+                               value,
+                               "it needs 'Surface/Type = surface of "
+                               "revolution' and 'Mesh/Closed in alpha_2 = "
+                               "true'");
+            };
+            if (stage.angular_velocity.value_or(0) != 0)
+              refuse("Angular velocity",
+                     number_to_string(*stage.angular_velocity));
+            if (stage.ground_velocity.value_or(0) != 0)
+              refuse("Ground velocity",
+                     number_to_string(*stage.ground_velocity));
+            refuse("Control", stage.control);
+          }
         if (stage.glued)
           throw InputError(section + "/Glued",
                            "true",

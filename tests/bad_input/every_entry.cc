@@ -306,11 +306,10 @@ namespace
         "0, 1, 0"}},
       {{"1, 0, 0", "0.001, 1, 0"}, {{"Stage 1/Contact", "true"}}}}},
     {"Stage 1/Turn", {{{"1"}}}},
-    // the shell of this file is not closed
-    {"Stage 1/Angular velocity", {{{"1"}}}},
+    {"Stage 1/Angular velocity",
+     {{{"1"}, {{"Mesh/Closed in alpha_2", "false"}}}}},
     {"Stage 1/Ground velocity", {{{"1"}}}},
     {"Stage 1/Axle moment", {{{"1"}}}},
-    {"Stage 1/Slip angle", {{{"x"}}}},
     {"Contact/Critical velocity", {{{"-1"}}}},
     {"Stage 1/Friction",
      {{{"0.5"}},
