@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Any study file gives samples and the settings of the first one, or is refused
+// with one sentence. Files of samples are not read.
+
+#include <biface/input/parameter_text.h>
+#include <biface/program/parameters.h>
+#include <biface/program/sampling.h>
+#include <biface/program/study.h>
+
+#include "fuzz.h"
+
+using namespace Biface;
+
+namespace
+{
+  Parameters               base;
+  dealii::ParameterHandler base_prm;
+} // namespace
+
+
+extern "C" int
+LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+  Fuzz::initialize_mpi(argc, argv);
+  parse_parameters(PRM_DIR "/bias_tire.prm", {}, MPI_COMM_SELF, base, base_prm);
+  return 0;
+}
+
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  const std::string input(reinterpret_cast<const char *>(data), size);
+  Fuzz::read(input, [&]() {
+    StudyParameters          study;
+    dealii::ParameterHandler prm;
+    prm.enter_subsection("Study");
+    study.add_parameters(prm);
+    prm.leave_subsection();
+    check_parameter_text("study.prm", input);
+    parse_parameter_text(prm, "study.prm", input);
+    if (study.sampling.type == Sampling::Type::file)
+      return;
+    const auto samples = study.sampling.samples("", MPI_COMM_SELF);
+    settings(study.sampling.variables, samples[0], base_prm, "--study");
+    for (const DesignVariable &variable : study.sampling.variables)
+      variable.value(base_prm);
+  });
+  return 0;
+}
