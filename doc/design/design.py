@@ -6,6 +6,7 @@ import argparse
 import re
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -36,14 +37,13 @@ The inflated tire is round, and its modes come in pairs; the ground splits them.
 
 ## When does it buckle?
 
-    build/biface --set "Stage 1/Pressure=-1e-4" --set "Stage 1/Buckling=4" ...
-
-A tire is not made for a vacuum. `Buckling` predicts from a stage with a small part of
-the load at which multiple of it the shell buckles:
+A tire is not made for a vacuum. With the inflation alone, `Pressure = -1e-4` and
+`Buckling = 4`, the program predicts from this small part of the load at which multiples
+of it the tire buckles:
 
 {buckling}
 
-The first shape has no wave around the tire: it twists against its rim.
+The first shape has no wave around the tire.
 
 ## What if everything varies?
 
@@ -61,8 +61,8 @@ the middle, from the report.*
 
 {study}
 
-The pressure decides on the force and the cord angle on the size of the footprint, while
-the profile acts on the maximum of the pressure under the shoulders.
+The pressure decides on the force, and the cord angle on the size of the footprint; a
+larger radius of the profile lowers the maximum of the pressure.
 
 ## What should change?
 
@@ -72,8 +72,7 @@ weighted by the force that it carries, relative to its mean: zero if all the gro
 carries is under the same pressure. [even_footprint.py](design/even_footprint.py) is an
 optimizer outside of the program: it writes a study file, runs it, reads the table and
 the pressures, and lets SciPy choose the next samples. A study keeps all cores busy and
-starts each sample from its neighbor, which an optimizer with one design at a time
-could not.
+starts each sample from its neighbor.
 
 ![Unevenness of the samples over cord angle and radius, with the fitted polynomial](design/even.png)
 
@@ -83,11 +82,11 @@ design; ring: the base design.*
 
 {best}
 
-Derivatives would be cheaper than samples, but not here: nodes enter and leave the
-footprint one by one, so that the unevenness scatters around the trend, by {deviation}
-on this mesh. Derivatives hold the nodes in contact fixed, as do differences over short
-distances, and show the scatter, not the trend. A polynomial fitted to many samples
-averages over it; its derivatives go to SciPy's L-BFGS-B.
+The samples of the second study deviate from its polynomial by {deviation} (standard
+deviation), as nodes enter and leave the footprint one by one. Derivatives at a single
+design hold the nodes in contact fixed and cannot know of this; the optimizer, SciPy's
+L-BFGS-B, gets those of the polynomial instead, which averages over many samples. No
+derivatives by the program were used.
 """
 
 
@@ -176,9 +175,9 @@ class Pages:
         plt.close("all")
         log = (directory / "study.log").read_text(encoding="utf-8")
         done = re.search(r"([0-9.]+) s, groups busy for ([0-9.]+) %", log)
-        return (f"The {len(study.status)} tires took {float(done.group(1)):.0f} s on "
+        return textwrap.fill(f"The {len(study.status)} tires took {float(done.group(1)):.0f} s on "
                 f"two ranks, which were busy for {done.group(2)} % of that time, "
-                "when this page was written.")
+                "on a machine of two cores that had other work, too.", 88)
 
     def even(self, plt, ranks):
         """The map of the unevenness; returns the text on the best design, and the
@@ -197,7 +196,8 @@ class Pages:
                          c=[line["unevenness"] for line in lines], cmap="viridis",
                          vmin=np.min(z), vmax=np.max(z))
         best = rounds[-1][3]
-        axes.plot(*best, "x", color="#c0392b", markersize=11, markeredgewidth=3)
+        axes.plot(*best, "x", color="#c0392b", markersize=11, markeredgewidth=3,
+                  clip_on=False, zorder=5)
         axes.plot(52, 50, "o", color="#c0392b", markersize=10, fillstyle="none",
                   markeredgewidth=2)
         axes.set(xlabel="cord angle, degrees", ylabel="radius of the profile, mm")
@@ -211,11 +211,18 @@ class Pages:
                          f"{float(line['approach']):.2f}",
                          f"{float(line['mean_pressure']):.4f}"])
         values = [f"{fit(best):.3f}" for _, _, fit, best in rounds]
-        text = (f"The polynomials have their minima, {values[0]} and {values[1]}, at "
+        text = (textwrap.fill(f"The polynomials have their minima, {values[0]} and {values[1]}, at "
                 + " and ".join("{:.1f}° and {:.1f} mm".format(*point)
                                for _, _, _, point in rounds)
-                + ". Single runs of the base design and of the best one:\n\n"
-                + table(rows))
+                + ". Single runs of the base design and of the best one:", 88)
+                + "\n\n" + table(rows)
+                + "\n\n" + textwrap.fill("The unevenness falls by {:.0f} %.".format(
+                    100 - 100 * single["best"]["unevenness"]
+                    / single["base"]["unevenness"])
+                + (" The best design lies on the bounds of the ranges: it is they "
+                   "that limit the gain." if any(
+                       value in RANGES[name] for name, value in
+                       zip(RANGES, best)) else ""), 88))
         return text, f"{rounds[-1][2].deviation:.3f}"
 
 
