@@ -41,6 +41,8 @@ HEADINGS = {
     "buckling_plate": "Buckling of a square plate under compression",
     "buckling_ring": "Buckling of a long cylinder under pressure",
     "buckling_ring_dead": "Buckling of a long cylinder under dead pressure",
+    "critical_column": "Elastica beyond Euler's load",
+    "critical_roof": "Limit point of the hinged roof",
     "cantilever_end_shear": "Cantilever under end shear",
     "cantilever_roll_up": "Cantilever bent into a circle",
     "clamped_semicylinder": "Clamped semi-cylinder",
@@ -499,6 +501,12 @@ def find_value(run, words, when):
             if [row["step"], row["mode"]] == [step["step"], words[1]]:
                 return float(row[words[2]])
         return None
+    if words[0] == "critical_points":
+        for row in read_csv(run.directory / "critical_points.csv"):
+            if (row["stage"] == step["stage"] and
+                    row["kind"].startswith(words[1])):
+                return float(row[words[2]])
+        return None
     for row in run.probes:
         if [row["step"], row["name"], row["face"]] == [step["step"], *words[:2]]:
             return float(row[words[2]])
@@ -689,6 +697,9 @@ def label(quantity):
         return f"`{column}` at `{name}`, {place} ply {ply}, at {when}"
     if words[0] in ("modes", "buckling"):
         return f"`{words[2]}` of mode {words[1]} at {when}"
+    if words[0] == "critical_points":
+        return f"`{words[2]}` of the {words[1]} point before {when}".replace(
+            "bifurcation point", "bifurcation")
     face = "" if words[1] == "middle" else f", {words[1]} face,"
     return f"`{words[2]}` of `{words[0]}`{face} at {when}"
 

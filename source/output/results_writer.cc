@@ -6,6 +6,7 @@
 #include <biface/base/version.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/contact_file.h>
+#include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/output/modes_file.h>
@@ -52,6 +53,7 @@ namespace Biface
     add(std::make_unique<RollingFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
+    add(std::make_unique<CriticalPointsFile>(stages, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));

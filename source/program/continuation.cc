@@ -117,6 +117,8 @@ namespace Biface
                                                "Steps",
                                                "Modes",
                                                "Buckling",
+                                               "Critical points",
+                                               "Branch amplitude",
                                                "Adaptive steps"};
       return !progress.stage_begun || free_entries.count(match[2]) > 0;
     }

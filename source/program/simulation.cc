@@ -137,6 +137,11 @@ namespace Biface
         const Stage      &stage   = parameters.stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
         make_control(stage)->check(section, *mesh);
+        if (stage.critical_points == CriticalPoints::switch_branch &&
+            !mesh->prescribed.empty())
+          throw InputError(section + "/Critical points",
+                           "switch branch",
+                           "supports must not prescribe displacements");
         // beyond, Lanczos' method has no room
         for (const auto &[entry, n] :
              {std::make_pair("/Modes", stage.n_modes),
@@ -187,7 +192,10 @@ namespace Biface
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
     for (Stage &stage : coarse_parameters.stages)
-      stage.n_modes = stage.n_buckling = 0;
+      {
+        stage.n_modes = stage.n_buckling = 0;
+        stage.critical_points            = CriticalPoints::ignore;
+      }
     const ChartGrid grid         = coarser_grid(mesh->grid);
     const MPI_Comm  communicator = mesh->communicator;
     Simulation      coarse(coarse_parameters,
@@ -253,7 +261,10 @@ namespace Biface
     std::unique_ptr<BucklingAnalysis> buckling_analysis;
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
-                    [](const Stage &stage) { return stage.n_buckling > 0; }))
+                    [](const Stage &stage) {
+                      return stage.n_buckling > 0 ||
+                             stage.critical_points != CriticalPoints::ignore;
+                    }))
       buckling_analysis = std::make_unique<BucklingAnalysis>(
         equations, contact, *linear_solver, timer);
     LoadStepping load_stepping(parameters.load_stepping,

@@ -97,6 +97,8 @@ namespace Biface
         }
       if (progress.last_change.size() > 0)
         add("last change", progress.last_change);
+      if (progress.branch.size() > 0)
+        add("branch", progress.branch);
       for (const auto &vector : progress.control.vectors)
         add("control: " + vector.first, vector.second);
     }
@@ -245,6 +247,8 @@ namespace Biface
       }
     if (has("last change"))
       result.progress.last_change = vector("last change");
+    if (has("branch"))
+      result.progress.branch = vector("branch");
     for (auto &known : result.progress.control.vectors)
       known.second = vector("control: " + known.first);
     return result;

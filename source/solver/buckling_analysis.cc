@@ -268,19 +268,83 @@ namespace Biface
 
     const LA::Vector loads =
       equations.load_direction(now.state, now.loads, rates);
-    const double all_loads = loads.l1_norm();
     for (const Eigenpair &pair : pairs)
       if (result.modes.size() < n)
         {
-          BucklingMode mode;
-          mode.position = pair.value.real();
-          mode.shape    = unit_shape(mesh, pair.vector);
-          if (all_loads > 0)
-            mode.load_work =
-              std::abs(loads * owned_part(mode.shape)) / all_loads;
-          mode.waves = wave_numbers(mesh, mode.shape);
-          result.modes.push_back(mode);
+          result.modes.push_back(finish(pair.vector, loads));
+          result.modes.back().position = pair.value.real();
         }
     return result;
+  }
+
+
+  BucklingMode
+  BucklingAnalysis::finish(const LA::Vector &vector,
+                           const LA::Vector &loads) const
+  {
+    BucklingMode mode;
+    mode.shape             = unit_shape(equations.mesh, vector);
+    const double all_loads = loads.l1_norm();
+    if (all_loads > 0)
+      mode.load_work = std::abs(loads * owned_part(mode.shape)) / all_loads;
+    mode.waves = wave_numbers(equations.mesh, mode.shape);
+    return mode;
+  }
+
+
+  bool
+  BucklingAnalysis::assemble(const Equilibrium &now, LA::SparseMatrix &K)
+  {
+    tangent.assemble(now.state, now.loads, K);
+    tangent.hold(now.state, now.loads, K);
+    return equations.is_symmetric(HeldTangent::without_foundation(now.loads)) ||
+           tangent.is_symmetric(K);
+  }
+
+
+  std::optional<unsigned int>
+  BucklingAnalysis::count_negative_pivots(const Equilibrium &now)
+  {
+    LA::SparseMatrix K;
+    if (!assemble(now, K))
+      return {};
+    const LinearSolverResult linear = linear_solver.factorize_for_many(K, true);
+    return linear.success ? linear.n_negative_pivots : std::nullopt;
+  }
+
+
+  std::optional<BucklingMode>
+  BucklingAnalysis::critical_mode(const Equilibrium &now,
+                                  const LoadRates   &rates,
+                                  const bool         unstable)
+  {
+    LA::SparseMatrix  K;
+    EigenvalueProblem problem;
+    problem.symmetric = assemble(now, K);
+    problem.tolerance = 1e-8;
+    if (!linear_solver.factorize_for_many(K, problem.symmetric).success)
+      return {};
+    problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
+      product = x;
+    };
+    problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
+      return linear_solver.solve(x, b, exactness).success;
+    };
+    // some of them may have the wrong sign
+    const unsigned int n     = 4;
+    Eigenpairs         found = nearest_eigenpairs(problem, n, start);
+    if (!found.success || found.pairs.empty())
+      return {};
+    const auto rank = [&](const Eigenpair &pair) {
+      return std::make_pair((pair.value.real() < 0) != unstable,
+                            std::abs(pair.value));
+    };
+    settle(found.pairs, problem.multiply, fields);
+    const auto critical = std::min_element(
+      found.pairs.begin(),
+      found.pairs.end(),
+      [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
+    return finish(critical->vector,
+                  equations.load_direction(now.state, now.loads, rates));
   }
 } // namespace Biface

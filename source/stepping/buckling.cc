@@ -6,22 +6,26 @@
 
 namespace Biface
 {
+  std::vector<double>
+  numbers_of(const LoadLevel &level)
+  {
+    return {level.pressure,
+            level.factor,
+            level.travel,
+            level.turn,
+            level.slide[0],
+            level.slide[1],
+            level.slide[2]};
+  }
+
+
   double
   part_of_loads(const LoadLevel &start,
                 const LoadLevel &reached,
                 const LoadLevel &end)
   {
-    const auto numbers = [](const LoadLevel &level) {
-      return std::vector<double>{level.pressure,
-                                 level.factor,
-                                 level.travel,
-                                 level.turn,
-                                 level.slide[0],
-                                 level.slide[1],
-                                 level.slide[2]};
-    };
-    const std::vector<double> from = numbers(start), now = numbers(reached),
-                              to = numbers(end);
+    const std::vector<double> from = numbers_of(start),
+                              now = numbers_of(reached), to = numbers_of(end);
     for (unsigned int i = 0; i < from.size(); ++i)
       if (to[i] != from[i])
         return (now[i] - from[i]) / (to[i] - from[i]);

@@ -15,6 +15,7 @@
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/critical_point.h>
 #include <biface/stepping/load_stepping.h>
 
 namespace Biface
@@ -224,12 +225,27 @@ namespace Biface
     if (!failure.message.empty())
       return failure;
 
+    Progress &progress = run.progress;
     while (true)
       {
-        Timer                timer;
-        const Control::Trial trial   = run.control.propose(last_converged(run));
-        Attempt              attempt = try_step(run, trial);
-        if (attempt.result.converged)
+        Timer          timer;
+        Control::Trial trial = run.control.propose(last_converged(run));
+        Attempt        attempt;
+        bool           on_branch = false;
+        if (progress.branch.size() > 0)
+          {
+            Control::Trial to_branch = trial;
+            if (const auto branch = try_branch(run, to_branch))
+              {
+                trial     = to_branch;
+                attempt   = *branch;
+                on_branch = true;
+              }
+            progress.branch = LA::Vector();
+          }
+        if (!on_branch)
+          attempt = try_step(run, trial);
+        if (attempt.result.converged && !on_branch)
           if (const auto other = run.control.replace(trial, attempt.mu))
             {
               out << "  beyond the loads of the stage: trying these"
@@ -240,8 +256,29 @@ namespace Biface
             }
         if (attempt.result.converged)
           {
-            StepReport report = accept(run, trial, attempt);
-            report.seconds    = timer.wall_time();
+            std::optional<unsigned int> n_negative =
+              negative_pivots(run, attempt);
+            const std::optional<unsigned int> n_before =
+              progress.n_negative_pivots;
+            const bool critical =
+              !on_branch && n_negative && n_before && *n_negative != *n_before;
+            const bool located =
+              critical && run.stage.locates_critical_points();
+            const double part =
+              (located ? bisect(run, trial, attempt, n_negative) : 1.);
+            const LoadLevel level_before = progress.reached;
+            StepReport      report       = accept(run, trial, attempt);
+            if (part < 1)
+              {
+                run.control.scale_step(1 / part);
+                progress.control = run.control.get_memory();
+              }
+            if (critical)
+              report.critical_point = critical_point(
+                run, level_before, *n_before, *n_negative, located);
+            if (n_negative)
+              progress.n_negative_pivots = n_negative;
+            report.seconds = timer.wall_time();
             return report;
           }
 
@@ -339,16 +376,207 @@ namespace Biface
     if (trial.size > 0 && !zone_given && secant && parameters.predict)
       progress.predictor.predict(attempt.state, attempt.mu, trial.size);
 
+    return converge(
+      run, trial, attempt.state, attempt.mu, iteration, zone_given);
+  }
+
+
+  LoadStepping::Attempt
+  LoadStepping::converge(const StageRun       &run,
+                         const Control::Trial &trial,
+                         const State          &guess,
+                         const double          mu,
+                         const NewtonIteration iteration,
+                         const bool            zone_given)
+  {
+    Attempt attempt;
+    attempt.state = guess;
+    attempt.mu    = mu;
+
     std::optional<Gas::Sealed> sealed;
-    if (progress.gas_content)
-      sealed.emplace(*gas, *progress.gas_content);
+    if (run.progress.gas_content)
+      sealed.emplace(*gas, *run.progress.gas_content);
     const ParametrizedLoads loads{
       [&](const double mu) { return loads_at(trial.level(mu), run); },
       trial.equation.get(),
       sealed ? &*sealed : nullptr};
     attempt.result =
       newton.solve(attempt.state, loads, attempt.mu, iteration, zone_given);
+    attempt.level = trial.level(attempt.mu);
     return attempt;
+  }
+
+
+  std::optional<unsigned int>
+  LoadStepping::negative_pivots(const StageRun &run, const Attempt &attempt)
+  {
+    if (run.stage.critical_points == CriticalPoints::ignore ||
+        run.stage.sealed || run.stage.theory == StrainTheory::linear)
+      return {};
+    if (!run.stage.locates_critical_points())
+      return attempt.result.n_negative_pivots;
+    Assert(buckling_analysis, ExcNotInitialized());
+    return buckling_analysis->count_negative_pivots(
+      {attempt.state, loads_at(attempt.level, run)});
+  }
+
+
+  double
+  LoadStepping::bisect(const StageRun              &run,
+                       Control::Trial              &trial,
+                       Attempt                     &attempt,
+                       std::optional<unsigned int> &n_negative)
+  {
+    // of the loads, and of the step, since loads do not tell at a limit point
+    constexpr double       tolerance = 1e-3, greatest_part = 0.05;
+    constexpr unsigned int max_bisections = 40;
+
+    const std::optional<unsigned int> n_before = run.progress.n_negative_pivots;
+    LoadLevel                         level_before = run.progress.reached;
+    double                            low = 0, high = 1, taken = 1;
+    for (unsigned int i = 0; i < max_bisections; ++i)
+      {
+        if (relative_change(level_before, attempt.level) <= tolerance &&
+            high - low <= greatest_part)
+          break;
+        const double middle = (low + high) / 2;
+        run.control.scale_step(middle / taken);
+        taken                      = middle;
+        const Control::Trial other = run.control.propose(last_converged(run));
+        out << "  bisection for a critical point" << std::endl;
+        Attempt half = try_step(run, other);
+        half.result.iterations += attempt.result.iterations;
+        const std::optional<unsigned int> n =
+          (half.result.converged ? negative_pivots(run, half) : std::nullopt);
+        if (!n)
+          {
+            attempt.result.iterations = half.result.iterations;
+            break;
+          }
+        if (*n == *n_before)
+          {
+            low                       = middle;
+            level_before              = half.level;
+            attempt.result.iterations = half.result.iterations;
+          }
+        else
+          {
+            high       = middle;
+            trial      = other;
+            attempt    = half;
+            n_negative = n;
+          }
+      }
+    run.control.scale_step(high / taken);
+    return high;
+  }
+
+
+  std::shared_ptr<const CriticalPoint>
+  LoadStepping::critical_point(const StageRun    &run,
+                               const LoadLevel   &level_before,
+                               const unsigned int n_before,
+                               const unsigned int n_after,
+                               const bool         located)
+  {
+    Assert(buckling_analysis, ExcNotInitialized());
+    const LoadLevel &level = run.progress.reached;
+    LoadRates        rates;
+    rates.pressure  = level.pressure - level_before.pressure;
+    rates.factor    = level.factor - level_before.factor;
+    rates.travel    = level.travel - level_before.travel;
+    const auto mode = buckling_analysis->critical_mode(
+      {run.state, loads_at(level, run)}, rates, n_after > n_before);
+    out << "  negative pivots: " << n_after << " after " << n_before;
+    if (!mode)
+      {
+        out << std::endl;
+        return nullptr;
+      }
+
+    auto point               = std::make_shared<CriticalPoint>();
+    point->n_negative_before = n_before;
+    point->n_negative_after  = n_after;
+    point->located           = located;
+    point->mode              = *mode;
+    const LoadLevel &start   = run.progress.control.start;
+    point->loads = {part_of_loads(start, level, run.stage.end(start)), level};
+    out << ", " << (located ? "here is a " : "the step passed a ")
+        << point->kind() << std::endl;
+    if (run.stage.critical_points == CriticalPoints::switch_branch &&
+        !point->is_limit_point())
+      run.progress.branch = owned_part(point->mode.shape);
+    return point;
+  }
+
+
+  std::optional<LoadStepping::Attempt>
+  LoadStepping::try_branch(const StageRun &run, Control::Trial &trial)
+  {
+    constexpr unsigned int max_attempts = 40, max_cuts = 6;
+
+    const bool        to_given_loads = (trial.equation == nullptr);
+    const double      target         = trial.mu;
+    const LA::Vector &shape          = run.progress.branch;
+    const auto        fail           = [&](const std::string &why) {
+      out << "  the other branch was not found: " << why << "; the path goes on"
+          << std::endl;
+      return std::nullopt;
+    };
+
+    Control::Trial along = trial;
+    along.size           = 0;
+    Attempt reached;
+    reached.state           = run.state;
+    reached.mu              = run.control.done();
+    unsigned int iterations = 0, n_cuts = 0;
+    double       amplitude = 0;
+    double increment = run.stage.branch_amplitude * equations.mesh.thickness();
+    for (unsigned int i = 0; i < max_attempts; ++i)
+      {
+        out << "  to the other branch, largest displacement in the critical "
+               "shape "
+            << amplitude + increment << std::endl;
+        along.equation = std::make_shared<const ShapeEquation>(
+          run.control.load_rate(), shape, amplitude + increment);
+        State      guess = reached.state;
+        LA::Vector change(shape);
+        change *= increment;
+        equations.update(guess, change, NewtonIteration::substituted);
+        const Attempt attempt =
+          converge(run, along, guess, reached.mu, newton.parameters.iteration);
+        iterations += attempt.result.iterations;
+        if (attempt.result.stopped)
+          return attempt;
+        if (!attempt.result.converged)
+          {
+            if (++n_cuts > max_cuts)
+              return fail(attempt.result.failure.message);
+            increment /= 2;
+            continue;
+          }
+        reached = attempt;
+        amplitude += increment;
+        if (!to_given_loads || reached.mu >= target)
+          break;
+        if (n_cuts == 0)
+          increment = amplitude;
+      }
+    if (to_given_loads)
+      {
+        if (reached.mu < target)
+          return fail("it does not reach the loads of the next step");
+        reached = converge(
+          run, trial, reached.state, target, newton.parameters.iteration);
+        iterations += reached.result.iterations;
+        if (!reached.result.converged && !reached.result.stopped)
+          return fail(reached.result.failure.message);
+      }
+    else
+      trial = along;
+    reached.result.iterations = iterations;
+    reached.to_branch         = true;
+    return reached;
   }
 
 
@@ -359,9 +587,15 @@ namespace Biface
   {
     const NewtonResult &result   = attempt.result;
     Progress           &progress = run.progress;
-    run.control.accept(
-      {trial, attempt.mu, result.iterations, run.state, attempt.state});
-    if (trial.size > 0)
+    run.control.accept({trial,
+                        attempt.mu,
+                        result.iterations,
+                        run.state,
+                        attempt.state,
+                        attempt.to_branch});
+    if (attempt.to_branch)
+      progress.predictor.reset();
+    else if (trial.size > 0)
       progress.predictor.learn(
         run.state, attempt.state, attempt.mu - trial.mu, trial.size);
     progress.last_change = owned_part(attempt.state.displacement);

@@ -248,6 +248,25 @@ namespace Biface
                       "of this load. See 'Modes' for the nodes in "
                       "contact.",
                       Patterns::Integer(0, 1000));
+    add_choice(prm,
+               "Critical points",
+               critical_points,
+               {"ignore", "report", "locate", "switch branch"},
+               "What happens where the number of negative pivots of the "
+               "tangent changes along the path. 'report': the program says "
+               "after the step whether it is a limit point or a bifurcation. "
+               "'locate': the step ends there, by bisection of the step to "
+               "0.1 % of the loads. 'switch branch': likewise, and at a "
+               "bifurcation the path goes on along the other branch; with "
+               "'Control = load' or 'arc length'.");
+    prm.add_parameter("Branch amplitude",
+                      branch_amplitude,
+                      "The largest displacement in the critical shape with "
+                      "which the other branch is sought, as a multiple of the "
+                      "thickness. The sign chooses the side. With 'Control = "
+                      "load', it doubles until the branch has reached the "
+                      "loads of the next step. No unit.",
+                      Patterns::Double());
   }
 
 
@@ -284,6 +303,28 @@ namespace Biface
       throw InputError(section + "/Strain theory",
                        "linear",
                        "a stage with 'Gas = sealed' must be nonlinear");
+    const std::string critical =
+      critical_points == CriticalPoints::locate ? "locate" : "switch branch";
+    const auto refuse_critical = [&](const bool wrong, const std::string &why) {
+      if (wrong)
+        throw InputError(section + "/Critical points", critical, why);
+    };
+    if (locates_critical_points())
+      {
+        refuse_critical(sealed, "it needs 'Gas = open'");
+        refuse_critical(theory == StrainTheory::linear,
+                        "it needs 'Strain theory = nonlinear'");
+      }
+    if (critical_points == CriticalPoints::switch_branch)
+      {
+        refuse_critical(control != "load" && control != "arc length",
+                        "it needs 'Control = load' or 'arc length'");
+        refuse_critical(moves_foundation(), "the foundation must not move");
+        if (!std::isfinite(branch_amplitude) || branch_amplitude == 0)
+          throw InputError(section + "/Branch amplitude",
+                           number_to_string(branch_amplitude),
+                           "it must be finite and not 0");
+      }
     if (n_buckling > 0 && sealed)
       throw InputError(section + "/Buckling",
                        std::to_string(n_buckling),

@@ -7,8 +7,10 @@
 //   # expect: plies NAME PLY PLACE COLUMN at WHEN is VALUE within FRACTION
 //   # expect: modes MODE COLUMN at WHEN is VALUE within FRACTION
 //   # expect: buckling MODE COLUMN at WHEN is VALUE within FRACTION
+//   # expect: critical_points KIND COLUMN at WHEN is VALUE within FRACTION
 // for a column of probes.csv, history.csv, plies-NNNN.csv (PLACE is its column
-// 'fraction'), modes.csv or buckling.csv, where WHEN is a load factor or 'end
+// 'fraction'), modes.csv, buckling.csv or critical_points.csv (the first limit
+// point or bifurcation of the stage), where WHEN is a load factor or 'end
 // of STAGE';
 //   # expect: maximum load factor is VALUE within FRACTION
 //   # expect: minimum load factor is VALUE within FRACTION
@@ -66,6 +68,15 @@ namespace
       {
         for (const Row &row : read_csv("results/" + words[0] + ".csv"))
           if (row.at("step") == step.at("step") && row.at("mode") == words[1])
+            return std::stod(row.at(words[2]));
+        return {};
+      }
+
+    if (words[0] == "critical_points")
+      {
+        for (const Row &row : read_csv("results/critical_points.csv"))
+          if (row.at("stage") == step.at("stage") &&
+              row.at("kind").substr(0, words[1].size()) == words[1])
             return std::stod(row.at(words[2]));
         return {};
       }
@@ -193,7 +204,7 @@ main(int argc, char *argv[])
                     std::stod(match[4]));
           const std::string file_name =
             (w[0] == "history" || w[0] == "plies" || w[0] == "modes" ||
-                 w[0] == "buckling"
+                 w[0] == "buckling" || w[0] == "critical_points"
                ? w[0]
                : "probes");
           check_true("found in " + file_name + ".csv", value.has_value());

@@ -98,11 +98,36 @@ namespace Biface
             const LoadRates   &rates,
             const unsigned int n);
 
+    /** The number of negative pivots of the tangent, if it is symmetric and the
+     * linear solver counts them. The last assembly of the equations is lost. */
+    std::optional<unsigned int>
+    count_negative_pivots(const Equilibrium &now);
+
+    /**
+     * The shape of the eigenvalue of the tangent closest to zero, without a
+     * position. The last assembly of the equations is lost.
+     *
+     * @param unstable whether it is a negative eigenvalue, if there is one.
+     * @return none if it was not found.
+     */
+    std::optional<BucklingMode>
+    critical_mode(const Equilibrium &now,
+                  const LoadRates   &rates,
+                  const bool         unstable);
+
   private:
     struct Pencil;
 
     void
     assemble(const Equilibrium &before, const Equilibrium &now, Pencil &pencil);
+
+    /** The tangent of one equilibrium, and whether it is symmetric. */
+    bool
+    assemble(const Equilibrium &now, LA::SparseMatrix &K);
+
+    /** A mode with all but its position. */
+    BucklingMode
+    finish(const LA::Vector &vector, const LA::Vector &loads) const;
 
     /** Prepare to solve systems with
      * @f$\mathbf K_0-\sigma\mathbf G@f$. */

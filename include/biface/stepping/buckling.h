@@ -30,6 +30,10 @@ namespace Biface
   };
 
 
+  /** The loads as numbers. */
+  std::vector<double>
+  numbers_of(const LoadLevel &level);
+
   /** The part of a change of the loads that a level has reached, by the first
    * load that changes; NaN if none does. */
   double

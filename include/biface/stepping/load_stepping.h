@@ -81,7 +81,8 @@ namespace Biface
      * for none.
      * @param gas null if no stage has a sealed gas.
      * @param modal_analysis null if no stage asks for modes.
-     * @param buckling_analysis null if no stage asks for buckling. */
+     * @param buckling_analysis null if no stage asks for buckling or critical
+     * points. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
@@ -127,6 +128,10 @@ namespace Biface
       NewtonResult result;
       State        state;
       double       mu = 0;
+      /** The loads at the final load parameter. */
+      LoadLevel level;
+      /** Whether it has left the path for another branch. */
+      bool to_branch = false;
     };
 
     /** Go on to the next stage: to the end of the stage before it, from which
@@ -163,6 +168,51 @@ namespace Biface
             const Control::Trial &trial,
             const NewtonIteration iteration,
             const bool            secant);
+
+    /** Newton's method from a given state and load parameter.
+     * @param zone_given see Newton::solve(). */
+    Attempt
+    converge(const StageRun       &run,
+             const Control::Trial &trial,
+             const State          &guess,
+             const double          mu,
+             const NewtonIteration iteration,
+             const bool            zone_given = false);
+
+    /** The number of negative pivots of a converged attempt, if it is known:
+     * exact if the stage locates critical points, otherwise that of the last
+     * iterate. */
+    std::optional<unsigned int>
+    negative_pivots(const StageRun &run, const Attempt &attempt);
+
+    /**
+     * Shorten a step in which the number of negative pivots changes to end
+     * where it does, see CriticalPoints.
+     *
+     * @param attempt, n_negative those of the whole step, then those of the
+     * shortened one.
+     * @return the part of the step that is left.
+     */
+    double
+    bisect(const StageRun              &run,
+           Control::Trial              &trial,
+           Attempt                     &attempt,
+           std::optional<unsigned int> &n_negative);
+
+    /** Describe and print the critical point of the last step.
+     * @return null if its shape was not found. */
+    std::shared_ptr<const CriticalPoint>
+    critical_point(const StageRun    &run,
+                   const LoadLevel   &level_before,
+                   const unsigned int n_before,
+                   const unsigned int n_after,
+                   const bool         located);
+
+    /** A step to the other branch at a bifurcation, where the last one ended.
+     * @param trial that step.
+     * @return none if the branch was not found. */
+    std::optional<Attempt>
+    try_branch(const StageRun &run, Control::Trial &trial);
 
     /** Accept a converged attempt. */
     StepReport

@@ -50,6 +50,15 @@ namespace Biface
      * Gas::content(). */
     std::optional<double> gas_content;
 
+    /** The number of negative pivots of the tangent of the last converged
+     * step, if it was counted; none for the unloaded shell. */
+    std::optional<unsigned int> n_negative_pivots = 0;
+
+    /** The critical shape of the last step, if it ended at a bifurcation and
+     * the next one goes on along the other branch (locally owned entries);
+     * otherwise empty. */
+    LA::Vector branch;
+
     /** See Control::Equilibrium. */
     LA::Vector last_change;
 
@@ -81,6 +90,7 @@ namespace Biface
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, gas_content);
+      serialize_optional(archive, n_negative_pivots);
       archive &control &predictor;
     }
   };

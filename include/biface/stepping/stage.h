@@ -73,6 +73,20 @@ namespace Biface
   };
 
 
+  /** What is done where the number of negative pivots of the tangent changes
+   * along the path of a stage, see CriticalPoint. */
+  enum class CriticalPoints
+  {
+    ignore,
+    /** Say so after the step. */
+    report,
+    /** End the step there, by bisection. */
+    locate,
+    /** Likewise, and go on along the other branch at a bifurcation. */
+    switch_branch
+  };
+
+
   /** A stage of loading: from the end of the previous stage, or of another one
    * before, to its own loads, in equal steps. */
   struct Stage
@@ -133,6 +147,11 @@ namespace Biface
      * BucklingAnalysis. */
     unsigned int n_buckling = 0;
 
+    CriticalPoints critical_points = CriticalPoints::report;
+    /** The first amplitude of the critical shape on the other branch, as a
+     * multiple of the thickness. */
+    double branch_amplitude = 1;
+
     /** The loads at the end of the stage for given loads at its start. */
     LoadLevel
     end(const LoadLevel &start) const
@@ -153,6 +172,14 @@ namespace Biface
     rolls(const LoadLevel &start) const
     {
       return start.rolls() || end(start).rolls() || control == "axle moment";
+    }
+
+    /** Whether steps end at critical points. */
+    bool
+    locates_critical_points() const
+    {
+      return critical_points == CriticalPoints::locate ||
+             critical_points == CriticalPoints::switch_branch;
     }
 
     /** Whether the foundation may move while it is there. */
@@ -195,7 +222,7 @@ namespace Biface
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;
-      archive &n_modes                                   &n_buckling;
+      archive &n_modes &n_buckling &critical_points      &branch_amplitude;
     }
   };
 

@@ -19,6 +19,7 @@
 namespace Biface
 {
   struct Buckling;
+  struct CriticalPoint;
   struct VibrationModes;
 
 
@@ -61,6 +62,8 @@ namespace Biface
     /** At the end of a stage that asks for them; null if there are none. */
     std::shared_ptr<const VibrationModes> modes;
     std::shared_ptr<const Buckling>       buckling;
+    /** If the step passed one; else null. */
+    std::shared_ptr<const CriticalPoint> critical_point;
   };
 } // namespace Biface
 

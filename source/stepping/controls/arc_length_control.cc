@@ -156,7 +156,8 @@ namespace Biface
 
     load_fraction = step.mu;
     ++n_steps;
-    if (n_steps == 1)
+    // displacements on another branch are of another size
+    if (n_steps == 1 || step.to_branch)
       {
         LA::Vector change = owned_part(step.after.displacement);
         change -= owned_part(step.before.displacement);

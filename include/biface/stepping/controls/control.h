@@ -146,6 +146,8 @@ namespace Biface
       /** Number of iterations in all attempts at the step. */
       unsigned int iterations;
       const State &before, &after;
+      /** Whether it has left the path for another branch. */
+      bool to_branch = false;
     };
 
     /** Accept a converged step. */
@@ -159,6 +161,18 @@ namespace Biface
     {
       return size.failed(parameters.max_cuts);
     }
+
+    /** Take the next step as a part of the one that propose() would give, or
+     * as a multiple of it. */
+    void
+    scale_step(const double part)
+    {
+      size = StepSize(part * step_size());
+    }
+
+    /** The change of the loads over the whole stage, without the foundation. */
+    LoadRates
+    load_rate() const;
 
     /** The completed fraction of the stage: 1 at its end. */
     virtual double
@@ -267,9 +281,12 @@ namespace Biface
     LoadLevel
     level_at(const double fraction) const;
 
-    /** The change of the loads over the whole stage, without the foundation. */
-    LoadRates
-    load_rate() const;
+    /** The size of the next step. */
+    virtual double
+    step_size() const
+    {
+      return size.get();
+    }
 
     Stage            stage;
     const Parameters parameters;

@@ -48,6 +48,12 @@ namespace Biface
     bool
     go_on_from(const std::optional<double> &part, const LoadLevel &reached);
 
+    double
+    step_size() const override
+    {
+      return next() - fraction;
+    }
+
     double fraction = 0;
 
   private:

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_critical_points_file_h
+#define biface_output_critical_points_file_h
+
+#include <string>
+#include <vector>
+
+#include <biface/output/result_file.h>
+
+namespace Biface
+{
+  /** critical_points.csv: a line for each step that passed or ended at a
+   * critical point; see CriticalPoint. */
+  class CriticalPointsFile : public StepTable
+  {
+  public:
+    /** @param stages those of the run; the file is written if one of them asks
+     * for more than a report. */
+    CriticalPointsFile(const std::vector<Stage> &stages,
+                       ResultsDirectory         &directory,
+                       const ShellEquations     &equations);
+
+    bool
+    is_wanted() const override
+    {
+      return any;
+    }
+
+  private:
+    bool
+    contains(const StepReport &report) const override
+    {
+      return report.critical_point != nullptr;
+    }
+
+    void
+    write(const StepReport &report, const State &state) override;
+
+    const bool any;
+  };
+} // namespace Biface
+
+#endif

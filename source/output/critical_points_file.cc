@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include <biface/output/critical_points_file.h>
+#include <biface/output/csv.h>
+#include <biface/stepping/critical_point.h>
+
+namespace Biface
+{
+  CriticalPointsFile::CriticalPointsFile(const std::vector<Stage> &stages,
+                                         ResultsDirectory         &directory,
+                                         const ShellEquations     &equations)
+    : StepTable(
+        "critical_points.csv",
+        "step,stage,kind,located,negative_pivots_before,"
+        "negative_pivots,factor,pressure,load_factor,approach,load_work,"
+        "circumferential_waves,meridional_half_waves",
+        1,
+        directory,
+        equations)
+    , any(std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+      return stage.locates_critical_points();
+    }))
+  {}
+
+
+  void
+  CriticalPointsFile::write(const StepReport &report, const State & /*state*/)
+  {
+    const CriticalPoint &point = *report.critical_point;
+    std::string line = std::to_string(report.step) + ',' + report.stage + ',' +
+                       point.kind() + ',' + (point.located ? "true" : "false") +
+                       ',' + std::to_string(point.n_negative_before) + ',' +
+                       std::to_string(point.n_negative_after);
+    for (const double value : {point.loads.factor,
+                               point.loads.level.pressure,
+                               point.loads.level.factor,
+                               point.loads.level.travel,
+                               point.mode.load_work})
+      line += ',' + csv_number(value);
+    const auto &waves = point.mode.waves;
+    line += (waves ? ',' + std::to_string(waves->circumferential) + ',' +
+                       std::to_string(waves->meridional)
+                   : ",nan,nan") +
+            std::string("\n");
+    append(line);
+  }
+} // namespace Biface
