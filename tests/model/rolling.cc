@@ -6,8 +6,6 @@
 // of braking balance but for the error of the mesh; and the force on the locked
 // wheel is mu P but for the critical velocity.
 
-#include <iomanip>
-
 #include <biface/model/rolling_summary.h>
 
 #include <run_analysis.h>
@@ -119,8 +117,7 @@ main(int argc, char *argv[])
                 0.5 * locked.force[2],
               1e-3,
               0.5 * locked.force[2]);
-  std::cout << std::setprecision(10) << "vertical force: " << free.force[2]
-            << std::endl
+  std::cout << "vertical force: " << free.force[2] << std::endl
             << "drag of the braked wheel: " << tire.rolling[2].force[0]
             << std::endl;
 }
