@@ -384,6 +384,8 @@ namespace Biface
             pattern, match, std::regex("of length ([0-9]+)\\.\\.\\.\\1 ")))
         return "it must be a list of " + match[1].str() +
                " numbers, separated by commas";
+      if (pattern.rfind("[List of <[Integer", 0) == 0)
+        return "it must be a list of whole numbers, separated by commas";
       if (pattern.rfind("[List of <[Anything]> of length 1...", 0) == 0)
         return "it must be a list of at least one name, separated by commas";
       return "it must match the pattern " + pattern;

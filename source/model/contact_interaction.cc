@@ -307,6 +307,27 @@ namespace Biface
 
 
   void
+  ContactInteraction::compute_multipliers(State       &state,
+                                          const Loads &loads) const
+  {
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        state.multipliers[n] = 0;
+        if (!state.active[n])
+          continue;
+        const Contact at        = contact_at(state, loads, n);
+        state.multipliers[n][0] = condition.multiplier(at.foundation.clearance);
+        if (!loads.friction || (!loads.rolling && state.grips[n] == Grip::none))
+          continue;
+        const auto tangents = loads.foundation->tangents(at.foundation.normal);
+        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
+        for (unsigned int i = 0; i < 2; ++i)
+          state.multipliers[n][1 + i] = tangents[i] * friction;
+      }
+  }
+
+
+  void
   ContactInteraction::let_stick(State &state) const
   {
     for (Grip &grip : state.grips)

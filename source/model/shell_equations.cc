@@ -42,7 +42,6 @@ namespace Biface
     , other_terms(std::move(other_terms))
     , terms{&internal}
     , constraints(mesh.constraints)
-    , matrix(mesh, constraints)
     , rhs(mesh.owned_vector())
   {
     for (const bool linearized : {true, false})
@@ -110,7 +109,9 @@ namespace Biface
   ShellEquations::assemble(const State &state, const Loads &loads)
   {
     update_constraints(state, loads);
-    matrix.clear();
+    if (!matrix)
+      matrix = std::make_unique<TangentMatrix>(mesh, constraints);
+    matrix->clear();
     rhs = 0;
 
     LA::Vector load = mesh.owned_vector();
@@ -126,11 +127,11 @@ namespace Biface
       {
         sum_forces(c, state, loads, forces);
         square += forces.square;
-        matrix.add(c, forces.tangent, forces.force, rhs);
+        matrix->add(c, forces.tangent, forces.force, rhs);
         if (forces.load.norm_square() > 0)
           mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
       }
-    matrix.compress();
+    matrix->compress();
     rhs.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
     mesh.condense(load);
@@ -139,6 +140,39 @@ namespace Biface
     rhs += constant;
     force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
                             load.norm_sqr() + constant.norm_sqr());
+  }
+
+
+  LA::Vector
+  ShellEquations::out_of_balance(const State &state, const Loads &loads) const
+  {
+    LA::Vector            sum = mesh.owned_vector();
+    ForceTerm::CellForces forces;
+    forces.with_tangent = internal.linearization_point().has_value();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0}, sum);
+    internal.add_constant_forces(sum);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        sum_forces(c, state, loads, forces);
+        mesh.add_nodal_forces(mesh.cells[c], forces.force + forces.load, sum);
+      }
+    sum.compress(VectorOperation::add);
+    mesh.condense(sum);
+    return sum;
+  }
+
+
+  void
+  ShellEquations::move_supports(State &state, const Loads &loads) const
+  {
+    LA::Vector displacement = owned_part(state.displacement);
+    mesh.constraints.distribute(displacement);
+    for (const PrescribedDisplacement &p : mesh.prescribed)
+      if (mesh.locally_owned.is_element(p.dof))
+        displacement(p.dof) += (loads.factor - loads.factor_of_shape) * p.value;
+    displacement.compress(VectorOperation::add);
+    state.displacement = displacement;
   }
 
 
@@ -282,14 +316,14 @@ namespace Biface
   {
     if (force_scale == 0)
       return 0;
-    const Epetra_CrsMatrix &epetra = matrix.get().trilinos_matrix();
+    const Epetra_CrsMatrix &epetra = tangent().trilinos_matrix();
     double                  square = 0;
     for (int row = 0; row < epetra.NumMyRows(); ++row)
       {
         if (mesh.constraints.is_constrained(epetra.GRID(row)))
           continue;
         const double force =
-          absolute_product(matrix.get(), row, state.displacement);
+          absolute_product(tangent(), row, state.displacement);
         square += force * force;
       }
     return std::numeric_limits<double>::epsilon() *

@@ -530,6 +530,13 @@ namespace Biface
   }
 
 
+  bool
+  ShellMesh::prescribes_displacements() const
+  {
+    return Utilities::MPI::max(prescribed.empty() ? 0u : 1u, communicator) > 0;
+  }
+
+
   LA::Vector
   ShellMesh::owned_vector() const
   {

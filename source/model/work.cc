@@ -42,11 +42,9 @@ namespace Biface
                const State              &after,
                const Loads              &loads_after)
   {
-    const ShellMesh &mesh = equations.mesh;
-    const bool       prescribed =
-      Utilities::MPI::max(mesh.prescribed.empty() ? 0u : 1u,
-                          mesh.communicator) > 0;
-    LA::Vector change = owned_part(after.displacement);
+    const ShellMesh &mesh       = equations.mesh;
+    const bool       prescribed = mesh.prescribes_displacements();
+    LA::Vector       change     = owned_part(after.displacement);
     change -= owned_part(before.displacement);
     const auto work = [&](const ForceTerm::Source source) {
       return (equations.nodal_forces(source, before, loads_before) * change +

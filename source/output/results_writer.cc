@@ -13,6 +13,7 @@
 #include <biface/output/probes_file.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/rolling_file.h>
+#include <biface/output/sensitivities_file.h>
 #include <biface/output/stiffness_file.h>
 
 namespace Biface
@@ -40,6 +41,7 @@ namespace Biface
                                const std::vector<Stage>     &stages,
                                const ShellEquations         &equations,
                                const Cavity                 *cavity,
+                               const unsigned int            n_sensitivities,
                                const std::optional<Written> &continued)
     : directory(parameters.directory, equations.mesh.communicator)
   {
@@ -54,6 +56,8 @@ namespace Biface
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
     add(std::make_unique<CriticalPointsFile>(stages, directory, equations));
+    add(std::make_unique<SensitivitiesFile>(
+      n_sensitivities, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
     add(
       std::make_unique<ProfileFile>(parameters.profile, directory, equations));

@@ -99,6 +99,8 @@ namespace Biface
                             parameters.stages,
                             equations,
                             gas ? &gas->cavity : nullptr,
+                            parameters.sensitivities.changes.size() *
+                              parameters.sensitivities.outputs.size(),
                             written);
 
       log.open(directory + "/run.log", checkpoint != nullptr);

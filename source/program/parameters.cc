@@ -104,6 +104,10 @@ namespace Biface
     prm.enter_subsection("Checkpoint");
     checkpoint.add_parameters(prm);
     prm.leave_subsection();
+
+    prm.enter_subsection("Sensitivities");
+    sensitivities.add_parameters(prm);
+    prm.leave_subsection();
   }
 
 
@@ -121,6 +125,7 @@ namespace Biface
     contact.check();
     newton.check();
     checkpoint.check();
+    sensitivities.check(stages.size());
     check_stages(stages);
     check_gas();
     for (unsigned int i = 0; i < stages.size(); ++i)

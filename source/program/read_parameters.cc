@@ -4,13 +4,17 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_text.h>
 #include <biface/input/read_file.h>
+#include <biface/program/design_variable.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
@@ -219,6 +223,139 @@ namespace Biface
       make_names_absolute(file_name, parameters, prm);
       return used_old_names;
     }
+
+
+    /** The texts that set parameters. */
+    std::vector<Source>
+    collect_sources(const std::string           &file_name,
+                    const std::vector<Override> &overrides,
+                    const MPI_Comm               communicator)
+    {
+      std::vector<Source> sources;
+      if (!file_name.empty())
+        sources.push_back({file_name, read_file(file_name, communicator)});
+      for (const Override &setting : overrides)
+        sources.push_back({setting.source, override_text(setting)});
+      return sources;
+    }
+
+
+    std::vector<std::string>
+    parse_collected(const std::vector<Source> &sources,
+                    const std::string         &file_name,
+                    Parameters                &parameters,
+                    ParameterHandler          &prm)
+    {
+      std::vector<std::string> sentences;
+      for (const OldName &old :
+           parse_sources(sources, file_name, parameters, prm))
+        sentences.push_back("'" + old.old_name + "' is now called '" +
+                            old.new_name + "'; the old name still works.");
+      return sentences;
+    }
+
+
+    /** Check parameters, and read the files that they name. */
+    void
+    complete(const MPI_Comm communicator, Parameters &parameters)
+    {
+      parameters.check();
+      if (!parameters.surface.points_file.name.empty())
+        parameters.surface.points_file.read("radius, axial coordinate",
+                                            communicator);
+      for (TableFile &table : parameters.laminate.tables)
+        table.file.read("alpha_1, value", communicator);
+    }
+
+
+    /** Whether the mesh does not depend on a setting. */
+    bool
+    keeps_mesh(const Override &setting)
+    {
+      for (const char *section : {"Stage ", "Loads/", "Gas/", "Contact/"})
+        if (setting.setting.rfind(section, 0) == 0)
+          return true;
+      return false;
+    }
+
+
+    /** The parameters with each of the entries of the section 'Sensitivities'
+     * changed a little. */
+    std::vector<SensitivityParameters::Change>
+    change_entries(const std::vector<Source> &sources,
+                   const std::string         &file_name,
+                   const MPI_Comm             communicator,
+                   const Parameters          &parameters,
+                   const ParameterHandler    &prm)
+    {
+      // With friction, displacements must change less than the elastic slip.
+      // Without it, the step balances the round-off of stiff contact and the
+      // curvature of the forces at fixed displacements.
+      constexpr double step = 2e-5, step_with_friction = 1e-6;
+
+      const bool has_friction = std::any_of(
+        parameters.stages.begin(),
+        parameters.stages.end(),
+        [&](const Stage &stage) {
+          const std::string &own = stage.friction;
+          return stage.contact &&
+                 (stage.glued ||
+                  (own.empty() ? parameters.contact.friction.coefficient
+                               : own) != "0");
+        });
+      const double relative = parameters.sensitivities.step.value_or(
+        has_friction ? step_with_friction : step);
+      const std::string entry = "Sensitivities/Entries";
+      std::vector<SensitivityParameters::Change> changes;
+      for (const DesignVariable &variable :
+           parse_design_variables(entry, parameters.sensitivities.entries))
+        {
+          SensitivityParameters::Change change;
+          change.name  = variable.get_name();
+          change.value = variable.value(prm);
+          const double size =
+            relative * (change.value == 0 ? 1 : std::abs(change.value));
+          const std::array<double, 2> values{
+            {change.value - size, change.value + size}};
+          change.step = values[1] - values[0];
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              std::vector<Source> changed_sources = sources;
+              change.same_mesh                    = true;
+              for (const Override &setting :
+                   settings({variable}, {values[side]}, prm, entry))
+                {
+                  changed_sources.push_back({entry, override_text(setting)});
+                  change.same_mesh = change.same_mesh && keeps_mesh(setting);
+                }
+              const auto       changed = std::make_shared<Parameters>();
+              ParameterHandler changed_prm;
+              try
+                {
+                  parse_collected(
+                    changed_sources, file_name, *changed, changed_prm);
+                  complete(communicator, *changed);
+                }
+              catch (const InputError &error)
+                {
+                  // without the place in the setting and the period
+                  std::string reason = error.what();
+                  if (reason.rfind(entry, 0) == 0)
+                    reason = reason.substr(reason.find(": ") + 2);
+                  if (reason.back() == '.')
+                    reason.pop_back();
+                  throw InputError(entry,
+                                   change.name,
+                                   "it must be possible to change it a "
+                                   "little, and then " +
+                                     reason);
+                }
+              change.parameters[side] = changed;
+            }
+          changes.push_back(change);
+        }
+      return changes;
+    }
   } // namespace
 
 
@@ -229,18 +366,10 @@ namespace Biface
                    Parameters                  &parameters,
                    ParameterHandler            &prm)
   {
-    std::vector<Source> sources;
-    if (!file_name.empty())
-      sources.push_back({file_name, read_file(file_name, communicator)});
-    for (const Override &setting : overrides)
-      sources.push_back({setting.source, override_text(setting)});
-
-    std::vector<std::string> sentences;
-    for (const OldName &old :
-         parse_sources(sources, file_name, parameters, prm))
-      sentences.push_back("'" + old.old_name + "' is now called '" +
-                          old.new_name + "'; the old name still works.");
-    return sentences;
+    return parse_collected(collect_sources(file_name, overrides, communicator),
+                           file_name,
+                           parameters,
+                           prm);
   }
 
 
@@ -251,16 +380,15 @@ namespace Biface
                   Parameters                  &parameters,
                   ParameterHandler            &prm)
   {
+    const std::vector<Source> sources =
+      collect_sources(file_name, overrides, communicator);
     const std::vector<std::string> sentences =
-      parse_parameters(file_name, overrides, communicator, parameters, prm);
+      parse_collected(sources, file_name, parameters, prm);
     try
       {
-        parameters.check();
-        if (!parameters.surface.points_file.name.empty())
-          parameters.surface.points_file.read("radius, axial coordinate",
-                                              communicator);
-        for (TableFile &table : parameters.laminate.tables)
-          table.file.read("alpha_1, value", communicator);
+        complete(communicator, parameters);
+        parameters.sensitivities.changes =
+          change_entries(sources, file_name, communicator, parameters, prm);
       }
     catch (const InputError &error)
       {

@@ -10,12 +10,10 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/model/plies_on_surface.h>
+#include <biface/program/sensitivity_analysis.h>
 #include <biface/program/simulation.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/modal_analysis.h>
-
-#include <unistd.h>
 
 namespace Biface
 {
@@ -23,70 +21,6 @@ namespace Biface
 
   namespace
   {
-    /** Refuse a mesh that exceeds the memory, before the system kills the
-     * program. */
-    void
-    check_memory(const ChartGrid &grid, const MPI_Comm communicator)
-    {
-      // the set-up alone takes more; the solution takes several times as much
-      constexpr double bytes_per_node = 5000;
-
-      MPI_Comm machine;
-      MPI_Comm_split_type(
-        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-      const unsigned int n_copies =
-        (grid.distribution == MeshDistribution::shared
-           ? Utilities::MPI::n_mpi_processes(machine)
-           : 1);
-      MPI_Comm_free(&machine);
-
-      const double n_nodes =
-        static_cast<double>(grid.lines[0].size()) * grid.lines[1].size();
-      const double needed = n_nodes * bytes_per_node * n_copies;
-      const double available =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
-      // the same decision on all ranks, also on different machines
-      if (Utilities::MPI::max(needed / available, communicator) <= 1)
-        return;
-      const double gigabyte = 1e9;
-      throw InputError(
-        "the section 'Mesh' describes " + number_to_string(n_nodes) +
-        " nodes, which need more than " +
-        number_to_string(
-          std::ceil(Utilities::MPI::max(needed, communicator) / gigabyte)) +
-        " GB, but a machine has " +
-        number_to_string(
-          std::floor(Utilities::MPI::min(available, communicator) / gigabyte)) +
-        " GB of memory.");
-    }
-
-
-    /** @param grid the grid of the mesh; null for that of the parameters. */
-    std::unique_ptr<const ShellMesh>
-    make_shell_mesh(const Parameters &parameters,
-                    const MPI_Comm    communicator,
-                    const ChartGrid  *grid = nullptr)
-    {
-      std::unique_ptr<const ReferenceSurface> surface =
-        make_surface(parameters.surface);
-      const ChartGrid finest(parameters.mesh, *surface);
-      const ChartGrid given = (grid ? *grid : finest);
-      check_memory(given, communicator);
-      const Layup layup(
-        parameters.laminate,
-        parameters.materials,
-        plies_on_surface(make_surface(parameters.surface), finest));
-      const std::vector<NamedPoint> points = parameters.points.on(*surface);
-      return std::make_unique<const ShellMesh>(communicator,
-                                               std::move(surface),
-                                               given,
-                                               layup,
-                                               parameters.supports,
-                                               points,
-                                               parameters.element.sampling);
-    }
-
-
     /** Seconds in factorizations and solutions. */
     double
     linear_seconds(const TimerOutput &timer)
@@ -115,20 +49,16 @@ namespace Biface
   Simulation::Simulation(const Parameters                &parameters,
                          const MPI_Comm                   communicator,
                          std::ostream                    &stream,
-                         std::unique_ptr<const ShellMesh> shell_mesh)
+                         std::shared_ptr<const ShellMesh> shell_mesh)
     : parameters(parameters)
     , stream(stream)
     , out(stream, Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
-    , mesh(std::move(shell_mesh))
-    , contact(*mesh, parameters.contact)
-    , equations(
-        *mesh,
-        make_force_terms(*mesh, contact, parameters.loads, parameters.pressure))
-    , gas(parameters.gas.ambient_pressure
-            ? std::make_unique<const Gas>(
-                *mesh, parameters.gas, parameters.pressure.face)
-            : nullptr)
+    , model(parameters, std::move(shell_mesh))
+    , mesh(model.mesh)
+    , contact(model.contact)
+    , equations(model.equations)
+    , gas(model.gas)
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
     , state(*mesh)
   {
@@ -138,7 +68,7 @@ namespace Biface
         const std::string section = "Stage " + std::to_string(i + 1);
         make_control(stage)->check(section, *mesh);
         if (stage.critical_points == CriticalPoints::switch_branch &&
-            !mesh->prescribed.empty())
+            mesh->prescribes_displacements())
           throw InputError(section + "/Critical points",
                            "switch branch",
                            "supports must not prescribe displacements");
@@ -165,7 +95,14 @@ namespace Biface
                            "meshes");
         grid = coarser;
       }
+
+    if (!parameters.sensitivities.changes.empty())
+      sensitivities = std::make_unique<SensitivityAnalysis>(
+        parameters, model, *linear_solver, out, timer);
   }
+
+
+  Simulation::~Simulation() = default;
 
 
   ChartGrid
@@ -196,8 +133,9 @@ namespace Biface
         stage.n_modes = stage.n_buckling = 0;
         stage.critical_points            = CriticalPoints::ignore;
       }
-    const ChartGrid grid         = coarser_grid(mesh->grid);
-    const MPI_Comm  communicator = mesh->communicator;
+    coarse_parameters.sensitivities = SensitivityParameters();
+    const ChartGrid grid            = coarser_grid(mesh->grid);
+    const MPI_Comm  communicator    = mesh->communicator;
     Simulation      coarse(coarse_parameters,
                       communicator,
                       stream,
@@ -244,6 +182,11 @@ namespace Biface
                   const Newton::Stop           &stop,
                   const NestedPredictor        *predictor)
   {
+    if (sensitivities && progress.n_steps > 0)
+      throw InputError("Sensitivities/Entries",
+                       parameters.sensitivities.entries,
+                       "derivatives are carried along from the start of a "
+                       "run, so that none can be continued with them");
     const std::unique_ptr<const NestedPredictor> nested =
       (predictor ? nullptr : run_coarser(stop));
     if (nested)
@@ -275,7 +218,8 @@ namespace Biface
                                predictor ? predictor : nested.get(),
                                gas.get(),
                                modal_analysis.get(),
-                               buckling_analysis.get());
+                               buckling_analysis.get(),
+                               sensitivities.get());
     return load_stepping.run(
       parameters.stages, progress, state, ends, observer);
   }

@@ -196,7 +196,6 @@ namespace Biface
               }
             TimerOutput::Scope scope(timer, "Update of the state");
             equations.internal_forces().settle_resultants(state);
-            contact.record_history(state, iterate.loads);
             result.converged = true;
             return result;
           }

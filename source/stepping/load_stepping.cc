@@ -17,6 +17,8 @@
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/critical_point.h>
 #include <biface/stepping/load_stepping.h>
+#include <biface/stepping/stage_start.h>
+#include <biface/stepping/step_follower.h>
 
 namespace Biface
 {
@@ -43,7 +45,8 @@ namespace Biface
                              const NestedPredictor    *nested,
                              const Gas                *gas,
                              ModalAnalysis            *modal_analysis,
-                             BucklingAnalysis         *buckling_analysis)
+                             BucklingAnalysis         *buckling_analysis,
+                             StepFollower             *follower)
     : parameters(parameters)
     , equations(equations)
     , contact(contact)
@@ -53,6 +56,7 @@ namespace Biface
     , gas(gas)
     , modal_analysis(modal_analysis)
     , buckling_analysis(buckling_analysis)
+    , follower(follower)
   {}
 
 
@@ -82,7 +86,12 @@ namespace Biface
         if (progress.stage_begun)
           control->restore(progress.control);
         else
-          begin_stage(run);
+          {
+            begin_stage(run);
+            if (follower)
+              follower->start_stage(stage_before(stages, progress.stage),
+                                    progress.stage);
+          }
 
         while (control->done() < 1)
           {
@@ -97,6 +106,8 @@ namespace Biface
               report.modes = find_modes(run, report.loads);
             if (before && control->done() >= 1)
               report.buckling = find_buckling(run, *before, level_before);
+            if (follower && control->done() >= 1)
+              report.sensitivities = follower->end_stage(report, state);
             observer(report, state);
           }
 
@@ -145,23 +156,9 @@ namespace Biface
   {
     const Stage &stage    = run.stage;
     Progress    &progress = run.progress;
-    if (stage.from_prestress)
-      start_from_prestress(run);
-    if (stage.contact && !progress.touching_travel)
-      {
-        progress.touching_travel = contact.touching_travel(run.state);
-        progress.touched_point =
-          contact.touched_point(run.state, *progress.touching_travel);
-        progress.reaction = {progress.reached, {}, {}};
-      }
-    progress.first_reaction = progress.reaction;
-    if (run.rolls)
-      contact.forget_history(run.state);
-    contact.set_glued(run.state, stage.glued);
-    equations.internal_forces().set_theory(stage.theory, run.state);
-    progress.gas_content.reset();
-    if (stage.sealed)
-      progress.gas_content = gas->content(progress.reached.pressure, run.state);
+    if (const auto unbalance = start_stage(
+          stage, run.rolls, equations, contact, gas, progress, run.state))
+      print(run, *unbalance);
 
     run.control.begin(last_converged(run));
     progress.control = run.control.get_memory();
@@ -171,20 +168,9 @@ namespace Biface
 
 
   void
-  LoadStepping::start_from_prestress(const StageRun &run)
+  LoadStepping::print(const StageRun                  &run,
+                      const ShellEquations::Unbalance &unbalance)
   {
-    Progress &progress       = run.progress;
-    progress.reached.travel  = 0;
-    progress.work            = Work();
-    progress.reached.slide   = Tensor<1, 3>();
-    progress.reached.turn    = 0;
-    progress.factor_of_shape = progress.reached.factor;
-    progress.touching_travel.reset();
-    progress.reaction.reset();
-    progress.last_change.clear();
-
-    const ShellEquations::Unbalance unbalance = equations.start_from_prestress(
-      run.state, loads_without_foundation(progress.reached, run));
     const bool   loaded = unbalance.loads > 0;
     const double whole  = (loaded ? unbalance.loads : unbalance.with_supports);
     double       part   = (whole > 0 ? unbalance.forces / whole : 0.);
@@ -583,10 +569,12 @@ namespace Biface
   StepReport
   LoadStepping::accept(const StageRun       &run,
                        const Control::Trial &trial,
-                       const Attempt        &attempt)
+                       Attempt              &attempt)
   {
-    const NewtonResult &result   = attempt.result;
-    Progress           &progress = run.progress;
+    const NewtonResult   &result   = attempt.result;
+    Progress             &progress = run.progress;
+    const Control::Memory memory   = run.control.get_memory();
+    const LoadLevel       level    = trial.level(attempt.mu);
     run.control.accept({trial,
                         attempt.mu,
                         result.iterations,
@@ -601,16 +589,22 @@ namespace Biface
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
     const Loads before = loads_at(progress.reached, run);
-    progress.reached   = trial.level(attempt.mu);
+    progress.reached   = level;
     if (progress.gas_content)
       progress.reached.pressure =
         Gas::Sealed(*gas, *progress.gas_content).pressure(attempt.state);
-    progress.work += work_of_step(equations,
-                                  contact,
-                                  run.state,
-                                  before,
-                                  attempt.state,
-                                  loads_at(progress.reached, run));
+    const Loads now = loads_at(progress.reached, run);
+    if (follower)
+      follower->follow({run.stage,
+                        memory,
+                        trial,
+                        attempt.mu,
+                        attempt.state,
+                        now,
+                        run.control.done() >= 1});
+    contact.record_history(attempt.state, now);
+    progress.work +=
+      work_of_step(equations, contact, run.state, before, attempt.state, now);
     run.state        = attempt.state;
     progress.control = run.control.get_memory();
     ++progress.n_steps;
@@ -620,7 +614,7 @@ namespace Biface
     report.instant    = {progress.stage, run.control.done()};
     report.stage      = run.stage.name;
     report.in_contact = run.stage.contact;
-    report.loads      = loads_at(progress.reached, run);
+    report.loads      = now;
     report.approach   = (run.stage.contact ? progress.reached.travel : 0.);
     report.work       = progress.work;
     report.level      = progress.reached;
@@ -773,36 +767,9 @@ namespace Biface
 
 
   Loads
-  LoadStepping::loads_without_foundation(const LoadLevel &level,
-                                         const StageRun  &run) const
-  {
-    Loads loads;
-    // that of a sealed gas changes only with the state
-    loads.pressure = (run.progress.gas_content ? run.progress.reached.pressure
-                                               : level.pressure);
-    loads.factor   = level.factor;
-    loads.factor_of_shape = run.progress.factor_of_shape;
-    if (run.rolls)
-      loads.rolling = contact.rolling(level.angular_velocity,
-                                      level.ground_velocity,
-                                      level.slip_angle * numbers::PI / 180);
-    return loads;
-  }
-
-
-  Loads
   LoadStepping::loads_at(const LoadLevel &level, const StageRun &run) const
   {
-    Loads loads = loads_without_foundation(level, run);
-    if (run.stage.contact)
-      {
-        loads.foundation =
-          contact.foundation(*run.progress.touching_travel + level.travel)
-            .displaced(level.slide,
-                       level.turn * numbers::PI / 180,
-                       run.progress.touched_point);
-        loads.friction = run.friction;
-      }
-    return loads;
+    return Biface::loads_at(
+      level, run.stage, run.rolls, run.friction, contact, run.progress);
   }
 } // namespace Biface

@@ -181,6 +181,11 @@ namespace Biface
     unsigned int
     settle(State &state, const Loads &loads) const;
 
+    /** Compute the multipliers from the displacements of the state, for its
+     * active set and its slipping nodes. */
+    void
+    compute_multipliers(State &state, const Loads &loads) const;
+
     /** Let all nodes stick that have a stick point, where nothing is known
      * about the slip: too many slipping nodes have too little stiffness. */
     void

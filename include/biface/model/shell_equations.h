@@ -73,12 +73,23 @@ namespace Biface
     const LA::SparseMatrix &
     tangent() const
     {
-      return matrix.get();
+      Assert(matrix, dealii::ExcNotInitialized());
+      return matrix->get();
     }
 
     /** Whether the tangent is symmetric for these loads. */
     bool
     is_symmetric(const Loads &loads) const;
+
+    /** The same as residual() for any state, without the tangent. The
+     * displacements at the supports are those of the state. */
+    LA::Vector
+    out_of_balance(const State &state, const Loads &loads) const;
+
+    /** Set the displacements of the supports in a state, at which other
+     * displacements are kept. */
+    void
+    move_supports(State &state, const Loads &loads) const;
 
     /** The derivative of residual() for the given rates of the loads and a
      * fixed active set; not for linear strain theory. */
@@ -203,9 +214,10 @@ namespace Biface
     dealii::AffineConstraints<double> constraints;
     double                            largest_violation = 0;
 
-    TangentMatrix matrix;
-    LA::Vector    rhs;
-    double        force_scale = 0;
+    /** Created by the first assembly. */
+    std::unique_ptr<TangentMatrix> matrix;
+    LA::Vector                     rhs;
+    double                         force_scale = 0;
   };
 } // namespace Biface
 

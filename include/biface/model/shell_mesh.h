@@ -219,6 +219,10 @@ namespace Biface
       return diameter;
     }
 
+    /** Whether supports prescribe displacements, on any rank. */
+    bool
+    prescribes_displacements() const;
+
     /** The number of unknowns not determined by supports. */
     dealii::types::global_dof_index
     n_unknowns() const

@@ -3,6 +3,8 @@
 #ifndef biface_output_history_file_h
 #define biface_output_history_file_h
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <biface/model/cavity.h>
@@ -11,6 +13,26 @@
 
 namespace Biface
 {
+  /** The names of the columns of history.csv.
+   * @param with_volume whether that of the cavity is one of them. */
+  std::vector<std::string>
+  history_columns(const FailureCriteria &criteria,
+                  const ShellMesh       &mesh,
+                  const bool             with_volume);
+
+
+  /** The numbers of a line of history.csv after the step and the name of the
+   * stage; empty fields are not set. Must be called on all ranks.
+   * @param cavity null if its volume is not of interest.
+   * @param failure_maxima see find_failure_maxima(). */
+  std::vector<std::optional<double>>
+  history_values(const StepReport                  &report,
+                 const State                       &state,
+                 const ShellEquations              &equations,
+                 const Cavity                      *cavity,
+                 const std::vector<FailureMaximum> &failure_maxima);
+
+
   /** history.csv: a line per step with its loads, its contact zone, its strain
    * energy, and the maxima of the requested failure indices. */
   class HistoryFile : public StepTable

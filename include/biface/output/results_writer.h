@@ -51,6 +51,7 @@ namespace Biface
      *
      * @param stages those of the run.
      * @param cavity that whose volume is of interest, kept by pointer, or null.
+     * @param n_sensitivities the number of derivatives at the end of a stage.
      * @param continued the steps written by an earlier run, to continue its
      * files; later ones are removed. Throws InputError if some of them are
      * missing.
@@ -59,6 +60,7 @@ namespace Biface
                   const std::vector<Stage>     &stages,
                   const ShellEquations         &equations,
                   const Cavity                 *cavity,
+                  const unsigned int            n_sensitivities,
                   const std::optional<Written> &continued = {});
 
     /** A sentence for each requested result that is not available. */

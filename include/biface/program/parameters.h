@@ -21,6 +21,7 @@
 #include <biface/model/supports.h>
 #include <biface/output/results_writer.h>
 #include <biface/program/checkpoint_writer.h>
+#include <biface/program/sensitivity_parameters.h>
 #include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
@@ -56,6 +57,7 @@ namespace Biface
     LoadStepping::Parameters          load_stepping;
     ResultsWriter::Parameters         output;
     CheckpointWriter::Parameters      checkpoint;
+    SensitivityParameters             sensitivities;
 
     /** Declare all entries, with a section for each of the materials and each
      * of the stages. The object must outlive @p prm. */

@@ -13,6 +13,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/program/parameters.h>
+#include <biface/program/shell_model.h>
 #include <biface/restart/checkpoint.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
@@ -20,6 +21,9 @@
 
 namespace Biface
 {
+  class SensitivityAnalysis;
+
+
   /**
    * An analysis, from its parameters to its results. There is no global state:
    * a program can contain any number of simulations, each on its own
@@ -40,6 +44,8 @@ namespace Biface
     Simulation(const Parameters &parameters,
                const MPI_Comm    communicator,
                std::ostream     &stream);
+
+    ~Simulation();
 
     /** Run all remaining stages and pass each converged step to @p observer.
      * @param stop see Newton.
@@ -123,7 +129,7 @@ namespace Biface
     Simulation(const Parameters                &parameters,
                const MPI_Comm                   communicator,
                std::ostream                    &stream,
-               std::unique_ptr<const ShellMesh> mesh);
+               std::shared_ptr<const ShellMesh> mesh);
 
     /** Every second line of a grid and the lines of points and ends of
      * plies. */
@@ -135,19 +141,25 @@ namespace Biface
     std::unique_ptr<const NestedPredictor>
     run_coarser(const Newton::Stop &stop);
 
-    const Parameters                       parameters;
-    std::ostream                          &stream;
-    dealii::ConditionalOStream             out;
-    dealii::TimerOutput                    timer;
-    const std::unique_ptr<const ShellMesh> mesh;
-    const ContactInteraction               contact;
-    ShellEquations                         equations;
-    const std::unique_ptr<const Gas>       gas;
-    const std::unique_ptr<LinearSolver>    linear_solver;
-    State                                  state;
-    double                                 coarse_solver_seconds = 0;
-    Progress                               progress;
-    StageEnds                              ends;
+    const Parameters           parameters;
+    std::ostream              &stream;
+    dealii::ConditionalOStream out;
+    dealii::TimerOutput        timer;
+    ShellModel                 model;
+    /** Its parts. */
+    const std::shared_ptr<const ShellMesh> &mesh;
+    const ContactInteraction               &contact;
+    ShellEquations                         &equations;
+    const std::unique_ptr<const Gas>       &gas;
+
+    const std::unique_ptr<LinearSolver> linear_solver;
+    /** Null if no derivatives are asked for. */
+    std::unique_ptr<SensitivityAnalysis> sensitivities;
+
+    State     state;
+    double    coarse_solver_seconds = 0;
+    Progress  progress;
+    StageEnds ends;
   };
 } // namespace Biface
 

@@ -30,6 +30,7 @@ namespace Biface
 {
   class BucklingAnalysis;
   class ModalAnalysis;
+  class StepFollower;
 
 
   /** The result of all stages. */
@@ -82,7 +83,8 @@ namespace Biface
      * @param gas null if no stage has a sealed gas.
      * @param modal_analysis null if no stage asks for modes.
      * @param buckling_analysis null if no stage asks for buckling or critical
-     * points. */
+     * points.
+     * @param follower null for none. */
     LoadStepping(const Parameters           &parameters,
                  ShellEquations             &equations,
                  const ContactInteraction   &contact,
@@ -91,7 +93,8 @@ namespace Biface
                  const NestedPredictor      *nested            = nullptr,
                  const Gas                  *gas               = nullptr,
                  ModalAnalysis              *modal_analysis    = nullptr,
-                 BucklingAnalysis           *buckling_analysis = nullptr);
+                 BucklingAnalysis           *buckling_analysis = nullptr,
+                 StepFollower               *follower          = nullptr);
 
     /**
      * Run the stages, continuing from the given progress.
@@ -145,12 +148,9 @@ namespace Biface
     void
     begin_stage(const StageRun &run);
 
-    /** Return to the undeformed shape with the resultants and loads reached,
-     * and print what is out of balance, see
-     * ShellEquations::start_from_prestress().
-     */
+    /** Print what is out of balance in a start from a prestress. */
     void
-    start_from_prestress(const StageRun &run);
+    print(const StageRun &run, const ShellEquations::Unbalance &unbalance);
 
     /** A converged step, halved as often as needed.
      * @return its report or the failure. */
@@ -214,11 +214,9 @@ namespace Biface
     std::optional<Attempt>
     try_branch(const StageRun &run, Control::Trial &trial);
 
-    /** Accept a converged attempt. */
+    /** Accept a converged attempt, and record its history of friction. */
     StepReport
-    accept(const StageRun       &run,
-           const Control::Trial &trial,
-           const Attempt        &attempt);
+    accept(const StageRun &run, const Control::Trial &trial, Attempt &attempt);
 
     /** The stiffness of the last step, if the foundation alone has moved.
      * @param before that of the step before. */
@@ -248,9 +246,6 @@ namespace Biface
     last_converged(const StageRun &run) const;
 
     Loads
-    loads_without_foundation(const LoadLevel &level, const StageRun &run) const;
-
-    Loads
     loads_at(const LoadLevel &level, const StageRun &run) const;
 
     const Parameters            parameters;
@@ -262,6 +257,7 @@ namespace Biface
     const Gas                  *gas;
     ModalAnalysis              *modal_analysis;
     BucklingAnalysis           *buckling_analysis;
+    StepFollower               *follower;
 
     /** Whether this warning was given. */
     bool warned = false;

@@ -20,6 +20,7 @@ namespace Biface
 {
   struct Buckling;
   struct CriticalPoint;
+  struct SensitivityTable;
   struct VibrationModes;
 
 
@@ -60,8 +61,9 @@ namespace Biface
     std::optional<unsigned int> n_negative_pivots;
     double                      seconds = 0;
     /** At the end of a stage that asks for them; null if there are none. */
-    std::shared_ptr<const VibrationModes> modes;
-    std::shared_ptr<const Buckling>       buckling;
+    std::shared_ptr<const VibrationModes>   modes;
+    std::shared_ptr<const Buckling>         buckling;
+    std::shared_ptr<const SensitivityTable> sensitivities;
     /** If the step passed one; else null. */
     std::shared_ptr<const CriticalPoint> critical_point;
   };

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_scalar_results_h
+#define biface_output_scalar_results_h
+
+#include <deal.II/base/point.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/model/cavity.h>
+#include <biface/output/ply_results.h>
+#include <biface/stepping/step_report.h>
+
+namespace Biface
+{
+  /**
+   * Single numbers of the results by their names, of which derivatives make
+   * sense:
+   * - a column of history.csv, such as `force`;
+   * - a column of probes.csv at a named point, such as `top u_x`, of the middle
+   *   surface unless the face is given, as in `top inner u_x`;
+   * - a column of forces.csv of a body, such as `alpha_1 min F_x`.
+   */
+  class ScalarResults
+  {
+  public:
+    /** Throws InputError if there is no such number.
+     * @param entry the entry that lists the names, for error messages.
+     * @param with_volume whether the volume of the cavity is known. */
+    ScalarResults(const std::string              &entry,
+                  const std::vector<std::string> &names,
+                  const ShellMesh                &mesh,
+                  const FailureCriteria          &criteria,
+                  const dealii::Point<3>         &moment_center,
+                  const bool                      with_volume);
+
+    const std::vector<std::string> &
+    get_names() const
+    {
+      return names;
+    }
+
+    /** The values of a step. Must be called on all ranks.
+     * @param cavity null if its volume is not of interest. */
+    std::vector<double>
+    evaluate(const ShellEquations &equations,
+             const Cavity         *cavity,
+             const StepReport     &report,
+             const State          &state) const;
+
+  private:
+    /** Where a number is found. */
+    struct Source
+    {
+      enum class Kind
+      {
+        history,
+        probe,
+        force
+      };
+
+      Kind kind = Kind::history;
+      /** In history.csv the position after step and stage, otherwise that of
+       * the point or the body. */
+      unsigned int position = 0;
+      /** Position among the components of the last columns of probes.csv or
+       * forces.csv. */
+      unsigned int component = 0;
+      /** The share of the inner face. */
+      double inner = 0.5;
+    };
+
+    /** The source of a name; none if there is no such number. */
+    std::optional<Source>
+    find(const std::string     &name,
+         const ShellMesh       &mesh,
+         const FailureCriteria &criteria,
+         const bool             with_volume) const;
+
+    const std::vector<std::string> names;
+    const FailureCriteria          criteria;
+    const dealii::Point<3>         moment_center;
+    std::vector<Source>            sources;
+  };
+} // namespace Biface
+
+#endif

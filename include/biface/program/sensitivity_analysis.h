@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_sensitivity_analysis_h
+#define biface_program_sensitivity_analysis_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/output/scalar_results.h>
+#include <biface/program/parameters.h>
+#include <biface/program/shell_model.h>
+#include <biface/solver/linear/linear_solver.h>
+#include <biface/stepping/restore_point.h>
+#include <biface/stepping/step_follower.h>
+
+namespace Biface
+{
+  /**
+   * The derivatives of results by numbers of the parameter file.
+   *
+   * Two neighbors of the run belong to each entry @f$p@f$: models built from
+   * the parameter file with @f$p\pm h@f$, with everything that later steps read
+   * of earlier ones: the displacements, the history of friction, the place
+   * where the foundation touches, the prestress, the content of the gas. They
+   * follow the steps of the run, but linearly. With the active set and the
+   * slipping nodes of the run, in each step that is read later
+   * @f[
+   *   \mathbf K\frac{d\mathbf V}{dp}=
+   *   \frac{\mathbf R_+(\mathbf V)-\mathbf R_-(\mathbf V)}{2h},\qquad
+   *   \mathbf V_\pm=\mathbf V\pm h\frac{d\mathbf V}{dp},
+   * @f]
+   * with the tangent and the factors of the run; the residual
+   * @f$\mathbf R_\pm@f$ contains the neighbor's history. A load parameter that
+   * an equation determines is one more unknown. The derivative of a result
+   * @f$y@f$ is @f$(y_+(\mathbf V_+)-y_-(\mathbf V_-))/2h@f$.
+   */
+  class SensitivityAnalysis : public StepFollower
+  {
+  public:
+    /** The objects are kept by reference. Throws InputError if a result does
+     * not exist, or if an entry changes the mesh itself. */
+    SensitivityAnalysis(const Parameters           &parameters,
+                        ShellModel                 &model,
+                        LinearSolver               &linear_solver,
+                        dealii::ConditionalOStream &out,
+                        dealii::TimerOutput        &timer);
+
+    ~SensitivityAnalysis() override;
+
+    void
+    start_stage(const std::optional<unsigned int> &before,
+                const unsigned int                 position) override;
+
+    void
+    follow(const Step &step) override;
+
+    std::shared_ptr<const SensitivityTable>
+    end_stage(const StepReport &report, const State &state) override;
+
+  private:
+    struct Neighbor;
+    struct Linearization;
+
+    using Change = SensitivityParameters::Change;
+
+    /** Whether a step must be followed: if later steps read its state, or if
+     * derivatives are wanted. */
+    bool
+    is_read(const Step &step) const;
+
+    /** Prepare a neighbor to follow a step, with the active set and the
+     * slipping nodes of the run.
+     * @return the displacements of the run, but at the supports those of the
+     * neighbor. */
+    LA::Vector
+    propose(const Step &step, Neighbor &neighbor) const;
+
+    /** The loads on a neighbor. */
+    Loads
+    loads_on(const Neighbor &neighbor, const LoadLevel &level) const;
+
+    /** Warn once if something is not a smooth function of an entry: if the
+     * value here deviates from the mean of those below and above by more than a
+     * part of their difference.
+     * @param roundoff a deviation that does not count. */
+    void
+    check_step(const Change      &change,
+               const double       below,
+               const double       here,
+               const double       above,
+               const double       roundoff,
+               const std::string &what);
+
+    void
+    warn(const Change &change, const std::string &what);
+
+    const Parameters            parameters;
+    ShellModel                 &model;
+    LinearSolver               &linear_solver;
+    dealii::ConditionalOStream &out;
+    dealii::TimerOutput        &timer;
+    const ScalarResults         results;
+
+    /** Two of each entry, below and above. */
+    std::vector<std::unique_ptr<Neighbor>> neighbors;
+    unsigned int                           position = 0;
+    std::vector<std::string>               warned;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_program_shell_model_h
+#define biface_program_shell_model_h
+
+#include <mpi.h>
+
+#include <memory>
+
+#include <biface/model/contact_interaction.h>
+#include <biface/model/gas.h>
+#include <biface/model/shell_equations.h>
+#include <biface/model/shell_mesh.h>
+#include <biface/program/parameters.h>
+#include <biface/surface/chart_grid.h>
+
+namespace Biface
+{
+  /** Create the mesh. Throws InputError.
+   * @param grid the grid of the mesh; null for that of the parameters. */
+  std::shared_ptr<const ShellMesh>
+  make_shell_mesh(const Parameters &parameters,
+                  const MPI_Comm    communicator,
+                  const ChartGrid  *grid = nullptr);
+
+
+  /** Everything that acts in an analysis: the shell, its foundation, its loads
+   * and its gas. */
+  struct ShellModel
+  {
+    /** Throws InputError if the parameters are inconsistent.
+     * @param mesh that of the parameters, which other models may share. */
+    ShellModel(const Parameters                &parameters,
+               std::shared_ptr<const ShellMesh> mesh);
+
+    /** The volume that the gas fills; null if it is not of interest. */
+    const Cavity *
+    cavity() const
+    {
+      return gas ? &gas->cavity : nullptr;
+    }
+
+    const std::shared_ptr<const ShellMesh> mesh;
+    const ContactInteraction               contact;
+    ShellEquations                         equations;
+    /** Null if it cannot be sealed in. */
+    const std::unique_ptr<const Gas> gas;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/model/forces_on_shell.h>
+#include <biface/output/history_file.h>
+#include <biface/output/probes_file.h>
+#include <biface/output/scalar_results.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Whether a column of history.csv is a function of the state that can be
+     * differentiated; works are sums over all steps. */
+    bool
+    has_derivative(const std::string &column)
+    {
+      const auto ends_with = [&](const std::string &end) {
+        return column.size() >= end.size() &&
+               column.compare(column.size() - end.size(), end.size(), end) == 0;
+      };
+      for (const std::string counted : {"step",
+                                        "stage",
+                                        "iterations",
+                                        "seconds",
+                                        "contact_nodes",
+                                        "slipping_nodes"})
+        if (column == counted)
+          return false;
+      return !ends_with("_work") && !ends_with("_alpha_1") &&
+             !ends_with("_alpha_2") && !ends_with("_ply");
+    }
+
+
+    /** Split off the last word of a text. */
+    std::string
+    take_last_word(std::string &text)
+    {
+      const auto        blank = text.find_last_of(' ');
+      const std::string word =
+        (blank == std::string::npos ? text : text.substr(blank + 1));
+      text =
+        (blank == std::string::npos ? ""
+                                    : Utilities::trim(text.substr(0, blank)));
+      return word;
+    }
+
+
+    /** The position of a word; none if it is not in the list. */
+    std::optional<unsigned int>
+    position_of(const std::string &word, const std::vector<std::string> &list)
+    {
+      const auto found = std::find(list.begin(), list.end(), word);
+      if (found == list.end())
+        return {};
+      return found - list.begin();
+    }
+
+
+    const std::vector<std::string> probe_components{
+      "u_x", "u_y", "u_z", "u_1", "u_2", "u_3"};
+    const std::vector<std::string> force_components{
+      "F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
+  } // namespace
+
+
+  ScalarResults::ScalarResults(const std::string              &entry,
+                               const std::vector<std::string> &names,
+                               const ShellMesh                &mesh,
+                               const FailureCriteria          &criteria,
+                               const Point<3>                 &moment_center,
+                               const bool                      with_volume)
+    : names(names), criteria(criteria), moment_center(moment_center)
+  {
+    for (const std::string &name : names)
+      {
+        const std::optional<Source> source =
+          find(name, mesh, criteria, with_volume);
+        if (!source)
+          {
+            std::string columns;
+            for (const std::string &column :
+                 history_columns(criteria, mesh, with_volume))
+              if (has_derivative(column))
+                columns += (columns.empty() ? "" : ", ") + column;
+            throw InputError(
+              entry,
+              name,
+              "it must be one of " + columns +
+                ", 'POINT u_x' with a named point, or 'BODY F_x' "
+                "with a body of forces.csv");
+          }
+        sources.push_back(*source);
+      }
+  }
+
+
+  std::optional<ScalarResults::Source>
+  ScalarResults::find(const std::string     &name,
+                      const ShellMesh       &mesh,
+                      const FailureCriteria &criteria,
+                      const bool             with_volume) const
+  {
+    Source source;
+    if (const auto column =
+          position_of(name, history_columns(criteria, mesh, with_volume)))
+      {
+        if (!has_derivative(name))
+          return {};
+        // after step and stage
+        source.position = *column - 2;
+        return source;
+      }
+
+    std::string       rest = Utilities::trim(name);
+    const std::string last = take_last_word(rest);
+    if (const auto component = position_of(last, probe_components))
+      {
+        source.kind             = Source::Kind::probe;
+        source.component        = *component;
+        std::string       point = rest;
+        const std::string face  = take_last_word(point);
+        if (!point.empty() && position_of(face, {"inner", "outer", "middle"}))
+          {
+            source.inner = (face == "inner" ? 1 : face == "outer" ? 0 : 0.5);
+            rest         = point;
+          }
+        for (unsigned int p = 0; p < mesh.points.size(); ++p)
+          if (mesh.points[p].name == rest)
+            {
+              source.position = p;
+              return source;
+            }
+        return {};
+      }
+    if (const auto component = position_of(last, force_components))
+      {
+        source.kind      = Source::Kind::force;
+        source.component = *component;
+        if (const auto body = position_of(rest, bodies_on_shell(mesh)))
+          {
+            source.position = *body;
+            return source;
+          }
+        return {};
+      }
+    return {};
+  }
+
+
+  std::vector<double>
+  ScalarResults::evaluate(const ShellEquations &equations,
+                          const Cavity         *cavity,
+                          const StepReport     &report,
+                          const State          &state) const
+  {
+    const ShellMesh &mesh  = equations.mesh;
+    const auto       needs = [&](const Source::Kind kind) {
+      return std::any_of(
+        sources.begin(), sources.end(), [&](const Source &source) {
+          return source.kind == kind;
+        });
+    };
+    std::vector<std::optional<double>> history;
+    if (needs(Source::Kind::history))
+      history = history_values(report,
+                               state,
+                               equations,
+                               cavity,
+                               find_failure_maxima(equations, state, criteria));
+    std::vector<ForceOnShell> forces;
+    if (needs(Source::Kind::force))
+      forces = forces_on_shell(equations, state, report.loads, moment_center);
+
+    std::vector<double> values;
+    for (const Source &source : sources)
+      {
+        double value = std::numeric_limits<double>::quiet_NaN();
+        switch (source.kind)
+          {
+            case Source::Kind::history:
+              value = history[source.position].value_or(value);
+              break;
+            case Source::Kind::probe:
+              {
+                const PointDisplacement u = displacement_at(
+                  mesh.points[source.position], state.displacement, mesh);
+                const auto &faces = (source.component < 3 ? u.global : u.local);
+                const unsigned int i = source.component % 3;
+                value =
+                  source.inner * faces[0][i] + (1 - source.inner) * faces[1][i];
+                break;
+              }
+            case Source::Kind::force:
+              {
+                const ForceOnShell &body = forces[source.position];
+                value =
+                  (source.component < 3 ? body.force
+                                        : body.moment)[source.component % 3];
+                break;
+              }
+          }
+        values.push_back(value);
+      }
+    return values;
+  }
+} // namespace Biface

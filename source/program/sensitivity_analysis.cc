@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include <biface/base/errors.h>
+#include <biface/model/footprint.h>
+#include <biface/program/sensitivity_analysis.h>
+#include <biface/stepping/stage_start.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  /** A run with a changed entry. */
+  struct SensitivityAnalysis::Neighbor
+  {
+    Neighbor(std::shared_ptr<const Parameters> given,
+             std::shared_ptr<const ShellMesh>  mesh)
+      : parameters(std::move(given))
+      , model(*parameters, std::move(mesh))
+      , state(*model.mesh)
+    {}
+
+    const std::shared_ptr<const Parameters> parameters;
+    ShellModel                              model;
+    State                                   state;
+    Progress                                progress;
+    /** Those of all stages so far. */
+    StageEnds ends;
+
+    /** Of the current stage. */
+    const Stage                       *stage = nullptr;
+    std::unique_ptr<Control>           control;
+    std::shared_ptr<const FrictionLaw> friction;
+    bool                               rolls = false;
+
+    /** The step that is followed: its loads, and the state before it. */
+    Control::Trial trial;
+    LoadLevel      level;
+    Loads          loads;
+    State          before;
+  };
+
+
+  namespace
+  {
+    /** Refuse a changed mesh whose unknowns are not those of the run. */
+    void
+    check_mesh(const ShellMesh   &mesh,
+               const ShellMesh   &changed,
+               const std::string &name)
+    {
+      bool same =
+        mesh.n_nodes() == changed.n_nodes() &&
+        mesh.cells.size() == changed.cells.size() &&
+        mesh.nodes.size() == changed.nodes.size() &&
+        mesh.locally_relevant == changed.locally_relevant &&
+        mesh.constraints.n_constraints() == changed.constraints.n_constraints();
+      for (unsigned int n = 0; same && n < mesh.nodes.size(); ++n)
+        same =
+          mesh.nodes[n].dofs == changed.nodes[n].dofs &&
+          mesh.nodes[n].number == changed.nodes[n].number &&
+          mesh.nodes[n].outer_face_free == changed.nodes[n].outer_face_free;
+      if (Utilities::MPI::min(static_cast<unsigned int>(same),
+                              mesh.communicator) == 0)
+        throw InputError("Sensitivities/Entries",
+                         name,
+                         "a small change of it must not change the nodes of "
+                         "the mesh");
+    }
+  } // namespace
+
+
+  SensitivityAnalysis::SensitivityAnalysis(const Parameters   &parameters,
+                                           ShellModel         &model,
+                                           LinearSolver       &linear_solver,
+                                           ConditionalOStream &out,
+                                           TimerOutput        &timer)
+    : parameters(parameters)
+    , model(model)
+    , linear_solver(linear_solver)
+    , out(out)
+    , timer(timer)
+    , results("Sensitivities/Outputs",
+              parameters.sensitivities.outputs,
+              *model.mesh,
+              parameters.output.criteria,
+              parameters.output.forces.moment_center,
+              model.cavity() != nullptr)
+  {
+    TimerOutput::Scope scope(timer, "Sensitivities");
+    for (const Change &change : parameters.sensitivities.changes)
+      for (const auto &changed : change.parameters)
+        {
+          std::shared_ptr<const ShellMesh> mesh = model.mesh;
+          if (!change.same_mesh)
+            {
+              mesh = make_shell_mesh(*changed, model.mesh->communicator);
+              check_mesh(*model.mesh, *mesh, change.name);
+            }
+          neighbors.push_back(std::make_unique<Neighbor>(changed, mesh));
+        }
+  }
+
+
+  SensitivityAnalysis::~SensitivityAnalysis() = default;
+
+
+  Loads
+  SensitivityAnalysis::loads_on(const Neighbor  &neighbor,
+                                const LoadLevel &level) const
+  {
+    return loads_at(level,
+                    *neighbor.stage,
+                    neighbor.rolls,
+                    neighbor.friction,
+                    neighbor.model.contact,
+                    neighbor.progress);
+  }
+
+
+  void
+  SensitivityAnalysis::start_stage(const std::optional<unsigned int> &before,
+                                   const unsigned int                 stage)
+  {
+    TimerOutput::Scope scope(timer, "Sensitivities");
+    position = stage;
+    for (const auto &item : neighbors)
+      {
+        Neighbor &neighbor = *item;
+        if (before && *before + 1 != stage)
+          {
+            const RestorePoint &end = neighbor.ends.at(*before);
+            neighbor.state          = end.state;
+            neighbor.progress       = end.progress;
+            neighbor.model.equations.internal_forces().restore(end.history);
+          }
+        neighbor.stage    = &neighbor.parameters->stages[stage];
+        neighbor.friction = neighbor.model.contact.friction(
+          "Stage " + std::to_string(stage + 1) + "/Friction",
+          neighbor.stage->friction,
+          neighbor.stage->glued);
+        neighbor.rolls = neighbor.stage->rolls(neighbor.progress.reached);
+        Biface::start_stage(*neighbor.stage,
+                            neighbor.rolls,
+                            neighbor.model.equations,
+                            neighbor.model.contact,
+                            neighbor.model.gas.get(),
+                            neighbor.progress,
+                            neighbor.state);
+        neighbor.control = make_control(
+          *neighbor.stage, neighbor.parameters->load_stepping.control);
+        neighbor.control->begin(
+          {neighbor.model.equations,
+           neighbor.model.contact,
+           neighbor.state,
+           neighbor.progress.reached,
+           neighbor.progress.last_change,
+           [&](const LoadLevel &level) { return loads_on(neighbor, level); }});
+        neighbor.progress.control = neighbor.control->get_memory();
+      }
+  }
+
+
+  bool
+  SensitivityAnalysis::is_read(const Step &step) const
+  {
+    // the next step reads the history of friction, and the displacements if
+    // their change is controlled
+    return step.completes_stage || step.loads.friction || step.trial.equation;
+  }
+
+
+  /** The tangent of the run in a step, with the gas and the load parameter. */
+  struct SensitivityAnalysis::Linearization
+  {
+    Linearization(ShellModel                       &model,
+                  LinearSolver                     &linear_solver,
+                  const Step                       &step,
+                  const std::optional<Gas::Sealed> &gas)
+      : model(model), linear_solver(linear_solver)
+    {
+      ShellEquations &equations = model.equations;
+      equations.assemble(step.state, step.loads);
+      // the factors of the last iteration
+      check(linear_solver.factorize(
+        equations.tangent(), equations.is_symmetric(step.loads), true));
+      if (gas)
+        {
+          LoadRates rates;
+          rates.pressure = 1;
+          per_pressure   = solve_without_gas(
+            equations.load_direction(step.state, step.loads, rates));
+          pressure_gradient = gas->pressure_gradient(step.state);
+          denominator       = 1 - *pressure_gradient * per_pressure;
+        }
+      if (step.trial.equation)
+        per_parameter = solve(equations.load_direction(
+          step.state, step.loads, step.trial.equation->rates));
+    }
+
+    /** The displacements per given forces, with the pressure of the gas; those
+     * of the supports do not change. */
+    LA::Vector
+    solve(const LA::Vector &forces)
+    {
+      LA::Vector solution = solve_without_gas(forces);
+      if (pressure_gradient)
+        solution.add(*pressure_gradient * solution / denominator, per_pressure);
+      return solution;
+    }
+
+    ShellModel   &model;
+    LinearSolver &linear_solver;
+    /** Why a system was not solved; empty if all were. */
+    std::string failure;
+    /** The displacements per unit of the load parameter; empty if it is
+     * prescribed. */
+    LA::Vector per_parameter;
+
+  private:
+    LA::Vector
+    solve_without_gas(const LA::Vector &forces)
+    {
+      constexpr double exactness = 1e-12;
+      LA::Vector       solution  = model.mesh->owned_vector();
+      // solvers stop at a residual that is small enough for Newton's method
+      LA::Vector left(forces), correction(solution);
+      for (unsigned int pass = 0; pass < 2 && failure.empty(); ++pass)
+        {
+          check(linear_solver.solve(correction, left, exactness));
+          solution += correction;
+          model.equations.tangent().residual(left, solution, forces);
+        }
+      model.mesh->constraints.distribute(solution);
+      return solution;
+    }
+
+    void
+    check(const LinearSolverResult &result)
+    {
+      if (!result.success)
+        failure = result.message;
+    }
+
+    LA::Vector                per_pressure;
+    std::optional<LA::Vector> pressure_gradient;
+    double                    denominator = 1;
+  };
+
+
+  LA::Vector
+  SensitivityAnalysis::propose(const Step &step, Neighbor &neighbor) const
+  {
+    neighbor.before = neighbor.state;
+
+    // the proposal of the run, from the start of the neighbor
+    Control::Memory        memory = step.memory;
+    const Control::Memory &own    = neighbor.progress.control;
+    memory.start                  = own.start;
+    for (const auto &number : own.numbers)
+      if (number.first.rfind("start", 0) == 0)
+        memory.numbers[number.first] = number.second;
+    neighbor.control->restore(memory);
+    neighbor.trial = neighbor.control->propose(
+      {neighbor.model.equations,
+       neighbor.model.contact,
+       neighbor.before,
+       neighbor.progress.reached,
+       neighbor.progress.last_change,
+       [&](const LoadLevel &level) { return loads_on(neighbor, level); }});
+
+    State &state       = neighbor.state;
+    state.displacement = step.state.displacement;
+    state.active       = step.state.active;
+    state.grips        = step.state.grips;
+    neighbor.model.equations.move_supports(
+      state, loads_on(neighbor, neighbor.trial.level(step.mu)));
+    return owned_part(state.displacement);
+  }
+
+
+  void
+  SensitivityAnalysis::follow(const Step &step)
+  {
+    if (!is_read(step))
+      return;
+    TimerOutput::Scope scope(timer, "Sensitivities");
+
+    std::optional<Gas::Sealed> gas;
+    const auto                 sealed_in = [](const Neighbor &neighbor) {
+      std::optional<Gas::Sealed> gas;
+      if (neighbor.progress.gas_content)
+        gas.emplace(*neighbor.model.gas, *neighbor.progress.gas_content);
+      return gas;
+    };
+    // the content in the run is between those of its neighbors
+    if (neighbors[0]->progress.gas_content)
+      gas.emplace(*model.gas,
+                  model.gas->content(step.loads.pressure, step.state));
+    Linearization    tangent(model, linear_solver, step, gas);
+    const LA::Vector here     = model.equations.residual();
+    const double     relative = model.equations.relative_residual();
+    const double     roundoff =
+      (relative > 0 ? 10 * here.l2_norm() / relative *
+                        model.equations.relative_roundoff(step.state)
+                    : 0.);
+
+    // At fixed displacements, a small motion of the foundation changes the
+    // pressure, which limits friction, by much. With friction, the forces are
+    // only linear where the neighbors have followed.
+    constexpr unsigned int max_passes = 6;
+    constexpr double       exact      = 1e-7;
+
+    const auto &changes = parameters.sensitivities.changes;
+    for (unsigned int e = 0; e < changes.size(); ++e)
+      {
+        std::array<LA::Vector, 2> fixed;
+        for (unsigned int side = 0; side < 2; ++side)
+          fixed[side] = propose(step, *neighbors[2 * e + side]);
+        LA::Vector change = model.mesh->owned_vector();
+        double     dmu    = 0;
+        // the neighbors at the current derivative
+        const auto move = [&](const LA::Vector &further,
+                              const double      further_mu) {
+          change += further;
+          dmu += further_mu;
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              Neighbor    &neighbor = *neighbors[2 * e + side];
+              const double half  = (side == 0 ? -0.5 : 0.5) * changes[e].step;
+              LA::Vector   moved = fixed[side];
+              moved.add(half, change);
+              neighbor.state.displacement = moved;
+              neighbor.level = neighbor.trial.level(step.mu + half * dmu);
+              neighbor.loads = loads_on(neighbor, neighbor.level);
+              if (const auto own_gas = sealed_in(neighbor))
+                neighbor.loads.pressure = neighbor.level.pressure =
+                  own_gas->pressure(neighbor.state);
+              neighbor.model.equations.internal_forces().settle_resultants(
+                neighbor.state);
+              neighbor.model.contact.compute_multipliers(neighbor.state,
+                                                         neighbor.loads);
+            }
+        };
+        move(change, 0);
+
+        double left = 0;
+        for (unsigned int pass = 0; pass < max_passes; ++pass)
+          {
+            std::array<LA::Vector, 2> forces;
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                Neighbor &neighbor = *neighbors[2 * e + side];
+                forces[side]       = neighbor.model.equations.out_of_balance(
+                  neighbor.state, neighbor.loads);
+              }
+            LA::Vector difference = forces[1];
+            difference -= forces[0];
+            if (!step.loads.friction)
+              {
+                LA::Vector curvature = forces[1];
+                curvature += forces[0];
+                curvature.add(-2, here);
+                const double size = difference.l2_norm();
+                check_step(changes[e],
+                           -size / 2,
+                           curvature.l2_norm() / 2,
+                           size / 2,
+                           roundoff,
+                           "the balance of forces");
+              }
+            difference /= changes[e].step;
+            const LA::Vector correction = tangent.solve(difference);
+            move(correction, 0);
+
+            if (step.trial.equation)
+              {
+                std::array<double, 2> mu{};
+                const LA::Vector      none = model.mesh->owned_vector();
+                for (unsigned int side = 0; side < 2; ++side)
+                  {
+                    Neighbor  &neighbor = *neighbors[2 * e + side];
+                    LA::Vector total = owned_part(neighbor.state.displacement);
+                    total -= owned_part(neighbor.before.displacement);
+                    mu[side] = neighbor.trial.equation->parameter_change(
+                      {neighbor.model.equations,
+                       neighbor.model.contact,
+                       neighbor.state,
+                       neighbor.loads,
+                       total,
+                       {}},
+                      none,
+                      tangent.per_parameter);
+                  }
+                const double dmu = (mu[1] - mu[0]) / changes[e].step;
+                LA::Vector   further(tangent.per_parameter);
+                further *= dmu;
+                move(further, dmu);
+              }
+            // without friction, the forces of contact are linear
+            if (!step.loads.friction)
+              break;
+            const double whole = change.l2_norm();
+            left = (whole > 0 ? correction.l2_norm() / whole : 0.);
+            if (left <= exact)
+              break;
+          }
+        if (left > exact)
+          warn(changes[e], "the slip");
+
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            Neighbor &neighbor        = *neighbors[2 * e + side];
+            neighbor.progress.reached = neighbor.level;
+            neighbor.model.contact.compute_multipliers(neighbor.state,
+                                                       neighbor.loads);
+            neighbor.model.contact.record_history(neighbor.state,
+                                                  neighbor.loads);
+          }
+      }
+    if (!tangent.failure.empty())
+      throw InputError("Sensitivities/Entries",
+                       parameters.sensitivities.entries,
+                       "the derivatives do not exist in the stage " +
+                         step.stage.name + ": " + tangent.failure);
+  }
+
+
+  std::shared_ptr<const SensitivityTable>
+  SensitivityAnalysis::end_stage(const StepReport &report, const State &state)
+  {
+    TimerOutput::Scope scope(timer, "Sensitivities");
+    const auto        &stages = parameters.stages;
+    for (const auto &neighbor : neighbors)
+      if (is_branched_from(stages, position))
+        neighbor->ends.insert_or_assign(
+          position,
+          RestorePoint{
+            neighbor->state,
+            neighbor->model.equations.internal_forces().get_history(),
+            neighbor->progress});
+
+    const SensitivityParameters &asked = parameters.sensitivities;
+    if (!asked.is_wanted(position, stages.size()))
+      return nullptr;
+
+    const auto evaluate = [&](const ShellModel &model,
+                              const StepReport &report,
+                              const State      &state) {
+      return results.evaluate(model.equations, model.cavity(), report, state);
+    };
+    auto                      table = std::make_shared<SensitivityTable>();
+    const std::vector<double> here  = evaluate(model, report, state);
+    const auto               &names = results.get_names();
+    for (unsigned int o = 0; o < names.size(); ++o)
+      table->outputs.push_back({names[o], here[o]});
+    for (unsigned int e = 0; e < asked.changes.size(); ++e)
+      {
+        const Change                      &change = asked.changes[e];
+        std::array<std::vector<double>, 2> values;
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const Neighbor           &neighbor = *neighbors[2 * e + side];
+            const ContactInteraction &contact  = neighbor.model.contact;
+            const LoadLevel          &level    = neighbor.progress.reached;
+
+            StepReport changed = report;
+            changed.loads      = loads_on(neighbor, level);
+            if (report.in_contact)
+              {
+                changed.approach = level.travel;
+                changed.slide    = level.slide;
+                changed.turn     = level.turn;
+              }
+            changed.contact = contact.summarize(neighbor.state, changed.loads);
+            changed.footprint =
+              find_footprint(contact, neighbor.state, changed.loads);
+            values[side] = evaluate(neighbor.model, changed, neighbor.state);
+          }
+        table->entries.push_back({change.name, change.value});
+        table->derivatives.emplace_back();
+        for (unsigned int o = 0; o < names.size(); ++o)
+          {
+            const double difference = values[1][o] - values[0][o];
+            table->derivatives[e].push_back(difference / change.step);
+            check_step(change,
+                       values[0][o],
+                       here[o],
+                       values[1][o],
+                       1e-9 * std::abs(here[o]),
+                       "'" + names[o] + "'");
+          }
+      }
+    return table;
+  }
+
+
+  void
+  SensitivityAnalysis::check_step(const Change      &change,
+                                  const double       below,
+                                  const double       here,
+                                  const double       above,
+                                  const double       roundoff,
+                                  const std::string &what)
+  {
+    // the part of a difference that does not belong to a straight line
+    constexpr double smooth = 0.05;
+
+    if (std::abs((above + below) / 2 - here) >
+        smooth * std::abs(above - below) + roundoff)
+      warn(change, what);
+  }
+
+
+  void
+  SensitivityAnalysis::warn(const Change &change, const std::string &what)
+  {
+    if (std::count(warned.begin(), warned.end(), change.name + what) > 0)
+      return;
+    warned.push_back(change.name + what);
+    out << "  Warning: with the entry '" << change.name << "', " << what
+        << " changes differently upward and downward; its derivative is "
+           "uncertain: see 'Sensitivities/Relative step'"
+        << std::endl;
+  }
+} // namespace Biface

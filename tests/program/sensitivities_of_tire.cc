@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The derivatives of the force on the bias tire, pressed by 20 mm from where
+// the plane touches the inflated tire, are those of an independent
+// implementation: by the pressure, by the angle of all plies and by the travel.
+// Those by the pressure and all moduli together agree with the homogeneity of
+// the equations, and none depends on the number of ranks.
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <iomanip>
+
+#include <biface/stepping/sensitivity_table.h>
+
+#include <run_analysis.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  compare(const std::string &what,
+          const double       found,
+          const double       expected,
+          const double       tolerance)
+  {
+    if (!(std::abs(found - expected) <= tolerance))
+      std::cout << "FAILED: " << what << " is " << found << ", not " << expected
+                << std::endl;
+  }
+} // namespace
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::string moduli =
+    "Material cord/E_L, Material cord/E_T, Material cord/G_LT, "
+    "Material cord/G_TT, Contact/Regularization";
+  const auto reports = run_analysis(
+    PRM_DIR "/bias_tire.prm",
+    {"Contact/Multiplier mass=lumped",
+     "Stage 2/Steps=2",
+     "Newton/Residual tolerance=1e-11",
+     "Named points=crown: 0 -180",
+     "Sensitivities/Entries=p: Stage 1/Pressure, Stage 2/Pressure;"
+     "gamma: Laminate/Plies[2], -Laminate/Plies[4], Laminate/Plies[6], "
+     "-Laminate/Plies[8]; Stage 2/Travel;"
+     "scale: factor of Stage 1/Pressure, Stage 2/Pressure, " +
+       moduli,
+     "Sensitivities/Outputs=force, max_pressure, footprint_area, "
+     "loaded_radius, crown u_x"});
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return 0;
+
+  const SensitivityTable &table = *reports.back().sensitivities;
+  std::cout << std::setprecision(4);
+  for (unsigned int e = 0; e < 3; ++e)
+    for (unsigned int o = 0; o < table.outputs.size(); ++o)
+      std::cout << "d " << table.outputs[o].name << " / d "
+                << table.entries[e].name << ": " << table.derivatives[e][o]
+                << std::endl;
+
+  compare("dP/dp", table.derivatives[0][0], 7505.9, 0.05);
+  compare("dP/dgamma", table.derivatives[1][0], 1.9968, 0.0001);
+  compare("dP/dDelta", table.derivatives[2][0], 129.61, 0.005);
+  // forces scale with them, displacements do not change
+  compare("force by scale", table.logarithmic(3, 0), 1, 1e-6);
+  compare("pressure by scale", table.logarithmic(3, 1), 1, 1e-6);
+  for (const unsigned int o : {2, 3, 4})
+    compare(table.outputs[o].name, table.logarithmic(3, o), 0, 1e-6);
+}
