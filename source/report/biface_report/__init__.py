@@ -10,6 +10,11 @@
     drawing        the look of charts, and how they get into the page
     charts         curves
     maps           pictures of the footprint and the section
+    shapes         pictures of modes and of shapes of buckling
+    modes          modes of vibration
+    buckling       buckling loads and critical points
+    stiffness      stiffnesses against motions of the foundation
+    wheel          forces in wheel axes, and where the footprint slips
     plies          charts of ply stresses
     rendering      common parts of VTK pictures
     shell_picture  draws the deformed shell

@@ -5,7 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from .drawing import BLUE, DISTINCT, GRAY, headroom
+from .buckling import kinds_of_steps
+from .drawing import BLUE, DISTINCT, GRAY, RED, headroom
 from .loading import counted_steps, rows_before, varying_load
 from .page import ROUND_OFF
 
@@ -48,9 +49,17 @@ def draw_contact_curve(run):
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
     for approach, force in contact_curves(run):
         axes.plot(approach, force, "o-", color=BLUE, markersize=4, clip_on=False)
+    here = run.in_contact & np.isin(run.steps, list(kinds_of_steps(run)))
+    mark_critical(axes, run.history["approach"][here], run.history["force"][here])
     axes.set(xlabel="approach [length]", ylabel="force on the foundation [force]")
     headroom(axes)
     return figure
+
+
+def mark_critical(axes, x, y):
+    """Rings around the ends of steps with critical points."""
+    axes.plot(x, y, "o", markersize=10, markerfacecolor="none", markeredgecolor=RED,
+              markeredgewidth=1.5, clip_on=False, zorder=5)
 
 
 # ---------------------------------------------------------------- without contact
@@ -66,7 +75,8 @@ class ProbeCurves:
         load_of = dict(zip(run.steps, loads))
         steps = counted_steps(run)
         starts_at_zero = steps[0] == run.steps[0]
-        self.curves, self.at_rest = {}, []
+        self.curves, self.at_rest, self.critical = {}, [], {}
+        critical = list(kinds_of_steps(run))
         largest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
         for name in dict.fromkeys(probes["name"]):
             rows = probes.where((probes["name"] == name)
@@ -82,6 +92,8 @@ class ProbeCurves:
             self.curves[name, direction] = (
                 np.append(origin, rows["u_" + direction]),
                 np.append(origin, [load_of[step] for step in rows["step"]]))
+            self.critical[name, direction] = np.append(
+                np.zeros(len(origin), bool), np.isin(rows["step"], critical))
 
     def draw(self):
         """The chart, with MAXIMUM_CURVES curves at most."""
@@ -90,6 +102,8 @@ class ProbeCurves:
         for ((name, direction), (moved, load)), color in zip(curves, DISTINCT):
             axes.plot(moved, load, "o-", color=color, markersize=4,
                       label=f"{name}, $u_{direction}$", clip_on=False)
+            here = self.critical[name, direction]
+            mark_critical(axes, moved[here], load[here])
         headroom(axes)
         axes.axhline(0, color="0.6", linewidth=0.8, zorder=1)
         axes.axvline(0, color="0.6", linewidth=0.8, zorder=1)

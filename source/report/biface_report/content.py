@@ -10,10 +10,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import charts, maps, shell_view
+from .buckling import buckling, critical_points, kinds_of_steps
 from .drawing import STYLE, embed, embed_png
 from .footprint import Footprint, normal_of_nodes
 from .foundation import foundation_in_step, foundation_of
-from .loading import step_labels
+from .loading import counted_steps, step_labels
 from .modes import modes
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
@@ -29,9 +30,10 @@ def report(run):
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
-             stick_slip(run, footprint), wheel_forces(run), stiffness(run),
-             sections_of_shell(run), shell(run), modes(run), points(run), iterations(run),
-             ply_stresses(run), input_of_run(run)]
+             stick_slip(run, footprint), wheel_forces(run),
+             stiffness(run), sections_of_shell(run), shell(run), modes(run),
+             buckling(run), critical_points(run), points(run),
+             iterations(run), ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]
     if absent:
@@ -61,7 +63,8 @@ def curve(run):
         html = figure(embed(charts.draw_contact_curve(run)),
                       "Chart of the force on the foundation against its "
                       f"approach. {contact_range(run)}",
-                      "One point per step in contact.")
+                      "One point per step in contact."
+                      + critical_range(run, run.steps[run.in_contact]))
         return Section("curve", "Load and deflection", html)
     probes = run.probes() if run.setting("Named points", "?") != "" else None
     name = "Load and deflection"
@@ -82,6 +85,7 @@ def curve(run):
         caption += f" {count(more, 'more point is', 'more points are')} left out."
     if found.at_rest:
         caption += f" At rest: {escape(', '.join(found.at_rest))}."
+    caption += critical_range(run, counted_steps(run))
     html = figure(embed(found.draw()),
                   f"Chart of the {found.load_name} against the displacements of "
                   "the named points.", caption)
@@ -92,6 +96,14 @@ def contact_range(run):
     """The last point of the curve in words."""
     return (f"At an approach of {plain_number(run.last('approach'))} the force "
             f"is {plain_number(run.last('force'))}.")
+
+
+def critical_range(run, steps):
+    """The critical points among some steps in words."""
+    kinds = kinds_of_steps(run)
+    names = "; ".join(f"{kinds[step]} in step {step}" for step in steps
+                      if step in kinds)
+    return f" Rings: critical points, {escape(names)}." if names else ""
 
 
 def footprint_map(run, footprint):

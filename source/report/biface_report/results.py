@@ -14,7 +14,7 @@ import numpy as np
 from .parameters import read_parameters
 
 # Columns of text
-WORDS = ("stage", "name", "face", "material", "body", "motion")
+WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located")
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
@@ -33,6 +33,11 @@ STIFFNESS_COLUMNS = ("step", "stage", "pressure", "force", "approach", "motion",
 MODE_COLUMNS = ("step", "mode", "stage", "frequency", "growth_rate",
                 "effective_mass_x", "effective_mass_y", "effective_mass_z",
                 "total_mass")
+BUCKLING_COLUMNS = ("step", "mode", "stage", "factor", "pressure", "load_factor",
+                    "approach")
+CRITICAL_COLUMNS = ("step", "stage", "kind", "located", "negative_pivots_before",
+                    "negative_pivots", "factor", "pressure", "load_factor",
+                    "approach")
 PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
                "fiber_tension", "s_L", "s_T", "t_LT")
 
@@ -232,6 +237,15 @@ class Run:
     def modes(self):
         """modes.csv up to the step of the report; None if it is missing."""
         return self._growing_table("modes.csv", MODE_COLUMNS)
+
+    def buckling(self):
+        """buckling.csv up to the step of the report; None if it is missing."""
+        return self._growing_table("buckling.csv", BUCKLING_COLUMNS)
+
+    def critical_points(self):
+        """critical_points.csv up to the step of the report; None if it is
+        missing."""
+        return self._growing_table("critical_points.csv", CRITICAL_COLUMNS)
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
