@@ -20,6 +20,7 @@ from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
 from .section import SectionPlane
+from .sensitivities import sensitivities
 from .stiffness import stiffness
 from .summary import introduction, summary, title
 from .wheel import stick_slip, wheel_forces
@@ -32,7 +33,7 @@ def report(run):
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
              stick_slip(run, footprint), wheel_forces(run),
              stiffness(run), sections_of_shell(run), shell(run), modes(run),
-             buckling(run), critical_points(run), points(run),
+             buckling(run), critical_points(run), sensitivities(run), points(run),
              iterations(run), ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]

@@ -13,8 +13,12 @@ import numpy as np
 
 from .parameters import read_parameters
 
+# Columns of numbers that may be NaN
+UNDEFINED = ("logarithmic_derivative",)
+
 # Columns of text
-WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located")
+WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
+         "entry", "output")
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
@@ -38,6 +42,8 @@ BUCKLING_COLUMNS = ("step", "mode", "stage", "factor", "pressure", "load_factor"
 CRITICAL_COLUMNS = ("step", "stage", "kind", "located", "negative_pivots_before",
                     "negative_pivots", "factor", "pressure", "load_factor",
                     "approach")
+SENSITIVITY_COLUMNS = ("step", "stage", "entry", "entry_value", "output",
+                       "output_value", "derivative", "logarithmic_derivative")
 PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
                "fiber_tension", "s_L", "s_T", "t_LT")
 
@@ -120,7 +126,7 @@ def read_csv(path, required, may_be_cut=False):
     columns = {name: np.array([row[i] for row in rows],
                               dtype=object if name in WORDS else float)
                for i, name in enumerate(names)}
-    for name in set(required) - set(WORDS):
+    for name in set(required) - set(WORDS + UNDEFINED):
         finite = np.isfinite(columns[name])
         if not finite.all():
             raise ReportError(f"{path}, line {np.argmin(finite) + 2}, is damaged: "
@@ -246,6 +252,11 @@ class Run:
         """critical_points.csv up to the step of the report; None if it is
         missing."""
         return self._growing_table("critical_points.csv", CRITICAL_COLUMNS)
+
+    def sensitivities(self):
+        """sensitivities.csv up to the step of the report; None if it is
+        missing."""
+        return self._growing_table("sensitivities.csv", SENSITIVITY_COLUMNS)
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
