@@ -15,6 +15,7 @@
     buckling       buckling loads and critical points
     stiffness      stiffnesses against motions of the foundation
     wheel          forces in wheel axes, and where the footprint slips
+    rolling        forces over the slip angle and the slip
     sensitivities  derivatives by numbers of the parameter file
     plies          charts of ply stresses
     rendering      common parts of VTK pictures

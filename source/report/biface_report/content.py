@@ -19,6 +19,7 @@ from .modes import modes
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
+from .rolling import rolling
 from .section import SectionPlane
 from .sensitivities import sensitivities
 from .stiffness import stiffness
@@ -31,7 +32,7 @@ def report(run):
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
     parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
-             stick_slip(run, footprint), wheel_forces(run),
+             stick_slip(run, footprint), wheel_forces(run), rolling(run),
              stiffness(run), sections_of_shell(run), shell(run), modes(run),
              buckling(run), critical_points(run), sensitivities(run), points(run),
              iterations(run), ply_stresses(run), input_of_run(run)]

@@ -42,6 +42,9 @@ BUCKLING_COLUMNS = ("step", "mode", "stage", "factor", "pressure", "load_factor"
 CRITICAL_COLUMNS = ("step", "stage", "kind", "located", "negative_pivots_before",
                     "negative_pivots", "factor", "pressure", "load_factor",
                     "approach")
+ROLLING_COLUMNS = ("step", "stage", "angular_velocity", "ground_velocity",
+                   "slip_angle", "F_x", "F_y", "F_z", "M_x", "M_y", "M_z",
+                   "axle_moment")
 SENSITIVITY_COLUMNS = ("step", "stage", "entry", "entry_value", "output",
                        "output_value", "derivative", "logarithmic_derivative")
 PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
@@ -252,6 +255,10 @@ class Run:
         """critical_points.csv up to the step of the report; None if it is
         missing."""
         return self._growing_table("critical_points.csv", CRITICAL_COLUMNS)
+
+    def rolling(self):
+        """rolling.csv up to the step of the report; None if it is missing."""
+        return self._growing_table("rolling.csv", ROLLING_COLUMNS)
 
     def sensitivities(self):
         """sensitivities.csv up to the step of the report; None if it is
