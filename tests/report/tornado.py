@@ -43,6 +43,12 @@ for axes, bars in zip(panels, expected.values()):
 check(dict(expected["force"])["E"] > 0
       > dict(expected["loaded_radius"])["Stage 2/Travel"], "the signs")
 
+# numbers at the bars, also where no entry has an effect
+flat = draw({"force": [("a", 250.4), ("b", -0.0312)], "volume": [("a", 0.0)]})
+for axes, numbers in zip(flat.axes, (["+250", "−0.031"], ["0"])):
+    check([text.get_text() for text in axes.texts] == numbers,
+          f"not {numbers}")
+
 page = page_of(RUNS / "sensitivities")
 check("there is no logarithmic derivative: rim u_x by E; rim u_x by Stage 1/Pressure; "
       "rim u_x by Stage 2/Travel." in page.text, "the missing bars are not told")

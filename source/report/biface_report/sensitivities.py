@@ -99,8 +99,9 @@ def chart(found):
 
 
 def plain_text(value):
-    """A derivative with its sign and two digits."""
-    return f"{value:+.2g}".replace("-", "−")
+    """A derivative with its sign and at least two digits."""
+    text = f"{value:+.0f}" if abs(value) >= 100 else f"{value:+.2g}"
+    return text.replace("-", "−") if value else "0"
 
 
 def draw(bars):
@@ -126,8 +127,10 @@ def draw(bars):
         axes.set_ylim(n_bars - 0.5, -0.5)
         # room for the numbers on both sides
         low, high = min(0, *values), max(0, *values)
-        room = 0.32 * (high - low or 1)
-        axes.set_xlim(low - (room if low < 0 else 0), high + (room if high > 0 else 0))
+        room = 0.32 * (high - low)
+        if room > 0:
+            axes.set_xlim(low - (room if low < 0 else 0),
+                          high + (room if high > 0 else 0))
         axes.axvline(0, color="0.3", linewidth=0.8)
         axes.set_title(output, fontsize=10)
         axes.locator_params(axis="x", nbins=6)
