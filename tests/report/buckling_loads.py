@@ -11,8 +11,8 @@ from report_test import (PACKAGE, check, check_equal, copy_of, page_of, read_csv
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
-from biface_report.charts import ProbeCurves  # noqa: E402
-from biface_report.results import Run  # noqa: E402
+from biface_report.charts import ProbeCurves
+from biface_report.results import Run
 
 directory = copy_of("buckling")
 for path in directory.glob("shell-*.vtu"):

@@ -11,8 +11,8 @@ from report_test import (PACKAGE, RUNS, check, check_equal, copy_of, page_of,
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
-from biface_report import rolling  # noqa: E402
-from biface_report.results import Run  # noqa: E402
+from biface_report import rolling
+from biface_report.results import Run
 
 run = Run(RUNS / "rolling_tire")
 found = run.rolling()
@@ -35,7 +35,8 @@ sides, aligning = (axes.lines for axes in
                    rolling.draw_cornering(found, cornering).axes)
 check(sides[0].get_xdata()[-1] < 0 < sides[1].get_xdata()[-1], "the slip angles")
 check(sides[0].get_ydata()[-1] > 0 > sides[1].get_ydata()[-1], "the side forces")
-check(aligning[0].get_ydata()[-1] < 0 < aligning[1].get_ydata()[-1], "the aligning moments")
+check(aligning[0].get_ydata()[-1] < 0 < aligning[1].get_ydata()[-1],
+      "the aligning moments")
 drag = rolling.draw_braking(found, braking, [slip]).axes[0].lines[0].get_ydata()
 check(drag[-1] < drag[0] <= 0, f"the drag {drag}")
 

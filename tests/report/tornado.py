@@ -13,10 +13,10 @@ from report_test import (PACKAGE, RUNS, check, check_equal, page_of, read_csv,
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
-from biface_report.drawing import BLUE, RED  # noqa: E402
-from biface_report.results import Run  # noqa: E402
-from biface_report.sensitivities import bars_of, draw  # noqa: E402
-from matplotlib.colors import to_rgba  # noqa: E402
+from biface_report.drawing import BLUE, RED
+from biface_report.results import Run
+from biface_report.sensitivities import bars_of, draw
+from matplotlib.colors import to_rgba
 
 lines = read_csv(RUNS / "sensitivities/sensitivities.csv")
 expected = {}
