@@ -252,20 +252,23 @@ namespace Biface
               critical && run.stage.locates_critical_points();
             const double part =
               (located ? bisect(run, trial, attempt, n_negative) : 1.);
-            const LoadLevel level_before = progress.reached;
-            StepReport      report       = accept(run, trial, attempt);
-            if (part < 1)
+            if (!attempt.result.stopped)
               {
-                run.control.scale_step(1 / part);
-                progress.control = run.control.get_memory();
+                const LoadLevel level_before = progress.reached;
+                StepReport      report       = accept(run, trial, attempt);
+                if (part < 1)
+                  {
+                    run.control.scale_step(1 / part);
+                    progress.control = run.control.get_memory();
+                  }
+                if (critical)
+                  report.critical_point = critical_point(
+                    run, level_before, *n_before, *n_negative, located);
+                if (n_negative)
+                  progress.n_negative_pivots = n_negative;
+                report.seconds = timer.wall_time();
+                return report;
               }
-            if (critical)
-              report.critical_point = critical_point(
-                run, level_before, *n_before, *n_negative, located);
-            if (n_negative)
-              progress.n_negative_pivots = n_negative;
-            report.seconds = timer.wall_time();
-            return report;
           }
 
         const Failure &why = attempt.result.failure;
@@ -298,8 +301,8 @@ namespace Biface
   }
 
 
-  LoadStepping::Attempt
-  LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
+  void
+  LoadStepping::announce(const StageRun &run, const Control::Trial &trial) const
   {
     const LoadLevel first = trial.level(trial.mu);
     out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
@@ -326,7 +329,13 @@ namespace Biface
           out << ", slip angle " << first.slip_angle;
       }
     out << (trial.equation ? " at its start" : "") << std::endl;
+  }
 
+
+  LoadStepping::Attempt
+  LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
+  {
+    announce(run, trial);
     const NewtonIteration iteration = newton.parameters.iteration;
     Attempt               attempt   = iterate(run, trial, iteration, true);
     const NewtonResult   &result    = attempt.result;
@@ -431,6 +440,11 @@ namespace Biface
         const Control::Trial other = run.control.propose(last_converged(run));
         out << "  bisection for a critical point" << std::endl;
         Attempt half = try_step(run, other);
+        if (half.result.stopped)
+          {
+            attempt = half;
+            return high;
+          }
         half.result.iterations += attempt.result.iterations;
         const std::optional<unsigned int> n =
           (half.result.converged ? negative_pivots(run, half) : std::nullopt);
@@ -510,6 +524,7 @@ namespace Biface
       return std::nullopt;
     };
 
+    announce(run, trial);
     Control::Trial along = trial;
     along.size           = 0;
     Attempt reached;

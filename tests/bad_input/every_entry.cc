@@ -322,7 +322,7 @@ namespace
         {"Stage 1/Control", "foundation force"}}}}},
     {"Stage 1/Control", {{{"foundation force", "axle moment"}}}},
     {"Sensitivities/Entries",
-     {{{"nothing", "Mesh/Intervals alpha_3", "Laminate/Plies[9]"},
+     {{{"nothing", "Mesh/Intervals alpha_3"},
        {{"Sensitivities/Outputs", "force"}}}}},
     {"Sensitivities/Outputs",
      {{{"nothing", "top u_x"},

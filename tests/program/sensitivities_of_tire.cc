@@ -8,9 +8,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cmath>
-#include <iomanip>
-
 #include <biface/stepping/sensitivity_table.h>
 
 #include <run_analysis.h>
@@ -18,21 +15,6 @@
 
 using namespace dealii;
 using namespace Biface;
-
-namespace
-{
-  void
-  compare(const std::string &what,
-          const double       found,
-          const double       expected,
-          const double       tolerance)
-  {
-    if (!(std::abs(found - expected) <= tolerance))
-      std::cout << "FAILED: " << what << " is " << found << ", not " << expected
-                << std::endl;
-  }
-} // namespace
-
 
 int
 main(int argc, char **argv)
@@ -59,19 +41,14 @@ main(int argc, char **argv)
     return 0;
 
   const SensitivityTable &table = *reports.back().sensitivities;
-  std::cout << std::setprecision(4);
-  for (unsigned int e = 0; e < 3; ++e)
-    for (unsigned int o = 0; o < table.outputs.size(); ++o)
-      std::cout << "d " << table.outputs[o].name << " / d "
-                << table.entries[e].name << ": " << table.derivatives[e][o]
-                << std::endl;
-
-  compare("dP/dp", table.derivatives[0][0], 7505.9, 0.05);
-  compare("dP/dgamma", table.derivatives[1][0], 1.9968, 0.0001);
-  compare("dP/dDelta", table.derivatives[2][0], 129.61, 0.005);
+  const auto             &d     = table.derivatives;
+  check_small("dP/dp", d[0][0] - 7505.9, 0.05);
+  check_small("dP/dgamma", d[1][0] - 1.9968, 1e-4);
+  check_small("dP/dDelta", d[2][0] - 129.61, 0.005);
   // forces scale with them, displacements do not change
-  compare("force by scale", table.logarithmic(3, 0), 1, 1e-6);
-  compare("pressure by scale", table.logarithmic(3, 1), 1, 1e-6);
+  check_small("force by scale", table.logarithmic(3, 0) - 1, 1e-6);
+  check_small("pressure by scale", table.logarithmic(3, 1) - 1, 1e-6);
   for (const unsigned int o : {2, 3, 4})
-    compare(table.outputs[o].name, table.logarithmic(3, o), 0, 1e-6);
+    check_small(
+      table.outputs[o].name + " by scale", table.logarithmic(3, o), 1e-6);
 }

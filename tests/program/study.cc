@@ -43,7 +43,15 @@ namespace
     const Ended ended = run(words, directory, MPI_COMM_WORLD, stop_at);
     if (!is_root())
       return;
-    std::cout << directory << ": " << ended.code << '\n' << said(ended);
+    // a signal may come when no sample is left to be started
+    std::cout << directory << ": ";
+    if (stop_at.empty())
+      std::cout << ended.code << '\n';
+    else
+      std::cout << (ended.code == 0 || ended.code == 128 + SIGTERM ? "stopped"
+                                                                   : "FAILED")
+                << '\n';
+    std::cout << said(ended);
     std::istringstream lines(ended.out);
     for (std::string line; std::getline(lines, line);)
       // how many are done when a signal comes depends on the groups

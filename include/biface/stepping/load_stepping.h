@@ -157,6 +157,10 @@ namespace Biface
     std::variant<StepReport, LoadSteppingResult>
     next_step(const StageRun &run);
 
+    /** Print the number and the loads of a step. */
+    void
+    announce(const StageRun &run, const Control::Trial &trial) const;
+
     /** An attempt from the last converged state. */
     Attempt
     try_step(const StageRun &run, const Control::Trial &trial);
@@ -190,7 +194,7 @@ namespace Biface
      * where it does, see CriticalPoints.
      *
      * @param attempt, n_negative those of the whole step, then those of the
-     * shortened one.
+     * shortened one, or the attempt that was stopped.
      * @return the part of the step that is left.
      */
     double
