@@ -17,8 +17,8 @@ PAGE = """<!-- Written by doc/design/design.py: cmake --build build --target des
 
 # From a tire to a better one
 
-The bias tire of [bias_tire.md](bias_tire.md) carries its load. A designer asks four
-things next: how does it vibrate, when does it buckle, what if everything varies a
+The bias tire of [bias_tire.md](bias_tire.md) carries its load. A designer asks next:
+how does it vibrate, when does it buckle, what matters most, what if everything varies a
 little, and what should change? Each answer below is one command; the target `design`
 runs them all and writes this page.
 
@@ -44,6 +44,33 @@ of it the tire buckles:
 {buckling}
 
 The first shape has no wave around the tire.
+
+## What matters most?
+
+    subsection Sensitivities
+      set Entries = pressure: Stage 1/Pressure, Stage 2/Pressure; \\
+                    angle: Laminate/Plies[2], -Laminate/Plies[4], \\
+                           Laminate/Plies[6], -Laminate/Plies[8]; \\
+                    cords: Material cord/E_L; \\
+                    rubber: factor of Material cord/G_LT, Material cord/G_TT; \\
+                    profile: Surface/Circular arc/Radius; \\
+                    approach: Stage 2/Travel
+      set Outputs = force, mean_pressure, footprint_length, max_fiber_tension
+    end
+
+This section, appended to `bias_tire.prm`, lists numbers of the same file and results. The
+program adds the derivative of each result by each number, for one linear system per
+number with the factors at hand, see section 11 of [theory.md](theory.md). The whole
+loading follows: the plane touches the inflated tire elsewhere if the profile changes.
+
+    build/biface my_tire.prm
+    build/biface-report output
+
+![Logarithmic derivatives of force, mean pressure, footprint length and largest cord tension](design/sensitivities.png)
+
+*Logarithmic derivatives of the tire pressed by 20 mm: the change in percent for one
+percent more of an entry. `angle` turns all plies, `cords` is their modulus `E_L`, `rubber`
+their two shear moduli, `profile` the radius of the meridian.*
 
 ## What if everything varies?
 
@@ -159,6 +186,25 @@ class Pages:
                 "-", "−"), line["circumferential_waves"]])
         return table(rows)
 
+    def sensitivities(self, plt):
+        """The tornado chart of the tire on the ground."""
+        from biface_report import sensitivities as report
+        from biface_report.results import Run
+        directory = self.run(
+            "sensitivities", self.prm / "bias_tire.prm",
+            "Contact/Multiplier mass=lumped", "Stage 2/Steps=2",
+            "Newton/Residual tolerance=1e-11", "Output/Write VTU=false",
+            "Sensitivities/Entries=pressure: Stage 1/Pressure, Stage 2/Pressure; "
+            "angle: Laminate/Plies[2], -Laminate/Plies[4], Laminate/Plies[6], "
+            "-Laminate/Plies[8]; cords: Material cord/E_L; rubber: factor of "
+            "Material cord/G_LT, Material cord/G_TT; profile: Surface/Circular arc/Radius; "
+            "approach: Stage 2/Travel",
+            "Sensitivities/Outputs=force, mean_pressure, footprint_length, "
+            "max_fiber_tension")
+        self.save(report.draw(report.bars_of(Run(directory).sensitivities())),
+                  "sensitivities")
+        plt.close("all")
+
     def study(self, plt, ranks):
         """The chart of main effects; returns a sentence on the cost."""
         from biface_report import study as report
@@ -248,6 +294,7 @@ def main():
     pages = Pages(arguments)
     lowest = pages.modes(plt)
     buckling = pages.buckling()
+    pages.sensitivities(plt)
     study = pages.study(plt, ranks)
     best, deviation = pages.even(plt, ranks)
     (arguments.output / "design.md").write_text(PAGE.format(
