@@ -89,10 +89,10 @@ namespace Biface
     std::vector<Number> numbers;
 
     friend std::vector<Override>
-    settings(const std::vector<DesignVariable> &,
-             const std::vector<double> &,
-             const dealii::ParameterHandler &,
-             const std::string &);
+    settings(const std::vector<DesignVariable> &variables,
+             const std::vector<double>         &values,
+             const dealii::ParameterHandler    &prm,
+             const std::string                 &source);
   };
 
 
