@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
@@ -24,16 +23,6 @@ namespace Biface
   {}
 
 
-  unsigned int
-  BucklingFile::n_lines_of(const std::string &line) const
-  {
-    const auto comma = line.find(',');
-    return comma == std::string::npos
-             ? 0
-             : std::strtoul(line.c_str() + comma + 1, nullptr, 10);
-  }
-
-
   void
   BucklingFile::write(const StepReport &report, const State & /*state*/)
   {
@@ -52,11 +41,7 @@ namespace Biface
                                    critical.level.travel,
                                    mode.load_work})
           lines += ',' + csv_number(value);
-        lines +=
-          (mode.waves ? ',' + std::to_string(mode.waves->circumferential) +
-                          ',' + std::to_string(mode.waves->meridional)
-                      : ",nan,nan") +
-          std::string("\n");
+        lines += ',' + csv_waves(mode.waves) + '\n';
       }
     append(lines);
   }

@@ -39,11 +39,6 @@ namespace Biface
                                point.loads.level.travel,
                                point.mode.load_work})
       line += ',' + csv_number(value);
-    const auto &waves = point.mode.waves;
-    line += (waves ? ',' + std::to_string(waves->circumferential) + ',' +
-                       std::to_string(waves->meridional)
-                   : ",nan,nan") +
-            std::string("\n");
-    append(line);
+    append(line + ',' + csv_waves(point.mode.waves) + '\n');
   }
 } // namespace Biface

@@ -29,6 +29,16 @@ namespace Biface
   }
 
 
+  std::string
+  csv_waves(const std::optional<WaveNumbers> &waves)
+  {
+    if (!waves)
+      return "nan,nan";
+    return std::to_string(waves->circumferential) + ',' +
+           std::to_string(waves->meridional);
+  }
+
+
   namespace
   {
     /** @return the reason of a failure, after which the file has its previous

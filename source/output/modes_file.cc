@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <biface/output/csv.h>
 #include <biface/output/modes_file.h>
@@ -29,16 +28,6 @@ namespace Biface
   {}
 
 
-  unsigned int
-  ModesFile::n_lines_of(const std::string &line) const
-  {
-    const auto comma = line.find(',');
-    return comma == std::string::npos
-             ? 0
-             : std::strtoul(line.c_str() + comma + 1, nullptr, 10);
-  }
-
-
   void
   ModesFile::write(const StepReport &report, const State & /*state*/)
   {
@@ -55,11 +44,8 @@ namespace Biface
           lines += ',' + csv_number(mode.participation[d]);
         for (unsigned int d = 0; d < 3; ++d)
           lines += ',' + csv_number(mode.effective_mass(d));
-        lines += ',' + csv_number(report.modes->total_mass) + ',';
-        lines += (mode.waves ? std::to_string(mode.waves->circumferential) +
-                                 ',' + std::to_string(mode.waves->meridional)
-                             : "nan,nan") +
-                 std::string("\n");
+        lines += ',' + csv_number(report.modes->total_mass) + ',' +
+                 csv_waves(mode.waves) + '\n';
       }
     append(lines);
   }

@@ -153,6 +153,18 @@ namespace Biface
   }
 
 
+  unsigned int
+  StepTable::n_lines_of(const std::string &line) const
+  {
+    if (lines_per_step > 0)
+      return lines_per_step;
+    const auto comma = line.find(',');
+    return comma == std::string::npos
+             ? 0
+             : std::strtoul(line.c_str() + comma + 1, nullptr, 10);
+  }
+
+
   void
   StepTable::append(const std::string &lines) const
   {

@@ -34,9 +34,6 @@ namespace Biface
       return report.buckling != nullptr;
     }
 
-    unsigned int
-    n_lines_of(const std::string &line) const override;
-
     void
     write(const StepReport &report, const State &state) override;
 

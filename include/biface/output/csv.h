@@ -5,8 +5,11 @@
 
 #include <mpi.h>
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <biface/model/wave_numbers.h>
 
 namespace Biface
 {
@@ -31,6 +34,11 @@ namespace Biface
   /** A number with the 12 digits of files of results. */
   std::string
   csv_number(const double value);
+
+  /** The columns circumferential_waves and meridional_half_waves, with nan
+   * where there are no waves. */
+  std::string
+  csv_waves(const std::optional<WaveNumbers> &waves);
 
   /**
    * Append a text to a file, or replace the contents, on the first rank. On

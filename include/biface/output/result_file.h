@@ -139,7 +139,8 @@ namespace Biface
   class StepTable : public ResultFile
   {
   public:
-    /** @param header the names of the columns, separated by commas. */
+    /** @param header the names of the columns, separated by commas.
+     * @param lines_per_step 0 if the second column says how many. */
     StepTable(const std::string    &name,
               const std::string    &header,
               const unsigned int    lines_per_step,
@@ -153,18 +154,15 @@ namespace Biface
     void
     cut_back() override;
 
-    /** The number of lines of a step, by one of them. */
-    virtual unsigned int
-    n_lines_of(const std::string & /*line*/) const
-    {
-      return lines_per_step;
-    }
-
     /** @param lines complete lines, including line ends. */
     void
     append(const std::string &lines) const;
 
   private:
+    /** The number of lines of a step, by one of them. */
+    unsigned int
+    n_lines_of(const std::string &line) const;
+
     const std::string  header;
     const unsigned int lines_per_step;
   };
