@@ -222,7 +222,7 @@ namespace Biface
         if (!active)
           continue;
         state.multipliers[n][0] = last[0];
-        if (!loads.friction || (!loads.rolling && state.grips[n] == Grip::none))
+        if (!rubs(state, loads, n))
           continue;
         const auto tangents = loads.foundation->tangents(at.foundation.normal);
         if (loads.rolling)
@@ -247,9 +247,7 @@ namespace Biface
             if (beyond && reversed && node.locally_owned)
               ++n_changes;
           }
-        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
-        for (unsigned int i = 0; i < 2; ++i)
-          state.multipliers[n][1 + i] = tangents[i] * friction;
+        set_tangential_multipliers(state, loads, n, at);
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
   }
@@ -317,13 +315,31 @@ namespace Biface
           continue;
         const Contact at        = contact_at(state, loads, n);
         state.multipliers[n][0] = condition.multiplier(at.foundation.clearance);
-        if (!loads.friction || (!loads.rolling && state.grips[n] == Grip::none))
-          continue;
-        const auto tangents = loads.foundation->tangents(at.foundation.normal);
-        const Tensor<1, 3> friction = friction_traction(state, loads, n, at);
-        for (unsigned int i = 0; i < 2; ++i)
-          state.multipliers[n][1 + i] = tangents[i] * friction;
+        if (rubs(state, loads, n))
+          set_tangential_multipliers(state, loads, n, at);
       }
+  }
+
+
+  bool
+  ContactInteraction::rubs(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node) const
+  {
+    return loads.friction && (loads.rolling || state.grips[node] != Grip::none);
+  }
+
+
+  void
+  ContactInteraction::set_tangential_multipliers(State             &state,
+                                                 const Loads       &loads,
+                                                 const unsigned int node,
+                                                 const Contact     &at) const
+  {
+    const auto tangents = loads.foundation->tangents(at.foundation.normal);
+    const Tensor<1, 3> friction = friction_traction(state, loads, node, at);
+    for (unsigned int i = 0; i < 2; ++i)
+      state.multipliers[node][1 + i] = tangents[i] * friction;
   }
 
 

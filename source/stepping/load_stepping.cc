@@ -472,6 +472,22 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The change of the loads from one level to another, without those that do
+     * not make a shell buckle. */
+    LoadRates
+    change_of(const LoadLevel &before, const LoadLevel &after)
+    {
+      LoadRates change;
+      change.pressure = after.pressure - before.pressure;
+      change.factor   = after.factor - before.factor;
+      change.travel   = after.travel - before.travel;
+      return change;
+    }
+  } // namespace
+
+
   std::shared_ptr<const CriticalPoint>
   LoadStepping::critical_point(const StageRun    &run,
                                const LoadLevel   &level_before,
@@ -481,12 +497,10 @@ namespace Biface
   {
     Assert(buckling_analysis, ExcNotInitialized());
     const LoadLevel &level = run.progress.reached;
-    LoadRates        rates;
-    rates.pressure  = level.pressure - level_before.pressure;
-    rates.factor    = level.factor - level_before.factor;
-    rates.travel    = level.travel - level_before.travel;
-    const auto mode = buckling_analysis->critical_mode(
-      {run.state, loads_at(level, run)}, rates, n_after > n_before);
+    const auto       mode =
+      buckling_analysis->critical_mode({run.state, loads_at(level, run)},
+                                       change_of(level_before, level),
+                                       n_after > n_before);
     out << "  negative pivots: " << n_after << " after " << n_before;
     if (!mode)
       {
@@ -717,16 +731,14 @@ namespace Biface
                               const LoadLevel &level_before)
   {
     Assert(buckling_analysis, ExcNotInitialized());
-    const LoadLevel &level = run.progress.reached;
-    LoadRates        rates;
-    rates.pressure = level.pressure - level_before.pressure;
-    rates.factor   = level.factor - level_before.factor;
-    rates.travel   = level.travel - level_before.travel;
-
+    const LoadLevel    &level        = run.progress.reached;
     const Loads         loads_before = loads_at(level_before, run);
     const Loads         loads        = loads_at(level, run);
-    const BucklingModes found        = buckling_analysis->compute(
-      {before, loads_before}, {run.state, loads}, rates, run.stage.n_buckling);
+    const BucklingModes found =
+      buckling_analysis->compute({before, loads_before},
+                                 {run.state, loads},
+                                 change_of(level_before, level),
+                                 run.stage.n_buckling);
     if (!found.success)
       {
         out << "  Warning: the buckling loads of " << run.stage.name

@@ -328,6 +328,18 @@ namespace Biface
                          const Contact     &at,
                          Traction          &result) const;
 
+    /** Whether friction acts at an active node. */
+    bool
+    rubs(const State &state, const Loads &loads, const unsigned int node) const;
+
+    /** Set the tangential multipliers of an active node to its
+     * friction_traction(). */
+    void
+    set_tangential_multipliers(State             &state,
+                               const Loads       &loads,
+                               const unsigned int node,
+                               const Contact     &at) const;
+
     /** The tangential traction at an active node. */
     dealii::Tensor<1, 3>
     friction_traction(const State       &state,
