@@ -402,6 +402,7 @@ namespace Biface
                            "to no ply; 'Laminate/Initial ply stresses' do.");
         material->get_strengths();
         material->get_density();
+        material->get_loss_factor();
         for (Formula formula : {ply.thickness, ply.angle})
           variables.bind(formula, tables);
       }
@@ -520,10 +521,11 @@ namespace Biface
             return m.name == given.material;
           });
         PlyDescription ply;
-        ply.text      = given.text;
-        ply.material  = given.material;
-        ply.strengths = material->get_strengths();
-        ply.density   = material->get_density();
+        ply.text        = given.text;
+        ply.material    = given.material;
+        ply.strengths   = material->get_strengths();
+        ply.density     = material->get_density();
+        ply.loss_factor = material->get_loss_factor();
         ply.has_fibers =
           (material->type != Material::Parameters::Type::isotropic);
         ply.thickness      = tables.function(given.thickness);
@@ -623,7 +625,8 @@ namespace Biface
            p,
            ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
            ply.compression_loss ? ply.compression_loss(alpha_1) : 0,
-           ply.density});
+           ply.density,
+           ply.loss_factor});
       }
     if (present.empty())
       throw InputError(
@@ -657,6 +660,14 @@ namespace Biface
   {
     return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
       return static_cast<bool>(ply.compression_loss);
+    });
+  }
+
+  bool
+  Layup::has_loss() const
+  {
+    return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
+      return ply.loss_factor > 0;
     });
   }
 } // namespace Biface

@@ -191,6 +191,15 @@ namespace Biface
                       "where a unit of mass is that of force times time^2 per "
                       "length: for N, mm and s it is the tonne.",
                       Patterns::Double());
+
+    prm.add_parameter("Loss factor",
+                      loss_factor,
+                      "The tangent of the angle by which strains lag behind "
+                      "stresses in a cycle, the same at all frequencies, of a "
+                      "ply as a whole for 'cord and rubber': a number not less "
+                      "than 0. A rolling wheel then has a rolling resistance, "
+                      "in rolling.csv. No unit.",
+                      Patterns::Double());
   }
 
 
@@ -263,6 +272,14 @@ namespace Biface
   {
     check_not_negative("Material " + name + "/Density", density);
     return density;
+  }
+
+
+  double
+  Material::Parameters::get_loss_factor() const
+  {
+    check_not_negative("Material " + name + "/Loss factor", loss_factor);
+    return loss_factor;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <cmath>
 #include <limits>
@@ -74,6 +75,17 @@ namespace Biface
     result.normal_power   = powers[1];
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
+    if (mesh.layup.has_loss())
+      {
+        result.hysteresis       = find_hysteresis(equations, state);
+        result.hysteresis_power = result.hysteresis->energy() *
+                                  std::abs(rolling.angular_velocity) /
+                                  (2 * numbers::PI);
+        const double speed = rolling.ground_velocity.norm();
+        result.rolling_resistance =
+          (speed > 0 ? result.hysteresis_power / speed
+                     : std::numeric_limits<double>::quiet_NaN());
+      }
     return result;
   }
 } // namespace Biface

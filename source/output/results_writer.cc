@@ -8,6 +8,7 @@
 #include <biface/output/contact_file.h>
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
+#include <biface/output/hysteresis_file.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/output/modes_file.h>
 #include <biface/output/probes_file.h>
@@ -53,6 +54,7 @@ namespace Biface
     add(std::make_unique<ForcesFile>(parameters.forces, directory, equations));
     add(std::make_unique<StiffnessFile>(stages, directory, equations));
     add(std::make_unique<RollingFile>(stages, directory, equations));
+    add(std::make_unique<HysteresisFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
     add(std::make_unique<CriticalPointsFile>(stages, directory, equations));

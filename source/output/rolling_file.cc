@@ -16,18 +16,27 @@ namespace Biface
     : StepTable("rolling.csv",
                 "step,stage,angular_velocity,ground_velocity,slip_angle,"
                 "rolling_radius,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
-                "ground_power,friction_power,normal_power,mismatch",
+                "ground_power,friction_power,normal_power,mismatch" +
+                  std::string(equations.mesh.layup.has_loss()
+                                ? ",hysteresis_power,rolling_resistance"
+                                : ""),
                 1,
                 directory,
                 equations)
-    , any_rolling(
-        std::any_of(stages.begin(),
-                    stages.end(),
-                    [](const Stage &stage) { return stage.contact; }) &&
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.rolls(LoadLevel());
-        }))
+    , any(any_rolling(stages))
   {}
+
+
+  bool
+  any_rolling(const std::vector<Stage> &stages)
+  {
+    return std::any_of(stages.begin(),
+                       stages.end(),
+                       [](const Stage &stage) { return stage.contact; }) &&
+           std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+             return stage.rolls(LoadLevel());
+           });
+  }
 
 
   void
@@ -48,6 +57,11 @@ namespace Biface
                                rolling.normal_power,
                                rolling.mismatch})
       values.push_back(value);
+    if (rolling.hysteresis)
+      {
+        values.push_back(rolling.hysteresis_power);
+        values.push_back(rolling.rolling_resistance);
+      }
     std::string line = std::to_string(report.step) + ',' + report.stage;
     for (const double value : values)
       line += ',' + csv_number(value);

@@ -4,7 +4,8 @@
 // which it stands; rolling backwards turns its ply steer around; with plies in
 // mirror symmetry it rolls without a side force; the powers of free rolling and
 // of braking balance but for the error of the mesh; and the force on the locked
-// wheel is mu P but for the critical velocity.
+// wheel is mu P but for the critical velocity. It has a rolling resistance, the
+// same backwards, which no friction needs, but none if it is locked.
 
 #include <biface/model/rolling_summary.h>
 
@@ -29,6 +30,7 @@ namespace
     std::vector<Override> overrides{
       "Contact/Multiplier mass=lumped",
       "Contact/Critical velocity=0.02",
+      "Material cord/Loss factor=0.1",
       "Mesh/Intervals alpha_1=-120:120:12",
       "Mesh/Intervals alpha_2=-180:-30:4, -30:30:15, 30:180:4",
       "Stage 2/Steps=1",
@@ -117,6 +119,20 @@ main(int argc, char *argv[])
                 0.5 * locked.force[2],
               1e-3,
               0.5 * locked.force[2]);
+  check_small("rolling resistance backwards",
+              back.rolling[1].rolling_resistance - free.rolling_resistance,
+              1e-6,
+              free.rolling_resistance);
+  check_range("power of the hysteresis without friction",
+              smooth.rolling.back().rolling_resistance /
+                free.rolling_resistance,
+              0.7,
+              1.3);
+  check_small("rolling resistance of the locked wheel",
+              locked.rolling_resistance,
+              1e-15,
+              free.rolling_resistance);
+  std::cout << "rolling resistance: " << free.rolling_resistance << std::endl;
   std::cout << "vertical force: " << free.force[2] << std::endl
             << "drag of the braked wheel: " << tire.rolling[2].force[0]
             << std::endl;

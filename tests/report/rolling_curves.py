@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # A wheel that corners to both sides and brakes gives two curves over the slip angle
-# and one over the longitudinal slip, all from free rolling, and a table of forces.
+# and one over the longitudinal slip, all from free rolling, and a table of forces
+# with the rolling resistance.
 
 import sys
 
@@ -48,11 +49,12 @@ for words in ("lateral force and the aligning moment against the slip angle",
 for line in read_csv(RUNS / "rolling_tire/rolling.csv"):
     # the first table of steps is that of all stages, not only of those that roll
     rows = [row for row in page.rows if row[0][0] == f"Step {line['step']}"
-            and len(row[1]) == 10]
+            and len(row[1]) == 11]
     check(len(rows) == 1, f"step {line['step']} is there {len(rows)} times")
     for value, column in zip(rows[0][1], ("angular_velocity", "ground_velocity",
                                           "slip_angle", "F_x", "F_y", "F_z")):
         check_equal(value, float(line[column]), column)
+    check_equal(rows[0][1][-1], float(line["rolling_resistance"]), "resistance")
 
 # without a free wheel before it, the angular velocity is all there is
 directory = copy_of("rolling_tire")

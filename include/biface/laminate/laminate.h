@@ -60,6 +60,8 @@ namespace Biface
     double compression_loss = 0;
     /** Unit: mass/volume. */
     double density = 0;
+    /** The tangent of the angle by which strains lag behind stresses. */
+    double loss_factor = 0;
   };
 
 

@@ -35,6 +35,8 @@ namespace Biface
     std::optional<Strengths> strengths;
     /** Unit: mass/volume. */
     double density = 0;
+    /** See Ply. */
+    double loss_factor = 0;
     /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
      * the user's unit. */
     std::function<double(const double)> thickness, angle;
@@ -198,6 +200,9 @@ namespace Biface
     /** Whether there are cords that can go slack. */
     bool
     has_slack_cords() const;
+    /** Whether any ply has a loss factor. */
+    bool
+    has_loss() const;
 
     /** Initial resultants beside those of Laminate::initial_resultants(). */
     const std::vector<InitialResultant> &

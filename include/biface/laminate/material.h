@@ -47,6 +47,8 @@ namespace Biface
       Strengths   strengths;
       /** Unit: mass/volume. */
       double density = 0;
+      /** The tangent of the angle by which strains lag behind stresses. */
+      double loss_factor = 0;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -77,6 +79,11 @@ namespace Biface
        * it is negative. */
       double
       get_density() const;
+
+      /** The loss factor, 0 if not given. Throws InputError if it is
+       * negative. */
+      double
+      get_loss_factor() const;
 
       /** The strengths, if given. Throws InputError if only some of them are
        * given. */

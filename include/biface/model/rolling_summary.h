@@ -5,6 +5,9 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
+
+#include <biface/model/hysteresis.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 
@@ -33,6 +36,14 @@ namespace Biface
      * mesh is half in contact; @p mismatch plus @p normal is the rest. */
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
+
+    /** If any ply has a loss factor. */
+    std::optional<Hysteresis> hysteresis;
+
+    /** The power of the hysteresis, and the drag that has this power at the
+     * speed over the ground, which is no part of @p force; not a number
+     * without a speed. */
+    double hysteresis_power = 0, rolling_resistance = 0;
   };
 
 

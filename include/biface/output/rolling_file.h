@@ -23,7 +23,7 @@ namespace Biface
     bool
     is_wanted() const override
     {
-      return any_rolling;
+      return any;
     }
 
   private:
@@ -36,8 +36,13 @@ namespace Biface
     void
     write(const StepReport &report, const State &state) override;
 
-    const bool any_rolling;
+    const bool any;
   };
+
+
+  /** Whether a wheel rolls over the ground in any of the stages. */
+  bool
+  any_rolling(const std::vector<Stage> &stages);
 } // namespace Biface
 
 #endif

@@ -59,6 +59,8 @@ def table_of(found):
                "F_x": "F<sub>x</sub>", "F_y": "F<sub>y</sub>", "F_z": "F<sub>z</sub>",
                "M_x": "M<sub>x</sub>", "M_y": "M<sub>y</sub>", "M_z": "M<sub>z</sub>",
                "axle_moment": "Axle moment"}
+    if "rolling_resistance" in found:
+        columns["rolling_resistance"] = "Rolling resistance"
     # forces and moments, also that of the axle, against which others are round-off
     force = np.abs(found["F_z"]).max()
     moment = force * radius_scale(found)

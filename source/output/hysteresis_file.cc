@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <biface/output/csv.h>
+#include <biface/output/hysteresis_file.h>
+#include <biface/output/rolling_file.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  HysteresisFile::HysteresisFile(const std::vector<Stage> &stages,
+                                 ResultsDirectory         &directory,
+                                 const ShellEquations     &equations)
+    : StepTable("hysteresis.csv",
+                "step,stage,ply,material,loss_factor,energy,power,"
+                "first_harmonics",
+                equations.mesh.layup.get_plies().size(),
+                directory,
+                equations)
+    , any(any_rolling(stages) && equations.mesh.layup.has_loss())
+  {}
+
+
+  void
+  HysteresisFile::write(const StepReport &report, const State & /*state*/)
+  {
+    const std::vector<PlyDescription> &plies = equations.mesh.layup.get_plies();
+    const double                       turns =
+      std::abs(report.loads.rolling->angular_velocity) / (2 * numbers::PI);
+    std::string lines;
+    for (unsigned int p = 0; p < plies.size(); ++p)
+      {
+        const Hysteresis::OfPly &of_ply = report.rolling->hysteresis->plies[p];
+        lines += std::to_string(report.step) + ',' + report.stage + ',' +
+                 std::to_string(p + 1) + ',' + plies[p].material;
+        for (const double value : {plies[p].loss_factor,
+                                   of_ply.energy,
+                                   of_ply.energy * turns,
+                                   of_ply.of_first_harmonics})
+          lines += ',' + csv_number(value);
+        lines += '\n';
+      }
+    append(lines);
+  }
+} // namespace Biface
