@@ -73,8 +73,8 @@ namespace Biface
                               const ContactInteraction::Traction &traction,
                               MixedElement::NodalMatrix          &K) const
   {
-    const ShellMesh &mesh    = contact.mesh;
-    const auto      &stencil = contact.flow_lines.at(cell.nodes[s]);
+    const ShellMesh &mesh = contact.mesh;
+    const auto &stencil = contact.rolling_friction.flow_lines.at(cell.nodes[s]);
     if (!stencil)
       return;
     const unsigned int r    = s ^ 2;

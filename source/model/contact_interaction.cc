@@ -61,7 +61,7 @@ namespace Biface
                                          const Parameters &parameters)
     : mesh(mesh)
     , condition(parameters.condition)
-    , flow_lines(mesh)
+    , rolling_friction(mesh, condition)
     , foundation_at_rest(parameters.foundation)
     , friction_parameters(parameters.friction)
   {}
@@ -227,10 +227,8 @@ namespace Biface
         const auto tangents = loads.foundation->tangents(at.foundation.normal);
         if (loads.rolling)
           state.grips[n] =
-            (SlipVelocityLaw(*loads.friction, loads.rolling->critical_velocity)
-                 .slips(slip_velocity(state, loads, n))
-               ? Grip::slip
-               : Grip::stick);
+            (rolling_friction.slips(state, loads, n) ? Grip::slip
+                                                     : Grip::stick);
         else if (state.grips[n] != Grip::glued)
           {
             const Tensor<1, 3> trial =
@@ -468,90 +466,13 @@ namespace Biface
 
 
   Tensor<1, 3>
-  ContactInteraction::slope_along_flow(const State       &state,
-                                       const unsigned int node) const
-  {
-    const auto position = [&](const unsigned int n) {
-      return Tensor<1, 3>(mesh.deformed_position(
-        state.displacement, mesh.nodes[n], Resultants::outer));
-    };
-    const FlowLines::Stencil &stencil = *flow_lines.at(node);
-    return stencil.per_neighbor() *
-           (position(stencil.neighbors[1]) - position(stencil.neighbors[0]));
-  }
-
-
-  Tensor<1, 3>
-  ContactInteraction::relative_velocity(const State       &state,
-                                        const Loads       &loads,
-                                        const unsigned int node) const
-  {
-    if (!flow_lines.at(node))
-      return {};
-    return loads.rolling->relative_velocity(slope_along_flow(state, node));
-  }
-
-
-  Tensor<1, 3>
-  ContactInteraction::slip_velocity(const State       &state,
-                                    const Loads       &loads,
-                                    const unsigned int node) const
-  {
-    const Tensor<1, 3> n = contact_at(state, loads, node).foundation.normal;
-    const Tensor<1, 3> v = relative_velocity(state, loads, node);
-    return v - (n * v) * n;
-  }
-
-
-  void
-  ContactInteraction::add_rolling_friction(const State       &state,
-                                           const Loads       &loads,
-                                           const unsigned int node,
-                                           const Contact     &at,
-                                           Traction          &result) const
-  {
-    const auto &stencil = flow_lines.at(node);
-    if (!stencil)
-      return;
-    const Rolling      &rolling  = *loads.rolling;
-    const Tensor<1, 3> &n        = at.foundation.normal;
-    const Tensor<2, 3>  gradient = Tensor<2, 3>(at.foundation.normal_gradient);
-    const Tensor<1, 3>  slope    = slope_along_flow(state, node);
-    const Tensor<1, 3>  v        = rolling.relative_velocity(slope);
-    const Tensor<2, 3>  tangential =
-      Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
-
-    const SlipVelocityLaw law(*loads.friction, rolling.critical_velocity);
-    const double          lambda = state.multipliers[node][0];
-    const double          exact = condition.multiplier(at.foundation.clearance);
-    const SlipVelocityLaw::Traction friction =
-      law.traction(tangential * v, -lambda);
-    const Tensor<2, 3> per_velocity = friction.per_slip * tangential;
-
-    result.value += friction.value + (lambda - exact) * friction.per_pressure;
-    result.stiffness += friction.per_slip * ((n * v) * gradient +
-                                             outer_product(n, gradient * v)) -
-                        outer_product(friction.per_pressure,
-                                      condition.multiplier_stiffness() * n);
-    result.stiffness_of_neighbors[1] =
-      stencil->per_neighbor() * rolling.angular_velocity * per_velocity;
-    result.stiffness_of_neighbors[0] = -result.stiffness_of_neighbors[1];
-    result.per_angular_velocity      = -per_velocity * slope;
-  }
-
-
-  Tensor<1, 3>
   ContactInteraction::friction_traction(const State       &state,
                                         const Loads       &loads,
                                         const unsigned int node,
                                         const Contact     &at) const
   {
     if (loads.rolling)
-      {
-        Traction traction;
-        add_rolling_friction(state, loads, node, at, traction);
-        return traction.value;
-      }
+      return rolling_friction.traction(state, loads, node).value;
     const FrictionLaw &law = *loads.friction;
     const Tensor<1, 3> trial =
       law.trial(slip(state, loads, node, at).tangential);
@@ -580,7 +501,12 @@ namespace Biface
       return result;
     if (loads.rolling)
       {
-        add_rolling_friction(state, loads, node, contact, result);
+        const RollingFriction::Traction t =
+          rolling_friction.traction(state, loads, node);
+        result.value += t.value;
+        result.stiffness += t.stiffness;
+        result.stiffness_of_neighbors = t.stiffness_of_neighbors;
+        result.per_angular_velocity   = t.per_angular_velocity;
         return result;
       }
     if (state.grips[node] == Grip::none)

@@ -53,7 +53,8 @@ namespace Biface
           {
             const double area     = cell.geometry.weight / 4;
             const auto   traction = contact_traction(mesh, state, loads, n);
-            const Tensor<1, 3> v  = contact.relative_velocity(state, loads, n);
+            const Tensor<1, 3> v =
+              contact.rolling_friction.relative_velocity(state, loads, n);
             powers[0] -= area * (traction.friction * v);
             powers[1] += area * ((traction.total - traction.friction) * v);
           }

@@ -14,7 +14,7 @@
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
-#include <biface/model/flow_lines.h>
+#include <biface/model/rolling_friction.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
 
@@ -267,27 +267,13 @@ namespace Biface
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 
-    /** The velocity of the particle at a node of a shell that rolls, relative
-     * to the ground. Zero at nodes whose neighbors are not on this rank, see
-     * FlowLines. */
-    dealii::Tensor<1, 3>
-    relative_velocity(const State       &state,
-                      const Loads       &loads,
-                      const unsigned int node) const;
-
-    /** Its part in the tangent plane, at a node in contact. */
-    dealii::Tensor<1, 3>
-    slip_velocity(const State       &state,
-                  const Loads       &loads,
-                  const unsigned int node) const;
-
     /** Let all nodes forget how they stick: a rolling shell has no history. */
     void
     forget_history(State &state) const;
 
     const ShellMesh       &mesh;
     const ContactCondition condition;
-    const FlowLines        flow_lines;
+    const RollingFriction  rolling_friction;
 
   private:
     /** The geometry of contact at a node. */
@@ -314,19 +300,6 @@ namespace Biface
          const Loads       &loads,
          const unsigned int node,
          const Contact     &at) const;
-
-    /** @f$\partial\mathbf x/\partial\varphi@f$ of the outer face at a node
-     * with neighbors, see FlowLines. */
-    dealii::Tensor<1, 3>
-    slope_along_flow(const State &state, const unsigned int node) const;
-
-    /** Add the traction of a node that rolls over the ground, with friction. */
-    void
-    add_rolling_friction(const State       &state,
-                         const Loads       &loads,
-                         const unsigned int node,
-                         const Contact     &at,
-                         Traction          &result) const;
 
     /** Whether friction acts at an active node. */
     bool
