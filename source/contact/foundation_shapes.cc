@@ -78,6 +78,7 @@ namespace Biface
   RigidDrum::RigidDrum(const TravelLine &line, const Parameters &parameters)
     : FoundationShape(line)
     , axis(unit_vector("Contact/Drum/Axis", parameters.axis))
+    , radius(parameters.radius)
     , section({direction - (direction * axis) * axis, point}, parameters.radius)
   {
     check_not_zero("Contact/Drum/Radius", parameters.radius);

@@ -19,8 +19,10 @@ namespace Biface
                       coefficient,
                       "Coefficient of Coulomb friction between the shell and "
                       "the foundation: a number, or a formula of the contact "
-                      "pressure p such as 0.8 - 0.5*p; below 0 it counts as "
-                      "0. Stages may have their own. No unit.",
+                      "pressure p and of the slip velocity s, such as "
+                      "(0.8 - 0.5*p)*exp(-s/2000); below 0 it counts as 0. s "
+                      "is 0 unless the wheel rolls. Stages may have their own. "
+                      "No unit.",
                       Patterns::Anything());
     prm.add_parameter("Tangential regularization",
                       regularization,
@@ -50,22 +52,26 @@ namespace Biface
 
   FrictionLaw::FrictionLaw(const std::string &entry,
                            const std::string &coefficient,
-                           const double       regularization)
-    : coefficient(entry, coefficient, {"p"}), regularization(regularization)
+                           const double       regularization,
+                           const double       critical_velocity)
+    : critical_velocity(critical_velocity)
+    , coefficient(entry, coefficient, {"p", "s"})
+    , regularization(regularization)
   {
     if (this->coefficient.used_names().empty())
       {
-        constant = this->coefficient({0.});
+        constant = this->coefficient({0., 0.});
         check_not_negative(entry, *constant);
       }
     else
       for (const double pressure : {1e-3, 1e-2, 1e-1, 1., 1e1, 1e2, 1e3})
-        this->coefficient({pressure});
+        for (const double speed : {0., 1e-3, 1., 1e2, 1e4})
+          this->coefficient({pressure, speed});
   }
 
 
   double
-  FrictionLaw::limit(const double pressure) const
+  FrictionLaw::value(const double pressure, const double speed) const
   {
     if (!(pressure > 0))
       return 0;
@@ -73,7 +79,7 @@ namespace Biface
       return *constant * pressure;
     try
       {
-        return std::max(0., coefficient({pressure})) * pressure;
+        return std::max(0., coefficient({pressure, speed})) * pressure;
       }
     catch (const InputError &)
       {
@@ -83,15 +89,34 @@ namespace Biface
   }
 
 
-  double
-  FrictionLaw::limit_derivative(const double pressure) const
+  FrictionLaw::Limit
+  FrictionLaw::limit(const double pressure, const double speed) const
   {
+    constexpr double small = 1e-5;
+
+    Limit result;
     if (!(pressure > 0))
-      return 0;
+      return result;
+    result.value = value(pressure, speed);
     if (constant)
-      return *constant;
-    const double step = 1e-5 * pressure;
-    return (limit(pressure + step) - limit(pressure - step)) / (2 * step);
+      {
+        result.per_pressure = *constant;
+        return result;
+      }
+    const double step = small * pressure;
+    result.per_pressure =
+      (value(pressure + step, speed) - value(pressure - step, speed)) /
+      (2 * step);
+    if (speed > 0)
+      {
+        // formulas need no values below 0
+        const double step  = small * std::max(speed, critical_velocity);
+        const double below = std::max(0., speed - step);
+        const double above = speed + step;
+        result.per_speed =
+          (value(pressure, above) - value(pressure, below)) / (above - below);
+      }
+    return result;
   }
 
 
@@ -103,12 +128,12 @@ namespace Biface
     if (norm == 0)
       return result;
     const Tensor<1, 3> direction = trial / norm;
-    const double       limit     = this->limit(pressure);
-    result.traction              = limit * direction;
-    result.per_trial             = limit / norm *
+    const Limit        limit     = this->limit(pressure);
+    result.traction              = limit.value * direction;
+    result.per_trial             = limit.value / norm *
                        (Tensor<2, 3>(unit_symmetric_tensor<3>()) -
                         outer_product(direction, direction));
-    result.per_pressure = limit_derivative(pressure) * direction;
+    result.per_pressure = limit.per_pressure * direction;
     return result;
   }
 

@@ -85,14 +85,33 @@ namespace Biface
                              const double        turn,
                              const Point<3>     &pivot) const
   {
+    if (turn == 0 && slide.norm() == 0)
+      return *this;
     RigidFoundation result = *this;
-    result.displacement.reset();
-    if (turn != 0 || slide.norm() > 0)
-      result.displacement = {
-        slide,
-        Physics::Transformations::Rotations::rotation_matrix_3d(
-          Point<3>(shape->direction), turn),
-        pivot};
+    Displacement    further{
+      slide,
+      Physics::Transformations::Rotations::rotation_matrix_3d(
+        Point<3>(shape->direction), turn),
+      pivot};
+    if (displacement)
+      {
+        // from the pivot of the first motion
+        const Tensor<1, 3> arm = displacement->pivot - pivot;
+        further.slide += further.rotation * (arm + displacement->slide) - arm;
+        further.rotation = further.rotation * displacement->rotation;
+        further.pivot    = displacement->pivot;
+      }
+    result.displacement = further;
+    return result;
+  }
+
+
+  std::optional<FoundationShape::Cylinder>
+  RigidFoundation::cylinder() const
+  {
+    auto result = shape->cylinder();
+    if (result && displacement)
+      result->axis = displacement->rotation * result->axis;
     return result;
   }
 

@@ -25,13 +25,36 @@ namespace Biface
   }
 
 
-  Tensor<1, 3>
-  Rolling::ground_velocity_of(const WheelAxes &axes,
-                              const double     speed,
-                              const double     slip_angle)
+  GroundMotion
+  GroundMotion::under_wheel(const RigidFoundation &ground,
+                            const double           speed,
+                            const double           slip_angle)
   {
-    return -speed * (std::cos(slip_angle) * axes.forward +
-                     std::sin(slip_angle) * axes.left);
+    GroundMotion       result;
+    const Point<3>     apex = ground.apex();
+    const Tensor<1, 3> down = ground.evaluate(apex).normal;
+    if (const auto drum = ground.cylinder())
+      {
+        result.velocity = speed * cross_product_3d(drum->axis, down);
+        result.spin     = -speed / drum->radius * drum->axis;
+        result.point    = apex;
+      }
+    else
+      {
+        const WheelAxes axes(down);
+        result.velocity = -speed * (std::cos(slip_angle) * axes.forward +
+                                    std::sin(slip_angle) * axes.left);
+      }
+    return result;
+  }
+
+
+  RigidFoundation
+  on_steered(const RigidFoundation &ground, const double slip_angle)
+  {
+    // right-handed about the direction, that is downward
+    return ground.cylinder() ? ground.displaced({}, -slip_angle, ground.apex())
+                             : ground;
   }
 
 
@@ -39,17 +62,21 @@ namespace Biface
   SlipVelocityLaw::traction(const Tensor<1, 3> &slip,
                             const double        pressure) const
   {
-    const double root = std::hypot(slip.norm(), critical_velocity);
+    const double speed = slip.norm();
+    const double root  = std::hypot(speed, law.critical_velocity);
     Traction     result;
     if (root == 0)
       return result;
-    const Tensor<1, 3> direction = slip / root;
-    const double       limit     = law.limit(pressure);
-    result.value                 = -limit * direction;
-    result.per_slip              = -limit / root *
+    const Tensor<1, 3>       direction = slip / root;
+    const FrictionLaw::Limit limit     = law.limit(pressure, speed);
+    result.value                       = -limit.value * direction;
+    result.per_slip                    = -limit.value / root *
                       (Tensor<2, 3>(unit_symmetric_tensor<3>()) -
                        outer_product(direction, direction));
-    result.per_pressure = -law.limit_derivative(pressure) * direction;
+    if (speed > 0)
+      result.per_slip -=
+        limit.per_speed * outer_product(direction, slip / speed);
+    result.per_pressure = -limit.per_pressure * direction;
     return result;
   }
 } // namespace Biface

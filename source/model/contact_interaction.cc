@@ -76,23 +76,9 @@ namespace Biface
     auto       law = std::make_shared<const FrictionLaw>(
       own ? entry : "Contact/Friction",
       own ? coefficient : friction_parameters.coefficient,
-      friction_parameters.regularization);
+      friction_parameters.regularization,
+      friction_parameters.critical_velocity);
     return law->is_zero() && !glued ? nullptr : law;
-  }
-
-
-  Rolling
-  ContactInteraction::rolling(const double angular_velocity,
-                              const double speed,
-                              const double slip_angle) const
-  {
-    Rolling result;
-    result.angular_velocity  = angular_velocity;
-    result.critical_velocity = friction_parameters.critical_velocity;
-    if (speed != 0)
-      result.ground_velocity = Rolling::ground_velocity_of(
-        WheelAxes(foundation(0).direction()), speed, slip_angle);
-    return result;
   }
 
 

@@ -36,7 +36,8 @@ namespace Biface
   {
     if (!flow_lines.at(node))
       return {};
-    return loads.rolling->relative_velocity(slope(state, node));
+    return loads.rolling->relative_velocity(position(state, node),
+                                            slope(state, node));
   }
 
 
@@ -48,8 +49,7 @@ namespace Biface
     const Tensor<1, 3> n =
       loads.foundation->evaluate(position(state, node)).normal;
     const Tensor<1, 3> v = relative_velocity(state, loads, node);
-    return SlipVelocityLaw(*loads.friction, loads.rolling->critical_velocity)
-      .slips(v - (n * v) * n);
+    return SlipVelocityLaw(*loads.friction).slips(v - (n * v) * n);
   }
 
 
@@ -62,26 +62,38 @@ namespace Biface
     const auto &stencil = flow_lines.at(node);
     if (!stencil)
       return result;
-    const Rolling        &rolling = *loads.rolling;
-    const FoundationPoint at =
-      loads.foundation->evaluate(position(state, node));
-    const Tensor<1, 3> &n        = at.normal;
-    const Tensor<2, 3>  gradient = Tensor<2, 3>(at.normal_gradient);
-    const Tensor<1, 3>  slope    = this->slope(state, node);
-    const Tensor<1, 3>  v        = rolling.relative_velocity(slope);
-    const Tensor<2, 3>  tangential =
+    const Rolling        &rolling  = *loads.rolling;
+    const Point<3>        x        = position(state, node);
+    const FoundationPoint at       = loads.foundation->evaluate(x);
+    const Tensor<1, 3>   &n        = at.normal;
+    const Tensor<2, 3>    gradient = Tensor<2, 3>(at.normal_gradient);
+    const Tensor<1, 3>    slope    = this->slope(state, node);
+    const Tensor<1, 3>    v        = rolling.relative_velocity(x, slope);
+    const Tensor<2, 3>    tangential =
       Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
 
-    const SlipVelocityLaw law(*loads.friction, rolling.critical_velocity);
-    const double          lambda = state.multipliers[node][0];
-    const double          exact  = condition.multiplier(at.clearance);
+    const SlipVelocityLaw           law(*loads.friction);
+    const double                    lambda = state.multipliers[node][0];
+    const double                    exact  = condition.multiplier(at.clearance);
     const SlipVelocityLaw::Traction friction =
       law.traction(tangential * v, -lambda);
     const Tensor<2, 3> per_velocity = friction.per_slip * tangential;
 
+    // of the velocity of the ground by the position
+    Tensor<2, 3> ground_gradient;
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        Tensor<1, 3> e;
+        e[j]                      = 1;
+        const Tensor<1, 3> column = cross_product_3d(rolling.ground.spin, e);
+        for (unsigned int i = 0; i < 3; ++i)
+          ground_gradient[i][j] = column[i];
+      }
+
     result.value = friction.value + (lambda - exact) * friction.per_pressure;
     result.stiffness = friction.per_slip *
-                         ((n * v) * gradient + outer_product(n, gradient * v)) -
+                         ((n * v) * gradient + outer_product(n, gradient * v)) +
+                       per_velocity * ground_gradient -
                        outer_product(friction.per_pressure,
                                      condition.multiplier_stiffness() * n);
     result.stiffness_of_neighbors[1] =

@@ -17,13 +17,25 @@ namespace Biface
 
   namespace
   {
+    /** See RollingSummary. */
     Point<3>
     contact_center(const RigidFoundation &ground)
     {
+      // Newton's method; exact for a plane
+      constexpr unsigned int max_iterations = 20;
+      constexpr double       tolerance      = 1e-14;
+
       Tensor<1, 3> down = ground.direction();
       down[1]           = 0;
-      return Point<3>(ground.clearance(Point<3>()) /
-                      (ground.direction() * down) * down);
+      Point<3> center;
+      for (unsigned int i = 0; i < max_iterations; ++i)
+        {
+          const FoundationPoint at = ground.evaluate(center);
+          if (std::abs(at.clearance) <= tolerance * center.norm())
+            break;
+          center += at.clearance / (at.normal * down) * down;
+        }
+      return center;
     }
   } // namespace
 
@@ -36,13 +48,15 @@ namespace Biface
   {
     const RigidFoundation &ground  = *loads.foundation;
     const Rolling         &rolling = *loads.rolling;
-    const WheelAxes        axes(ground.direction());
+    const GroundMotion    &motion  = rolling.ground;
+    const Point<3>         center  = contact_center(ground);
+    const WheelAxes        axes(ground.evaluate(center).normal);
     const auto             in_axes = [&](const Tensor<1, 3> &v) {
       return Tensor<1, 3>({axes.forward * v, axes.left * v, axes.up * v});
     };
 
     const ForceOnShell exerted =
-      force_of_foundation(equations, state, loads, contact_center(ground));
+      force_of_foundation(equations, state, loads, center);
 
     // each column of the mass adds up to a quarter
     std::vector<double> powers(2);
@@ -66,12 +80,16 @@ namespace Biface
     result.axle_moment = axle_moment(equations, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
-         ? std::copysign(rolling.ground_velocity.norm(),
-                         -(rolling.ground_velocity * axes.forward)) /
+         ? std::copysign(motion.velocity.norm(),
+                         -(motion.velocity * axes.forward)) /
              rolling.angular_velocity
          : std::numeric_limits<double>::quiet_NaN());
-    result.axle_power     = result.axle_moment * rolling.angular_velocity;
-    result.ground_power   = exerted.force * rolling.ground_velocity;
+    result.axle_power = result.axle_moment * rolling.angular_velocity;
+    result.ground_power =
+      exerted.force * motion.velocity +
+      (exerted.moment +
+       cross_product_3d(center - motion.point, exerted.force)) *
+        motion.spin;
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
     result.mismatch =
@@ -82,7 +100,7 @@ namespace Biface
         result.hysteresis_power = result.hysteresis->energy() *
                                   std::abs(rolling.angular_velocity) /
                                   (2 * numbers::PI);
-        const double speed = rolling.ground_velocity.norm();
+        const double speed = motion.velocity.norm();
         result.rolling_resistance =
           (speed > 0 ? result.hysteresis_power / speed
                      : std::numeric_limits<double>::quiet_NaN());

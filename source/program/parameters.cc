@@ -230,15 +230,25 @@ namespace Biface
             continue;
           }
         const Tensor<1, 3> &direction = contact.foundation.line.direction;
-        if (contact.foundation.shape !=
-            RigidFoundation::Parameters::Shape::plane)
+        using Shape                   = RigidFoundation::Parameters::Shape;
+        if (contact.foundation.shape == Shape::sphere)
           throw InputError("the wheel rolls in stage " + std::to_string(i + 1) +
-                           ", which needs 'Contact/Foundation = plane'.");
+                           ", which needs 'Contact/Foundation = plane' or "
+                           "'drum'.");
         if (!WheelAxes::fit(direction))
           throw InputError("Contact/Direction",
                            vector_to_string(direction),
                            "a wheel with the y axis as its axle cannot roll on "
                            "this ground");
+        // of the axle and the axis of a drum, at least
+        constexpr double   min_cosine = 0.1;
+        const Tensor<1, 3> axis       = contact.foundation.drum.axis;
+        if (contact.foundation.shape == Shape::drum &&
+            std::abs(axis[1]) < min_cosine * axis.norm())
+          throw InputError("Contact/Drum/Axis",
+                           vector_to_string(axis),
+                           "a wheel with the y axis as its axle cannot roll on "
+                           "this drum");
         const std::string &coefficient =
           (stage.friction.empty() ? contact.friction.coefficient
                                   : stage.friction);

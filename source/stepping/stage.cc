@@ -124,7 +124,8 @@ namespace Biface
       "Ground velocity",
       ground_velocity,
       unchanged,
-      "Speed of the wheel over the ground at the end of the stage, positive "
+      "Speed of the wheel over the ground, or of the surface of a drum, at the "
+      "end of the stage, positive "
       "forward: the direction in which a wheel with positive 'Angular "
       "velocity' rolls. If it or the angular velocity is not 0 at either end "
       "of the stage, friction follows from the slip velocity, see "
@@ -136,13 +137,15 @@ namespace Biface
       slip_angle,
       unchanged,
       "Angle between the direction in which the wheel moves over the ground "
-      "and its plane at the end of the stage, positive to the left. "
+      "and its plane at the end of the stage, positive to the left. A drum is "
+      "turned by it about 'Direction' through 'Point on path'. "
       "'unchanged': as at the start of the stage. Unit: degrees.");
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction in the stage, instead of that "
                       "of the section 'Contact'; empty for that one. A number, "
-                      "or a formula of the contact pressure p. No unit.",
+                      "or a formula of the contact pressure p and the slip "
+                      "velocity s. No unit.",
                       Patterns::Anything());
     prm.add_parameter("Glued",
                       glued,

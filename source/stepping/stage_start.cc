@@ -11,10 +11,9 @@ namespace Biface
   namespace
   {
     Loads
-    loads_without_foundation(const LoadLevel          &level,
-                             const bool                rolls,
-                             const ContactInteraction &contact,
-                             const Progress           &progress)
+    loads_without_foundation(const LoadLevel &level,
+                             const bool       rolls,
+                             const Progress  &progress)
     {
       Loads loads;
       // that of a sealed gas changes only with the state
@@ -23,9 +22,7 @@ namespace Biface
       loads.factor          = level.factor;
       loads.factor_of_shape = progress.factor_of_shape;
       if (rolls)
-        loads.rolling = contact.rolling(level.angular_velocity,
-                                        level.ground_velocity,
-                                        level.slip_angle * numbers::PI / 180);
+        loads.rolling = Rolling{level.angular_velocity};
       return loads;
     }
   } // namespace
@@ -39,15 +36,21 @@ namespace Biface
            const ContactInteraction                 &contact,
            const Progress                           &progress)
   {
-    Loads loads = loads_without_foundation(level, rolls, contact, progress);
+    Loads loads = loads_without_foundation(level, rolls, progress);
     if (stage.contact)
       {
+        const double slip_angle = level.slip_angle * numbers::PI / 180;
         loads.foundation =
-          contact.foundation(*progress.touching_travel + level.travel)
+          on_steered(
+            contact.foundation(*progress.touching_travel + level.travel),
+            slip_angle)
             .displaced(level.slide,
                        level.turn * numbers::PI / 180,
                        progress.touched_point);
         loads.friction = friction;
+        if (loads.rolling)
+          loads.rolling->ground = GroundMotion::under_wheel(
+            *loads.foundation, level.ground_velocity, slip_angle);
       }
     return loads;
   }
@@ -56,11 +59,10 @@ namespace Biface
   namespace
   {
     ShellEquations::Unbalance
-    start_from_prestress(const bool                rolls,
-                         ShellEquations           &equations,
-                         const ContactInteraction &contact,
-                         Progress                 &progress,
-                         State                    &state)
+    start_from_prestress(const bool      rolls,
+                         ShellEquations &equations,
+                         Progress       &progress,
+                         State          &state)
     {
       progress.reached.travel  = 0;
       progress.work            = Work();
@@ -71,8 +73,7 @@ namespace Biface
       progress.reaction.reset();
       progress.last_change.clear();
       return equations.start_from_prestress(
-        state,
-        loads_without_foundation(progress.reached, rolls, contact, progress));
+        state, loads_without_foundation(progress.reached, rolls, progress));
     }
   } // namespace
 
@@ -88,8 +89,7 @@ namespace Biface
   {
     std::optional<ShellEquations::Unbalance> unbalance;
     if (stage.from_prestress)
-      unbalance =
-        start_from_prestress(rolls, equations, contact, progress, state);
+      unbalance = start_from_prestress(rolls, equations, progress, state);
     if (stage.contact && !progress.touching_travel)
       {
         progress.touching_travel = contact.touching_travel(state);

@@ -7,61 +7,9 @@
 // wheel is mu P but for the critical velocity. It has a rolling resistance, the
 // same backwards, which no friction needs, but none if it is locked.
 
-#include <biface/model/rolling_summary.h>
-
-#include <run_analysis.h>
-#include <tests.h>
+#include "rolling_wheel.h"
 
 using namespace Biface;
-
-namespace
-{
-  struct Run
-  {
-    /** The vertical force of the wheel at rest. */
-    double                      standing = 0;
-    std::vector<RollingSummary> rolling;
-  };
-
-
-  Run
-  roll(const std::vector<Override> &changes)
-  {
-    std::vector<Override> overrides{
-      "Contact/Multiplier mass=lumped",
-      "Contact/Critical velocity=0.02",
-      "Material cord/Loss factor=0.1",
-      "Mesh/Intervals alpha_1=-120:120:12",
-      "Mesh/Intervals alpha_2=-180:-30:4, -30:30:15, 30:180:4",
-      "Stage 2/Steps=1",
-      "Stage 2/Travel=12",
-      "Stage 3/Contact=true",
-      "Stage 3/Friction=0.5",
-      "Stage 3/Ground velocity=1",
-      "Stage 3/Control=axle moment",
-      "Stage 3/Steps=2"};
-    overrides.insert(overrides.end(), changes.begin(), changes.end());
-    Run run;
-    for (const StepReport &report :
-         run_analysis(PRM_DIR "/bias_tire.prm", overrides))
-      if (report.rolling)
-        run.rolling.push_back(*report.rolling);
-      else
-        run.standing = report.contact.force;
-    return run;
-  }
-
-
-  void
-  check_powers(const std::string &what, const RollingSummary &rolling)
-  {
-    check_small(what,
-                rolling.mismatch,
-                0.005,
-                std::abs(rolling.force[0]) + rolling.force[2]);
-  }
-} // namespace
-
 
 int
 main(int argc, char *argv[])
@@ -70,19 +18,20 @@ main(int argc, char *argv[])
   const bool                               is_root =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  const Run tire   = roll({"Number of stages=4",
-                           "Stage 4/Contact=true",
-                           "Stage 4/Friction=0.5",
-                           "Stage 4/Angular velocity=0",
-                           "Stage 4/Steps=4"});
-  const Run smooth = roll({"Number of stages=3",
-                           "Stage 3/Friction=0",
-                           "Stage 3/Control=load",
-                           "Stage 3/Angular velocity=0.004",
-                           "Stage 3/Slip angle=3"});
-  const Run back   = roll({"Number of stages=3", "Stage 3/Ground velocity=-1"});
+  const RollingRun tire   = roll({"Number of stages=4",
+                                  "Stage 4/Contact=true",
+                                  "Stage 4/Friction=0.5",
+                                  "Stage 4/Angular velocity=0",
+                                  "Stage 4/Steps=4"});
+  const RollingRun smooth = roll({"Number of stages=3",
+                                  "Stage 3/Friction=0",
+                                  "Stage 3/Control=load",
+                                  "Stage 3/Angular velocity=0.004",
+                                  "Stage 3/Slip angle=3"});
+  const RollingRun back =
+    roll({"Number of stages=3", "Stage 3/Ground velocity=-1"});
   // cords across the wheel are their own mirror images
-  const Run mirrored =
+  const RollingRun mirrored =
     roll({"Number of stages=3", "Laminate/Plies=cord: 4.8 @ 0"});
   if (!is_root)
     return 0;

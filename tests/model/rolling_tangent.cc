@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Of a wheel with mass that rolls with friction on an inclined plane, some
-// nodes slipping, the tangent is the derivative of the residual, also by the
-// angular velocity, and so are the derivatives of the moment of the axle;
-// without friction the tangent is symmetric. A wheel that stands still in the
-// same frame has the same derivatives.
+// Of a wheel with mass that rolls with friction on an inclined plane or on a
+// drum, some nodes slipping, with a coefficient of friction that depends on
+// pressure and slip velocity, the tangent is the derivative of the residual,
+// also by the angular velocity and by the travel of the ground, and so are the
+// derivatives of the moment of the axle; without friction the tangent is
+// symmetric. A wheel that stands still in the same frame has the same
+// derivatives.
 
 #include <cmath>
 
@@ -20,7 +22,9 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name, const double omega)
+  test(const std::string                       &name,
+       const RigidFoundation::Parameters::Shape shape,
+       const double                             omega)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
@@ -29,17 +33,28 @@ namespace
 
     ContactInteraction::Parameters parameters;
     parameters.condition.regularization   = 1;
-    parameters.friction.coefficient       = "0.4 + 0.1*p";
+    parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
     parameters.friction.critical_velocity = 20;
     parameters.foundation.line.direction  = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.foundation.shape           = shape;
+    parameters.foundation.drum.radius     = 300;
+    parameters.foundation.drum.axis       = Tensor<1, 3>({-0.2, 1, 0.3});
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.foundation = contact.foundation(contact.touching_travel(state) + 15);
-    loads.friction   = contact.friction("", "", false);
-    loads.rolling    = contact.rolling(omega, 200 * omega + 5, 0.02);
+    const double touching   = contact.touching_travel(state);
+    const auto   set_travel = [&](Loads &loads, const double travel) {
+      const double slip_angle = 0.02;
+      loads.foundation =
+        on_steered(contact.foundation(touching + travel), slip_angle);
+      loads.rolling->ground = GroundMotion::under_wheel(
+        *loads.foundation, 200 * omega + 5, slip_angle);
+    };
+    loads.rolling = Rolling{omega};
+    set_travel(loads, 15);
+    loads.friction = contact.friction("", "", false);
     contact.settle(state, loads);
     const unsigned int n_active   = contact.count_active(state);
     const unsigned int n_slipping = contact.count_slipping(state, loads);
@@ -80,6 +95,18 @@ namespace
           sign / (2 * step) * axle_moment(equations, state, moved).value;
       }
 
+    rates                    = LoadRates();
+    rates.travel             = 1;
+    LA::Vector   by_travel   = equations.load_direction(state, loads, rates);
+    const double travel_norm = by_travel.l2_norm();
+    for (const double sign : {-1., 1.})
+      {
+        Loads moved = loads;
+        set_travel(moved, 15 + sign * step);
+        equations.assemble(state, moved);
+        by_travel.add(-sign / (2 * step), equations.residual());
+      }
+
     Loads smooth = loads;
     smooth.friction.reset();
     equations.assemble(state, smooth);
@@ -90,8 +117,9 @@ namespace
     const double asymmetry       = left * other - right * dV;
     const double asymmetry_scale = left.l2_norm() * other.l2_norm();
 
-    const double deviation = product.l2_norm() / scale;
-    const double by_omega  = direction.l2_norm();
+    const double deviation    = product.l2_norm() / scale;
+    const double by_omega     = direction.l2_norm();
+    const double travel_error = by_travel.l2_norm();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     std::cout << name << std::endl;
@@ -99,6 +127,7 @@ namespace
     check_range("  nodes that slip", n_slipping, omega == 0 ? 0 : 1, 40);
     check_small("  tangent", deviation, 1e-8);
     check_small("  residual by angular velocity", by_omega, 1e-8, norm);
+    check_small("  residual by travel", travel_error, 1e-8, travel_norm);
     check_small("  moment by displacements", gradient, 1e-8, gradient_scale);
     check_small("  moment by angular velocity",
                 per_velocity,
@@ -115,6 +144,8 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test("rolling", 5);
-  test("standing on moving ground", 0);
+  using Shape = RigidFoundation::Parameters::Shape;
+  test("rolling", Shape::plane, 5);
+  test("standing on moving ground", Shape::plane, 0);
+  test("rolling on a drum", Shape::drum, 5);
 }

@@ -8,6 +8,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
+
 namespace Biface
 {
   /** The geometry of a foundation at a point near it. */
@@ -59,6 +61,23 @@ namespace Biface
      * length. */
     virtual double
     travel_to(const dealii::Point<3> &x) const = 0;
+
+    /** What can turn about its axis under a wheel. */
+    struct Cylinder
+    {
+      /** The unit vector along the axis, to the left of a wheel with the y
+       * axis as its axle: its y component is not negative. */
+      dealii::Tensor<1, 3> axis;
+      /** Negative if it is hollow. */
+      double radius;
+    };
+
+    /** None for shapes that are no cylinders. */
+    virtual std::optional<Cylinder>
+    cylinder() const
+    {
+      return {};
+    }
 
     /** The unit vector and the point of the line of travel. */
     const dealii::Tensor<1, 3> direction;
@@ -140,8 +159,15 @@ namespace Biface
     double
     travel_to(const dealii::Point<3> &x) const override;
 
+    std::optional<Cylinder>
+    cylinder() const override
+    {
+      return Cylinder{axis[1] < 0 ? -axis : axis, radius};
+    }
+
   private:
     const dealii::Tensor<1, 3> axis;
+    const double               radius;
     const RigidSphere          section;
   };
 } // namespace Biface

@@ -51,7 +51,7 @@ namespace Biface
     {
       std::string coefficient    = "0";
       double      regularization = 1e2;
-      /** See SlipVelocityLaw; 0 if not given. */
+      /** See FrictionLaw::critical_velocity; 0 if not given. */
       double critical_velocity = 0;
 
       void
@@ -63,13 +63,15 @@ namespace Biface
     };
 
     /** @param entry the entry of the coefficient, for error messages.
-     * @param coefficient a number or a formula of the contact pressure `p`.
+     * @param coefficient a number or a formula of the contact pressure `p` and
+     * of the slip velocity `s`, which is 0 unless the shell rolls.
      * @param regularization the parameter @f$\varepsilon_t@f$.
      *
      * Throws InputError if the coefficient is neither, or negative. */
     FrictionLaw(const std::string &entry,
                 const std::string &coefficient,
-                const double       regularization);
+                const double       regularization,
+                const double       critical_velocity = 0);
 
     /** Whether the coefficient is the number 0. */
     bool
@@ -78,14 +80,17 @@ namespace Biface
       return constant && *constant == 0;
     }
 
-    /** The maximum traction @f$\tau(p)@f$. Where a formula is negative it
-     * counts as 0; it is not a number where the formula is none. */
-    double
-    limit(const double pressure) const;
+    /** The maximum traction @f$\tau@f$, with its derivatives. */
+    struct Limit
+    {
+      double value = 0, per_pressure = 0, per_speed = 0;
+    };
 
-    /** The derivative @f$\tau'(p)@f$. */
-    double
-    limit_derivative(const double pressure) const;
+    /** Where a formula is negative it counts as 0; the limit is not a number
+     * where the formula is none.
+     * @param speed the slip velocity. */
+    Limit
+    limit(const double pressure, const double speed = 0) const;
 
     /** The trial traction @f$\mathbf q@f$. */
     dealii::Tensor<1, 3>
@@ -113,7 +118,7 @@ namespace Biface
     bool
     should_slip(const dealii::Tensor<1, 3> &trial, const double pressure) const
     {
-      return !(trial.norm() <= limit(pressure));
+      return !(trial.norm() <= value(pressure, 0));
     }
 
     /** The traction of a node that slips, with its derivatives. */
@@ -127,7 +132,14 @@ namespace Biface
     Slip
     slip(const dealii::Tensor<1, 3> &trial, const double pressure) const;
 
+    /** The parameter @f$s_c@f$ of SlipVelocityLaw. */
+    const double critical_velocity;
+
   private:
+    /** See limit(). */
+    double
+    value(const double pressure, const double speed) const;
+
     Formula               coefficient;
     std::optional<double> constant;
     const double          regularization;

@@ -64,10 +64,10 @@ namespace Biface
       return result;
     }
 
-    /** The same foundation moved sideways by a vector and turned by an angle in
-     * radians, right-handed about its direction. The axis of the turn passes
-     * through the given point before the foundation slides, and slides with
-     * it. */
+    /** The same foundation after further motions: moved sideways by a vector
+     * and turned by an angle in radians, right-handed about its direction. The
+     * axis of the turn passes through the given point before the foundation
+     * slides, and slides with it. */
     RigidFoundation
     displaced(const dealii::Tensor<1, 3> &slide,
               const double                turn,
@@ -108,6 +108,18 @@ namespace Biface
     {
       return shape->travel_to(back(x)) - travel;
     }
+
+    /** The present place of the point of the foundation on its line of
+     * travel. */
+    dealii::Point<3>
+    apex() const
+    {
+      return present(shape->point);
+    }
+
+    /** With its present axis, see FoundationShape::cylinder(). */
+    std::optional<FoundationShape::Cylinder>
+    cylinder() const;
 
     /** The unit vector opposite to the direction of travel. */
     const dealii::Tensor<1, 3> &

@@ -3,9 +3,11 @@
 #ifndef biface_contact_rolling_h
 #define biface_contact_rolling_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <biface/contact/friction.h>
+#include <biface/contact/rigid_foundation.h>
 
 namespace Biface
 {
@@ -27,6 +29,47 @@ namespace Biface
   };
 
 
+  /** The rigid motion of the ground in the frame of the axle: a plane moves
+   * straight ahead, a drum turns. */
+  struct GroundMotion
+  {
+    /** That of @p point. Unit: length/time. */
+    dealii::Tensor<1, 3> velocity;
+    /** The angular velocity as a vector; zero for a plane. Unit:
+     * radians/time. */
+    dealii::Tensor<1, 3> spin;
+    dealii::Point<3>     point;
+
+    dealii::Tensor<1, 3>
+    at(const dealii::Point<3> &x) const
+    {
+      return velocity + dealii::cross_product_3d(spin, x - point);
+    }
+
+    /**
+     * The motion of the ground under a wheel that moves over it with a given
+     * speed: that of its surface, for a drum where the line of travel meets it.
+     *
+     * @param ground no sphere. A drum moves along its circumference, so that it
+     * must have been turned by the slip angle, see on_steered().
+     * @param slip_angle by which the wheel moves to the left of its plane, in
+     * radians.
+     */
+    static GroundMotion
+    under_wheel(const RigidFoundation &ground,
+                const double           speed,
+                const double           slip_angle);
+  };
+
+
+  /** The ground at rest under a wheel that is steered: a drum is turned under
+   * the wheel about its line of travel, and the wheel then moves over it to the
+   * left of its plane by the slip angle, in radians. A plane remains as it
+   * is. */
+  RigidFoundation
+  on_steered(const RigidFoundation &ground, const double slip_angle);
+
+
   /**
    * Steady rolling, seen in the frame that moves with the axle: the shape and
    * the ground are at rest, and the material flows through the mesh.
@@ -41,48 +84,37 @@ namespace Biface
     /** @f$\Omega@f$. Unit: radians/time. */
     double angular_velocity = 0;
 
-    /** @f$\mathbf v_g@f$: that of the ground in the frame of the axle. Unit:
-     * length/time. */
-    dealii::Tensor<1, 3> ground_velocity;
-
-    /** @f$s_c@f$, see SlipVelocityLaw. */
-    double critical_velocity = 0;
+    /** @f$\mathbf v_g(\mathbf x)@f$: that of the ground. */
+    GroundMotion ground{};
 
     /** The velocity of a particle relative to the ground.
+     * @param x its position.
      * @param slope @f$\partial\mathbf x/\partial\varphi@f$ */
     dealii::Tensor<1, 3>
-    relative_velocity(const dealii::Tensor<1, 3> &slope) const
+    relative_velocity(const dealii::Point<3>     &x,
+                      const dealii::Tensor<1, 3> &slope) const
     {
-      return -angular_velocity * slope - ground_velocity;
+      return -angular_velocity * slope - ground.at(x);
     }
-
-    /** The velocity of the ground under a wheel that moves over it with a given
-     * speed.
-     * @param slip_angle by which the wheel moves to the left of its plane, in
-     * radians. */
-    static dealii::Tensor<1, 3>
-    ground_velocity_of(const WheelAxes &axes,
-                       const double     speed,
-                       const double     slip_angle);
   };
 
 
   /**
    * Coulomb's law of friction by the slip velocity @f$\mathbf s@f$, the
    * tangential part of the velocity of a particle relative to the ground,
-   * regularized by the critical velocity @f$s_c@f$:
+   * regularized by the critical velocity @f$s_c@f$ of FrictionLaw:
    * @f[
-   *   \mathbf t=-\tau(p)\,\frac{\mathbf s}{\sqrt{|\mathbf s|^2+s_c^2}}
+   *   \mathbf t=-\tau(p,|\mathbf s|)\,
+   *   \frac{\mathbf s}{\sqrt{|\mathbf s|^2+s_c^2}}
    * @f]
-   * with the limit @f$\tau(p)@f$ of FrictionLaw. It has no history. A particle
+   * with the limit @f$\tau@f$ of FrictionLaw. It has no history. A particle
    * that sticks creeps with a velocity below @f$s_c@f$.
    */
   class SlipVelocityLaw
   {
   public:
     /** @param law kept by reference. */
-    SlipVelocityLaw(const FrictionLaw &law, const double critical_velocity)
-      : law(law), critical_velocity(critical_velocity)
+    explicit SlipVelocityLaw(const FrictionLaw &law) : law(law)
     {}
 
     /** The traction on the shell, with its derivatives. */
@@ -100,12 +132,11 @@ namespace Biface
     bool
     slips(const dealii::Tensor<1, 3> &slip) const
     {
-      return slip.norm() > critical_velocity;
+      return slip.norm() > law.critical_velocity;
     }
 
   private:
     const FrictionLaw &law;
-    const double       critical_velocity;
   };
 } // namespace Biface
 

@@ -106,13 +106,6 @@ namespace Biface
              const std::string &coefficient,
              const bool         glued) const;
 
-    /** How the shell rolls over the foundation at rest.
-     * @param speed, slip_angle see Rolling::ground_velocity_of(). */
-    Rolling
-    rolling(const double angular_velocity,
-            const double speed,
-            const double slip_angle) const;
-
     /** The travel at which the foundation just touches a free node of the
      * deformed outer face, one that can come into contact. Throws InputError if
      * it misses the shell, or if the shell does not fit into it. */

@@ -13,18 +13,19 @@
 
 namespace Biface
 {
-  /** The forces and powers of a wheel that rolls over a plane. */
+  /** The forces and powers of a wheel that rolls over a plane or a drum. */
   struct RollingSummary
   {
-    /** Of the ground on the wheel, in the axes of WheelAxes; the moment is
-     * about the contact center, where the line from the center of the wheel
-     * down in its middle plane meets the ground. */
+    /** Of the ground on the wheel; the moment is about the contact center,
+     * where the line from the center of the wheel down in its middle plane
+     * meets the ground. In the axes of WheelAxes there. */
     dealii::Tensor<1, 3> force, moment;
 
     /** See axle_moment(). */
     double axle_moment = 0;
 
-    /** The speed over the ground per angular velocity; not a number without
+    /** The speed over the ground, see GroundMotion::under_wheel(), per angular
+     * velocity; not a number without
      * one. Unit: length. */
     double rolling_radius = 0;
 
@@ -47,7 +48,7 @@ namespace Biface
   };
 
 
-  /** The figures of a converged state on a plane. Must be called on all
+  /** The figures of a converged state. Must be called on all
    * ranks. */
   RollingSummary
   summarize_rolling(const ShellEquations     &equations,
