@@ -539,42 +539,6 @@ namespace Biface
   }
 
 
-  ContactInteraction::Force
-  ContactInteraction::force(const State &state, const Loads &loads) const
-  {
-    const Tensor<1, 3> d     = loads.foundation->direction();
-    double             value = 0, per_travel = 0;
-    LA::Vector         gradient = mesh.owned_vector();
-    for (const Cell &cell : mesh.cells)
-      {
-        MixedElement::NodalVector per_displacement;
-        for (unsigned int v = 0; v < 4; ++v)
-          {
-            const unsigned int node = cell.nodes[v];
-            if (!state.active[node])
-              continue;
-            const Traction     traction   = this->traction(state, loads, node);
-            const Tensor<1, 3> per_motion = d * traction.stiffness;
-            // each column of both masses adds up to a quarter
-            const double area = cell.geometry.weight / 4;
-            value -= area * (traction.value * d);
-            per_travel += area * (per_motion * d);
-            const Tensor<1, 3> m =
-              mesh.nodes[node].surface.to_frame(per_motion);
-            MixedElement::add_force(
-              area * m, v, cell.sign_of_outer_face(v), per_displacement);
-          }
-        mesh.add_nodal_forces(cell, per_displacement, gradient);
-      }
-    gradient.compress(VectorOperation::add);
-    mesh.condense(gradient);
-    const MPI_Comm communicator = mesh.communicator;
-    return {Utilities::MPI::sum(value, communicator),
-            gradient,
-            Utilities::MPI::sum(per_travel, communicator)};
-  }
-
-
   ContactSummary
   ContactInteraction::summarize(const State &state, const Loads &loads) const
   {

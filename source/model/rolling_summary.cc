@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include <biface/model/axle_moment.h>
 #include <biface/model/forces_on_shell.h>
+#include <biface/model/foundation_resultants.h>
 #include <biface/model/rolling_summary.h>
 
 namespace Biface

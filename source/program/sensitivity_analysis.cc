@@ -173,7 +173,7 @@ namespace Biface
   {
     // the next step reads the history of friction, and the displacements if
     // their change is controlled
-    return step.completes_stage || step.loads.friction || step.trial.equation;
+    return step.completes_stage || step.loads.friction || step.trial.equations;
   }
 
 
@@ -200,9 +200,10 @@ namespace Biface
           pressure_gradient = gas->pressure_gradient(step.state);
           denominator       = 1 - *pressure_gradient * per_pressure;
         }
-      if (step.trial.equation)
-        per_parameter = solve(equations.load_direction(
-          step.state, step.loads, step.trial.equation->rates));
+      if (step.trial.equations)
+        for (const LoadRates &rates : step.trial.equations->rates)
+          per_parameter.push_back(
+            solve(equations.load_direction(step.state, step.loads, rates)));
     }
 
     /** The displacements per given forces, with the pressure of the gas; those
@@ -220,9 +221,9 @@ namespace Biface
     LinearSolver &linear_solver;
     /** Why a system was not solved; empty if all were. */
     std::string failure;
-    /** The displacements per unit of the load parameter; empty if it is
+    /** The displacements per unit of each load parameter; empty if they are
      * prescribed. */
-    LA::Vector per_parameter;
+    std::vector<LA::Vector> per_parameter;
 
   private:
     LA::Vector
@@ -324,13 +325,13 @@ namespace Biface
         std::array<LA::Vector, 2> fixed;
         for (unsigned int side = 0; side < 2; ++side)
           fixed[side] = propose(step, *neighbors[2 * e + side]);
-        LA::Vector change = model.mesh->owned_vector();
-        double     dmu    = 0;
+        LA::Vector     change = model.mesh->owned_vector();
+        LoadParameters dmu(step.mu.size());
         // the neighbors at the current derivative
-        const auto move = [&](const LA::Vector &further,
-                              const double      further_mu) {
+        const auto move = [&](const LA::Vector     &further,
+                              const LoadParameters &further_mu) {
           change += further;
-          dmu += further_mu;
+          add(dmu, 1, further_mu);
           for (unsigned int side = 0; side < 2; ++side)
             {
               Neighbor    &neighbor = *neighbors[2 * e + side];
@@ -338,7 +339,9 @@ namespace Biface
               LA::Vector   moved = fixed[side];
               moved.add(half, change);
               neighbor.state.displacement = moved;
-              neighbor.level = neighbor.trial.level(step.mu + half * dmu);
+              LoadParameters mu           = step.mu;
+              add(mu, half, dmu);
+              neighbor.level = neighbor.trial.level(mu);
               neighbor.loads = loads_on(neighbor, neighbor.level);
               if (const auto own_gas = sealed_in(neighbor))
                 neighbor.loads.pressure = neighbor.level.pressure =
@@ -349,7 +352,8 @@ namespace Biface
                                                          neighbor.loads);
             }
         };
-        move(change, 0);
+        const LoadParameters unchanged(step.mu.size());
+        move(change, unchanged);
 
         double left = 0;
         for (unsigned int pass = 0; pass < max_passes; ++pass)
@@ -378,18 +382,18 @@ namespace Biface
               }
             difference /= changes[e].step;
             const LA::Vector correction = tangent.solve(difference);
-            move(correction, 0);
+            move(correction, unchanged);
 
-            if (step.trial.equation)
+            if (step.trial.equations)
               {
-                std::array<double, 2> mu{};
-                const LA::Vector      none = model.mesh->owned_vector();
+                std::array<LoadParameters, 2> mu;
+                const LA::Vector              none = model.mesh->owned_vector();
                 for (unsigned int side = 0; side < 2; ++side)
                   {
                     Neighbor  &neighbor = *neighbors[2 * e + side];
                     LA::Vector total = owned_part(neighbor.state.displacement);
                     total -= owned_part(neighbor.before.displacement);
-                    mu[side] = neighbor.trial.equation->parameter_change(
+                    mu[side] = neighbor.trial.equations->parameter_changes(
                       {neighbor.model.equations,
                        neighbor.model.contact,
                        neighbor.state,
@@ -399,10 +403,13 @@ namespace Biface
                       none,
                       tangent.per_parameter);
                   }
-                const double dmu = (mu[1] - mu[0]) / changes[e].step;
-                LA::Vector   further(tangent.per_parameter);
-                further *= dmu;
-                move(further, dmu);
+                LoadParameters further_mu(step.mu.size());
+                add(further_mu, 1 / changes[e].step, mu[1]);
+                add(further_mu, -1 / changes[e].step, mu[0]);
+                LA::Vector further = model.mesh->owned_vector();
+                for (unsigned int i = 0; i < further_mu.size(); ++i)
+                  further.add(further_mu[i], tangent.per_parameter[i]);
+                move(further, further_mu);
               }
             // without friction, the forces of contact are linear
             if (!step.loads.friction)

@@ -99,7 +99,7 @@ namespace Biface
   {
     Iterate(State                    &state,
             const ParametrizedLoads  &path,
-            double                   &mu,
+            LoadParameters           &mu,
             const NewtonIteration     iteration,
             const bool                zone_given,
             const ContactInteraction &contact,
@@ -120,7 +120,7 @@ namespace Biface
 
     State                   &state;
     const ParametrizedLoads &parametrized;
-    double                  &mu;
+    LoadParameters          &mu;
     const NewtonIteration    iteration;
     const bool               zone_given;
     Loads                    loads;
@@ -142,12 +142,12 @@ namespace Biface
     bool
     is_at_rest() const
     {
-      return result.iterations == 0 ? parametrized.equation == nullptr &&
+      return result.iterations == 0 ? parametrized.equations == nullptr &&
                                         !zone_given && !loads.friction
                                     : n_changes == 0;
     }
 
-    ControlEquation::Iteration
+    ControlEquations::Iteration
     here(const ShellEquations     &equations,
          const ContactInteraction &contact) const
     {
@@ -160,7 +160,7 @@ namespace Biface
   NewtonResult
   Newton::solve(State                   &state,
                 const ParametrizedLoads &loads,
-                double                  &mu,
+                LoadParameters          &mu,
                 const NewtonIteration    iteration,
                 const bool               zone_given)
   {
@@ -292,9 +292,9 @@ namespace Biface
     // computed
     constexpr double minimum_tolerance = 1e-6;
 
-    const ControlEquation *equation = iterate.parametrized.equation;
-    return equation == nullptr ||
-           equation->violation(iterate.here(equations, contact)) <=
+    const ControlEquations *control = iterate.parametrized.equations;
+    return control == nullptr ||
+           control->violation(iterate.here(equations, contact)) <=
              std::max(parameters.residual_tolerance, minimum_tolerance);
   }
 
@@ -321,7 +321,7 @@ namespace Biface
     if (!linear.success)
       return Failure{linear.cause, linear.message};
     equations.distribute(increment.displacement);
-    increment.mu       = 0;
+    increment.mu.clear();
     iterate.last_error = linear.error * increment.displacement.linfty_norm();
 
     // the displacements per change of a load; supported ones do not change
@@ -361,21 +361,28 @@ namespace Biface
     };
     add_gas(increment.displacement);
 
-    if (const ControlEquation *equation = iterate.parametrized.equation)
+    if (const ControlEquations *control = iterate.parametrized.equations)
       {
-        const ControlEquation::Iteration here =
+        const ControlEquations::Iteration here =
           iterate.here(equations, contact);
-        LA::Vector per_parameter = equations.mesh.owned_vector();
-        if (!solve_for(equation->rates, per_parameter))
-          return Failure{linear.cause, linear.message};
-        add_gas(per_parameter);
-        increment.mu = equation->parameter_change(
+        std::vector<LA::Vector> per_parameter(control->rates.size(),
+                                              equations.mesh.owned_vector());
+        for (unsigned int i = 0; i < per_parameter.size(); ++i)
+          {
+            if (!solve_for(control->rates[i], per_parameter[i]))
+              return Failure{linear.cause, linear.message};
+            add_gas(per_parameter[i]);
+          }
+        increment.mu = control->parameter_changes(
           here, increment.displacement, per_parameter);
-        if (!std::isfinite(increment.mu))
-          return Failure{FailureCause::control,
-                         "the controlled quantity does not depend on the "
-                         "loads"};
-        increment.displacement.add(increment.mu, per_parameter);
+        for (unsigned int i = 0; i < per_parameter.size(); ++i)
+          {
+            if (!std::isfinite(increment.mu[i]))
+              return Failure{FailureCause::control,
+                             "the controlled quantity does not depend on the "
+                             "loads"};
+            increment.displacement.add(increment.mu[i], per_parameter[i]);
+          }
       }
     return {};
   }
@@ -385,7 +392,8 @@ namespace Biface
   Newton::move(Iterate &iterate, const Increment &increment)
   {
     TimerOutput::Scope scope(timer, "Update of the state");
-    iterate.mu += increment.mu;
+    if (!increment.mu.empty())
+      add(iterate.mu, 1, increment.mu);
     iterate.total += increment.displacement;
     const auto contacts = contact.linearize(iterate.state, iterate.loads);
     equations.update(iterate.state, increment.displacement, iterate.iteration);

@@ -328,7 +328,7 @@ namespace Biface
         if (first.slip_angle != 0)
           out << ", slip angle " << first.slip_angle;
       }
-    out << (trial.equation ? " at its start" : "") << std::endl;
+    out << (trial.equations ? " at its start" : "") << std::endl;
   }
 
 
@@ -380,7 +380,7 @@ namespace Biface
   LoadStepping::converge(const StageRun       &run,
                          const Control::Trial &trial,
                          const State          &guess,
-                         const double          mu,
+                         const LoadParameters &mu,
                          const NewtonIteration iteration,
                          const bool            zone_given)
   {
@@ -392,8 +392,8 @@ namespace Biface
     if (run.progress.gas_content)
       sealed.emplace(*gas, *run.progress.gas_content);
     const ParametrizedLoads loads{
-      [&](const double mu) { return loads_at(trial.level(mu), run); },
-      trial.equation.get(),
+      [&](const LoadParameters &mu) { return loads_at(trial.level(mu), run); },
+      trial.equations.get(),
       sealed ? &*sealed : nullptr};
     attempt.result =
       newton.solve(attempt.state, loads, attempt.mu, iteration, zone_given);
@@ -529,8 +529,8 @@ namespace Biface
   {
     constexpr unsigned int max_attempts = 40, max_cuts = 6;
 
-    const bool        to_given_loads = (trial.equation == nullptr);
-    const double      target         = trial.mu;
+    const bool        to_given_loads = (trial.equations == nullptr);
+    const double      target         = trial.mu[0];
     const LA::Vector &shape          = run.progress.branch;
     const auto        fail           = [&](const std::string &why) {
       out << "  the other branch was not found: " << why << "; the path goes on"
@@ -543,7 +543,7 @@ namespace Biface
     along.size           = 0;
     Attempt reached;
     reached.state           = run.state;
-    reached.mu              = run.control.done();
+    reached.mu              = {run.control.done()};
     unsigned int iterations = 0, n_cuts = 0;
     double       amplitude = 0;
     double increment = run.stage.branch_amplitude * equations.mesh.thickness();
@@ -552,7 +552,7 @@ namespace Biface
         out << "  to the other branch, largest displacement in the critical "
                "shape "
             << amplitude + increment << std::endl;
-        along.equation = std::make_shared<const ShapeEquation>(
+        along.equations = std::make_shared<const ShapeEquation>(
           run.control.load_rate(), shape, amplitude + increment);
         State      guess = reached.state;
         LA::Vector change(shape);
@@ -572,17 +572,17 @@ namespace Biface
           }
         reached = attempt;
         amplitude += increment;
-        if (!to_given_loads || reached.mu >= target)
+        if (!to_given_loads || reached.mu[0] >= target)
           break;
         if (n_cuts == 0)
           increment = amplitude;
       }
     if (to_given_loads)
       {
-        if (reached.mu < target)
+        if (reached.mu[0] < target)
           return fail("it does not reach the loads of the next step");
         reached = converge(
-          run, trial, reached.state, target, newton.parameters.iteration);
+          run, trial, reached.state, trial.mu, newton.parameters.iteration);
         iterations += reached.result.iterations;
         if (!reached.result.converged && !reached.result.stopped)
           return fail(reached.result.failure.message);
@@ -613,8 +613,11 @@ namespace Biface
     if (attempt.to_branch)
       progress.predictor.reset();
     else if (trial.size > 0)
-      progress.predictor.learn(
-        run.state, attempt.state, attempt.mu - trial.mu, trial.size);
+      {
+        LoadParameters change = attempt.mu;
+        add(change, -1, trial.mu);
+        progress.predictor.learn(run.state, attempt.state, change, trial.size);
+      }
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
     const Loads before = loads_at(progress.reached, run);

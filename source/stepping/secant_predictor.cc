@@ -7,10 +7,10 @@ namespace Biface
   using namespace dealii;
 
   void
-  SecantPredictor::learn(const State &before,
-                         const State &after,
-                         const double mu_change,
-                         const double size)
+  SecantPredictor::learn(const State          &before,
+                         const State          &after,
+                         const LoadParameters &mu_change,
+                         const double          size)
   {
     Step step;
     step.displacement = owned_part(after.displacement);
@@ -24,12 +24,14 @@ namespace Biface
 
 
   void
-  SecantPredictor::predict(State &state, double &mu, const double size) const
+  SecantPredictor::predict(State          &state,
+                           LoadParameters &mu,
+                           const double    size) const
   {
     if (!last)
       return;
     const double ratio = size / last->size;
-    mu += ratio * last->mu;
+    add(mu, ratio, last->mu);
 
     LA::Vector displacement = owned_part(state.displacement);
     displacement.add(ratio, last->displacement);

@@ -172,7 +172,9 @@ namespace Biface
       "first step: 1/Steps of the loads), or 'foundation force' (equal steps "
       "of the force on the foundation and of all loads; the travel is "
       "computed), or 'axle moment' (equal steps of the moment of the axle on a "
-      "rolling wheel and of all loads; the angular velocity is computed).",
+      "rolling wheel and of all loads; the angular velocity is computed), or "
+      "'foundation force and axle moment' (both are prescribed, travel and "
+      "angular velocity are computed).",
       Patterns::Selection(selection));
     prm.add_parameter("Control point",
                       control_point,
@@ -194,13 +196,14 @@ namespace Biface
     prm.add_parameter("Force",
                       force,
                       "Compressive force on the foundation at the end of a "
-                      "stage with 'Control = foundation force'. Unit: force.",
+                      "stage whose 'Control' prescribes it. Unit: force.",
                       Patterns::Double());
     prm.add_parameter("Axle moment",
                       axle_moment,
                       "Moment of the axle on the wheel about the y axis at the "
-                      "end of a stage with 'Control = axle moment': 0 for free "
-                      "rolling, negative for braking. Unit: force*length.",
+                      "end of a stage whose 'Control' prescribes it: 0 for "
+                      "free rolling, negative for braking. Unit: "
+                      "force*length.",
                       Patterns::Double());
     prm.add_parameter("Steps",
                       n_steps,
@@ -341,14 +344,16 @@ namespace Biface
       throw InputError(section + "/Strain theory",
                        "linear",
                        "a linear stage must have 'Control = load'");
-    if (control != "foundation force" && force != 0)
+    if (!prescribes("foundation force") && force != 0)
       throw InputError(section + "/Force",
                        number_to_string(force),
-                       "it needs 'Control = foundation force'");
-    if (control != "axle moment" && axle_moment != 0)
+                       "it needs 'Control = foundation force' or "
+                       "'foundation force and axle moment'");
+    if (!prescribes("axle moment") && axle_moment != 0)
       throw InputError(section + "/Axle moment",
                        number_to_string(axle_moment),
-                       "it needs 'Control = axle moment'");
+                       "it needs 'Control = axle moment' or 'foundation "
+                       "force and axle moment'");
     if (!contact && travel.value_or(0) != 0)
       throw InputError(section + "/Travel",
                        number_to_string(*travel),

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <biface/model/foundation_resultants.h>
+
 #include "coarse_torus.h"
 #include <cord_ply.h>
 #include <tests.h>
@@ -74,9 +76,11 @@ namespace
     LA::Vector       product = mesh->owned_vector();
     equations.assemble(state, loads);
     equations.tangent().vmult(product, dV);
-    const double scale          = product.l2_norm();
-    const auto   force          = contact.force(state, loads);
-    double       gradient       = force.gradient * dV;
+    const double scale = product.l2_norm();
+    LoadRates    rates;
+    rates.travel          = 1;
+    const auto   force    = foundation_force(equations, state, loads, {rates});
+    double       gradient = force.gradient * dV;
     const double gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
     for (const double sign : {-1., 1.})
       {
@@ -86,21 +90,21 @@ namespace
         const State moved = at(equations, state, V);
         equations.assemble(moved, loads);
         product.add(sign / (2 * step), equations.residual());
-        gradient -= sign / (2 * step) * contact.force(moved, loads).value;
+        gradient -=
+          sign / (2 * step) * foundation_force(equations, moved, loads).value;
       }
 
-    LoadRates rates;
-    rates.travel                = 1;
     LA::Vector   direction      = equations.load_direction(state, loads, rates);
     const double direction_norm = direction.l2_norm();
-    double       per_travel     = force.per_travel;
+    double       per_travel     = force.per_load[0];
     for (const double sign : {-1., 1.})
       {
         Loads moved      = loads;
         moved.foundation = loads.foundation->moved(sign * step);
         equations.assemble(state, moved);
         direction.add(-sign / (2 * step), equations.residual());
-        per_travel -= sign / (2 * step) * contact.force(state, moved).value;
+        per_travel -=
+          sign / (2 * step) * foundation_force(equations, state, moved).value;
       }
 
     const double       deviation  = product.l2_norm() / scale;
@@ -114,7 +118,7 @@ namespace
     check_small("  tangent", deviation, 1e-8);
     check_small("  residual by travel", by_travel, 1e-8, direction_norm);
     check_small("  force by displacements", gradient, 1e-8, gradient_scale);
-    check_small("  force by travel", per_travel, 1e-8, force.per_travel);
+    check_small("  force by travel", per_travel, 1e-8, force.per_load[0]);
     check_true("  not symmetric", !equations.is_symmetric(loads));
   }
 } // namespace

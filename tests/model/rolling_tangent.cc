@@ -4,13 +4,14 @@
 // drum, some nodes slipping, with a coefficient of friction that depends on
 // pressure and slip velocity, the tangent is the derivative of the residual,
 // also by the angular velocity and by the travel of the ground, and so are the
-// derivatives of the moment of the axle; without friction the tangent is
-// symmetric. A wheel that stands still in the same frame has the same
-// derivatives.
+// derivatives of the moment of the axle and of the force on the ground; without
+// friction the tangent is symmetric. A wheel that stands still in the same
+// frame has the same derivatives.
 
+#include <array>
 #include <cmath>
 
-#include <biface/model/axle_moment.h>
+#include <biface/model/foundation_resultants.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -59,15 +60,25 @@ namespace
     const unsigned int n_active   = contact.count_active(state);
     const unsigned int n_slipping = contact.count_slipping(state, loads);
 
+    // by the displacements
     const double     step    = 1e-5;
     const LA::Vector dV      = some_displacement(*mesh, 1, 4);
     LA::Vector       product = mesh->owned_vector();
     equations.assemble(state, loads);
     equations.tangent().vmult(product, dV);
-    const double scale          = product.l2_norm();
-    const auto   moment         = axle_moment(equations, state, loads);
-    double       gradient       = moment.gradient * dV;
-    const double gradient_scale = moment.gradient.l2_norm() * dV.l2_norm();
+    const double           scale = product.l2_norm();
+    std::vector<LoadRates> rates(2);
+    rates[0].angular_velocity = 1;
+    rates[1].travel           = 1;
+    const auto resultants     = [&](const State &state, const Loads &loads) {
+      return std::array<FoundationResultant, 2>{
+        {axle_moment(equations, state, loads, rates),
+         foundation_force(equations, state, loads, rates)}};
+    };
+    const auto            here = resultants(state, loads);
+    std::array<double, 2> gradients{};
+    for (unsigned int i = 0; i < 2; ++i)
+      gradients[i] = here[i].gradient * dV;
     for (const double sign : {-1., 1.})
       {
         LA::Vector V = mesh->owned_vector();
@@ -76,35 +87,34 @@ namespace
         const State moved = at(equations, state, V);
         equations.assemble(moved, loads);
         product.add(sign / (2 * step), equations.residual());
-        gradient -=
-          sign / (2 * step) * axle_moment(equations, moved, loads).value;
+        const auto there = resultants(moved, loads);
+        for (unsigned int i = 0; i < 2; ++i)
+          gradients[i] -= sign / (2 * step) * there[i].value;
       }
 
-    LoadRates rates;
-    rates.angular_velocity    = 1;
-    LA::Vector   direction    = equations.load_direction(state, loads, rates);
-    const double norm         = direction.l2_norm();
-    double       per_velocity = moment.per_angular_velocity;
-    for (const double sign : {-1., 1.})
+    // by the loads
+    std::array<double, 2>                by_load{}, load_scales{};
+    std::array<std::array<double, 2>, 2> per_load{};
+    for (unsigned int l = 0; l < 2; ++l)
       {
-        Loads moved = loads;
-        moved.rolling->angular_velocity += sign * step;
-        equations.assemble(state, moved);
-        direction.add(-sign / (2 * step), equations.residual());
-        per_velocity -=
-          sign / (2 * step) * axle_moment(equations, state, moved).value;
-      }
-
-    rates                    = LoadRates();
-    rates.travel             = 1;
-    LA::Vector   by_travel   = equations.load_direction(state, loads, rates);
-    const double travel_norm = by_travel.l2_norm();
-    for (const double sign : {-1., 1.})
-      {
-        Loads moved = loads;
-        set_travel(moved, 15 + sign * step);
-        equations.assemble(state, moved);
-        by_travel.add(-sign / (2 * step), equations.residual());
+        LA::Vector direction = equations.load_direction(state, loads, rates[l]);
+        load_scales[l]       = direction.l2_norm();
+        for (unsigned int i = 0; i < 2; ++i)
+          per_load[i][l] = here[i].per_load[l];
+        for (const double sign : {-1., 1.})
+          {
+            Loads moved = loads;
+            if (l == 0)
+              moved.rolling->angular_velocity += sign * step;
+            else
+              set_travel(moved, 15 + sign * step);
+            equations.assemble(state, moved);
+            direction.add(-sign / (2 * step), equations.residual());
+            const auto there = resultants(state, moved);
+            for (unsigned int i = 0; i < 2; ++i)
+              per_load[i][l] -= sign / (2 * step) * there[i].value;
+          }
+        by_load[l] = direction.l2_norm();
       }
 
     Loads smooth = loads;
@@ -117,22 +127,33 @@ namespace
     const double asymmetry       = left * other - right * dV;
     const double asymmetry_scale = left.l2_norm() * other.l2_norm();
 
-    const double deviation    = product.l2_norm() / scale;
-    const double by_omega     = direction.l2_norm();
-    const double travel_error = by_travel.l2_norm();
+    const double          deviation = product.l2_norm() / scale;
+    std::array<double, 2> gradient_scales{};
+    for (unsigned int i = 0; i < 2; ++i)
+      gradient_scales[i] = here[i].gradient.l2_norm() * dV.l2_norm();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     std::cout << name << std::endl;
     check_range("  nodes in contact", n_active, 4, 40);
     check_range("  nodes that slip", n_slipping, omega == 0 ? 0 : 1, 40);
     check_small("  tangent", deviation, 1e-8);
-    check_small("  residual by angular velocity", by_omega, 1e-8, norm);
-    check_small("  residual by travel", travel_error, 1e-8, travel_norm);
-    check_small("  moment by displacements", gradient, 1e-8, gradient_scale);
-    check_small("  moment by angular velocity",
-                per_velocity,
-                1e-7,
-                moment.per_angular_velocity);
+    const std::array<std::string, 2> names{{"moment", "force"}},
+      load_names{{"angular velocity", "travel"}};
+    for (unsigned int l = 0; l < 2; ++l)
+      check_small(
+        "  residual by " + load_names[l], by_load[l], 1e-8, load_scales[l]);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        check_small("  " + names[i] + " by displacements",
+                    gradients[i],
+                    1e-8,
+                    gradient_scales[i]);
+        for (unsigned int l = 0; l < 2; ++l)
+          check_small("  " + names[i] + " by " + load_names[l],
+                      per_load[i][l],
+                      1e-7,
+                      i == 0 ? 250 * load_scales[l] : load_scales[l]);
+      }
     check_true("  not symmetric", !equations.is_symmetric(loads));
     check_true("  symmetric without friction", equations.is_symmetric(smooth));
     check_small("  its asymmetry", asymmetry, 1e-12, asymmetry_scale);

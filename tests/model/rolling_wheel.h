@@ -11,18 +11,11 @@
 #include <run_analysis.h>
 #include <tests.h>
 
-struct RollingRun
-{
-  /** The vertical force of the wheel at rest. */
-  double                              standing = 0;
-  std::vector<Biface::RollingSummary> rolling;
-};
-
-
 /** Run the bias tire on a coarse mesh, pressed by 12 mm, in a third stage
- * rolling freely over the ground in two steps. */
-inline RollingRun
-roll(const std::vector<Biface::Override> &changes)
+ * rolling freely over the ground in two steps.
+ * @return the reports of all steps. */
+inline std::vector<Biface::StepReport>
+rolling_reports(const std::vector<Biface::Override> &changes)
 {
   std::vector<Biface::Override> overrides{
     "Contact/Multiplier mass=lumped",
@@ -38,9 +31,24 @@ roll(const std::vector<Biface::Override> &changes)
     "Stage 3/Control=axle moment",
     "Stage 3/Steps=2"};
   overrides.insert(overrides.end(), changes.begin(), changes.end());
+  return run_analysis(PRM_DIR "/bias_tire.prm", overrides);
+}
+
+
+struct RollingRun
+{
+  /** The vertical force of the wheel at rest. */
+  double                              standing = 0;
+  std::vector<Biface::RollingSummary> rolling;
+};
+
+
+/** Those of the steps that roll, see rolling_reports(). */
+inline RollingRun
+roll(const std::vector<Biface::Override> &changes)
+{
   RollingRun run;
-  for (const Biface::StepReport &report :
-       run_analysis(PRM_DIR "/bias_tire.prm", overrides))
+  for (const Biface::StepReport &report : rolling_reports(changes))
     if (report.rolling)
       run.rolling.push_back(*report.rolling);
     else

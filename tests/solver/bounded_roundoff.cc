@@ -35,19 +35,19 @@ main(int argc, char *argv[])
   state.displacement = distance;
 
   ParametrizedLoads loads;
-  loads.at = [](const double) {
+  loads.at = [](const LoadParameters &) {
     Loads loads;
     loads.pressure = 1e-6;
     return loads;
   };
-  equations.assemble(state, loads.at(0));
+  equations.assemble(state, loads.at({0}));
   check_true("round-off may be as large as the load",
              equations.relative_roundoff(state) >
                equations.relative_residual());
 
   IdleSolver solver;
   Newton newton(Newton::Parameters(), equations, contact, solver, out, timer);
-  double mu = 0;
+  LoadParameters     mu{0};
   const NewtonResult result =
     newton.solve(state, loads, mu, NewtonIteration::mixed);
   std::cout << (result.converged ? "converged" : result.failure.message)

@@ -66,14 +66,14 @@ main(int argc, char *argv[])
     {
       const StuckEquation equation(violation);
       ParametrizedLoads   loads;
-      loads.equation = &equation;
-      loads.at       = [](const double part) {
+      loads.equations = &equation;
+      loads.at        = [](const LoadParameters &part) {
         Loads loads;
-        loads.pressure = 0.15 * part;
+        loads.pressure = 0.15 * part[0];
         return loads;
       };
       State              state(*mesh);
-      double             part = 0.5;
+      LoadParameters     part{0.5};
       const NewtonResult result =
         newton.solve(state, loads, part, NewtonIteration::mixed);
       check_true("the forces are in balance", result.residuals.back() < 1e-8);

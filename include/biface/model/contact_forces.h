@@ -14,7 +14,7 @@ namespace Biface
    * The force on node r is
    * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
    * node s, like the multipliers: the traction is interpolated. The forces
-   * therefore add up to ContactInteraction::force() for both multiplier masses.
+   * therefore add up to foundation_force() for both multiplier masses.
    * Without friction, with the lumped mass, they have the potential
    * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
    * symmetric tangent. Neither would be true with the normal at node r. With

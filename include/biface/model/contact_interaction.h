@@ -242,20 +242,6 @@ namespace Biface
              const Loads       &loads,
              const unsigned int node) const;
 
-    /** The compressive force on the foundation, see ContactSummary, from
-     * traction(), with its derivatives for a fixed active set. */
-    struct Force
-    {
-      double value;
-      /** With respect to the displacements. */
-      LA::Vector gradient;
-      /** With respect to the travel of the foundation. */
-      double per_travel;
-    };
-
-    Force
-    force(const State &state, const Loads &loads) const;
-
     /** The figures from the multipliers of the state. */
     ContactSummary
     summarize(const State &state, const Loads &loads) const;

@@ -4,6 +4,7 @@
 #define biface_solver_control_equation_h
 
 #include <optional>
+#include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact_interaction.h>
@@ -12,21 +13,38 @@
 
 namespace Biface
 {
+  /** The load parameters @f$\mu_i@f$, on which the loads of a step depend. */
+  using LoadParameters = std::vector<double>;
+
+  /** Add a multiple of changes of the same number of parameters. */
+  inline void
+  add(LoadParameters       &parameters,
+      const double          factor,
+      const LoadParameters &changes)
+  {
+    AssertDimension(parameters.size(), changes.size());
+    for (unsigned int i = 0; i < parameters.size(); ++i)
+      parameters[i] += factor * changes[i];
+  }
+
+
   /**
-   * An equation that replaces prescribed loads: the load parameter @f$\mu@f$
-   * becomes an unknown of Newton's method, and every iteration solves for two
-   * increments, @f$d\mathbf V_R@f$ for the residual and @f$d\mathbf V_q@f$ for
-   * a unit change of @f$\mu@f$; the equation then determines @f$d\mu@f$ in
-   * @f$d\mathbf V = d\mathbf V_R + d\mu\,d\mathbf V_q@f$ @cite Crisfield1981.
+   * Equations that replace prescribed loads: the load parameters @f$\mu_i@f$
+   * become unknowns of Newton's method, as many as there are equations. Every
+   * iteration solves for the increments @f$d\mathbf V_R@f$ for the residual and
+   * @f$d\mathbf V_i@f$ for a unit change of each @f$\mu_i@f$; the equations
+   * then determine @f$d\mu_i@f$ in @f$d\mathbf V = d\mathbf V_R +
+   * \sum_i d\mu_i\,d\mathbf V_i@f$ @cite Crisfield1981.
    */
-  class ControlEquation
+  class ControlEquations
   {
   public:
-    /** @param rates the derivatives of the loads by @f$\mu@f$. */
-    explicit ControlEquation(const LoadRates &rates) : rates(rates)
+    /** @param rates the derivatives of the loads by each @f$\mu_i@f$. */
+    explicit ControlEquations(const std::vector<LoadRates> &rates)
+      : rates(rates)
     {}
 
-    virtual ~ControlEquation() = default;
+    virtual ~ControlEquations() = default;
 
     /** The current iterate of Newton's method. */
     struct Iteration
@@ -42,18 +60,43 @@ namespace Biface
       std::optional<unsigned int> n_negative_pivots;
     };
 
-    /** @f$d\mu@f$ of this iteration; not finite if the equation does not depend
-     * on the loads. */
+    /** All @f$d\mu_i@f$ of this iteration; not finite if the equations do not
+     * depend on the loads.
+     * @param dV_q one for each parameter. */
+    virtual LoadParameters
+    parameter_changes(const Iteration               &iteration,
+                      const LA::Vector              &dV_R,
+                      const std::vector<LA::Vector> &dV_q) const = 0;
+
+    /** The largest violation of an equation, relative to the prescribed
+     * value. */
+    virtual double
+    violation(const Iteration &iteration) const = 0;
+
+    const std::vector<LoadRates> rates;
+  };
+
+
+  /** A single equation for a single load parameter. */
+  class ControlEquation : public ControlEquations
+  {
+  public:
+    explicit ControlEquation(const LoadRates &rates) : ControlEquations({rates})
+    {}
+
+    /** See parameter_changes(). */
     virtual double
     parameter_change(const Iteration  &iteration,
                      const LA::Vector &dV_R,
                      const LA::Vector &dV_q) const = 0;
 
-    /** The violation of the equation, relative to the prescribed value. */
-    virtual double
-    violation(const Iteration &iteration) const = 0;
-
-    const LoadRates rates;
+    LoadParameters
+    parameter_changes(const Iteration               &iteration,
+                      const LA::Vector              &dV_R,
+                      const std::vector<LA::Vector> &dV_q) const override
+    {
+      return {parameter_change(iteration, dV_R, dV_q[0])};
+    }
   };
 
 } // namespace Biface

@@ -22,19 +22,20 @@
 
 namespace Biface
 {
-  /** The loads as functions of one load parameter @f$\mu@f$. */
+  /** The loads as functions of load parameters. */
   struct ParametrizedLoads
   {
-    std::function<Loads(const double)> at;
-    /** The equation that determines @f$\mu@f$; null if it is prescribed. */
-    const ControlEquation *equation = nullptr;
+    std::function<Loads(const LoadParameters &)> at;
+    /** The equations that determine the parameters; null if they are
+     * prescribed. */
+    const ControlEquations *equations = nullptr;
     /** The gas whose pressure is that of the loads; null if it is
      * prescribed. */
     const Gas::Sealed *gas = nullptr;
 
-    /** The loads for a load parameter and a state. */
+    /** The loads for given parameters and a state. */
     Loads
-    on(const State &state, const double mu) const
+    on(const State &state, const LoadParameters &mu) const
     {
       Loads loads = at(mu);
       if (gas)
@@ -111,9 +112,9 @@ namespace Biface
      *
      * @param state the initial guess, then the result; meaningless if the
      * iteration did not converge.
-     * @param loads the loads as functions of the load parameter.
-     * @param mu the load parameter: the initial guess, then, if an equation
-     * determines it, the result.
+     * @param loads the loads as functions of the load parameters.
+     * @param mu the load parameters: the initial guess, then, if equations
+     * determine them, the result.
      * @param iteration see NewtonIteration.
      * @param zone_given whether the first iteration keeps the active set of the
      * state, even if its displacements imply a different one.
@@ -121,7 +122,7 @@ namespace Biface
     NewtonResult
     solve(State                   &state,
           const ParametrizedLoads &loads,
-          double                  &mu,
+          LoadParameters          &mu,
           const NewtonIteration    iteration,
           const bool               zone_given = false);
 
@@ -130,11 +131,12 @@ namespace Biface
   private:
     struct Iterate;
 
-    /** An increment of the displacements and of the load parameter. */
+    /** An increment of the displacements and, if they are unknown, of the load
+     * parameters. */
     struct Increment
     {
-      LA::Vector displacement;
-      double     mu = 0;
+      LA::Vector     displacement;
+      LoadParameters mu;
     };
 
     void
@@ -143,8 +145,8 @@ namespace Biface
     bool
     is_converged(const Iterate &iterate) const;
 
-    /** Whether the equation for the load parameter is satisfied, if there is
-     * one. */
+    /** Whether the equations for the load parameters are satisfied, if there
+     * are any. */
     bool
     is_satisfied(const Iterate &iterate) const;
 

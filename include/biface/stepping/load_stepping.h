@@ -128,10 +128,10 @@ namespace Biface
     /** The result of an attempt at a step. */
     struct Attempt
     {
-      NewtonResult result;
-      State        state;
-      double       mu = 0;
-      /** The loads at the final load parameter. */
+      NewtonResult   result;
+      State          state;
+      LoadParameters mu;
+      /** The loads at the final load parameters. */
       LoadLevel level;
       /** Whether it has left the path for another branch. */
       bool to_branch = false;
@@ -173,13 +173,13 @@ namespace Biface
             const NewtonIteration iteration,
             const bool            secant);
 
-    /** Newton's method from a given state and load parameter.
+    /** Newton's method from a given state and load parameters.
      * @param zone_given see Newton::solve(). */
     Attempt
     converge(const StageRun       &run,
              const Control::Trial &trial,
              const State          &guess,
-             const double          mu,
+             const LoadParameters &mu,
              const NewtonIteration iteration,
              const bool            zone_given = false);
 

@@ -9,13 +9,14 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/element/modes.h>
 #include <biface/model/state.h>
+#include <biface/solver/control_equation.h>
 
 namespace Biface
 {
   /**
-   * Predicts a step by extrapolating displacements, resultants and an unknown
-   * load parameter, such as the travel of the foundation, from the last step in
-   * proportion to the loads. The active set follows from displacements and
+   * Predicts a step by extrapolating displacements, resultants and unknown
+   * load parameters, such as the travel of the foundation, from the last step
+   * in proportion to the loads. The active set follows from displacements and
    * travel.
    */
   class SecantPredictor
@@ -29,19 +30,19 @@ namespace Biface
     }
 
     /** Record a converged step.
-     * @param mu_change the change of the load parameter, if it is unknown;
-     * otherwise 0.
+     * @param mu_change the changes of the load parameters, 0 unless they are
+     * unknown.
      * @param size the change of the loads, in any measure. */
     void
-    learn(const State &before,
-          const State &after,
-          const double mu_change,
-          const double size);
+    learn(const State          &before,
+          const State          &after,
+          const LoadParameters &mu_change,
+          const double          size);
 
-    /** Extrapolate a state and its load parameter by a step of the given size,
+    /** Extrapolate a state and its load parameters by a step of the given size,
      * if a step was recorded. */
     void
-    predict(State &state, double &mu, const double size) const;
+    predict(State &state, LoadParameters &mu, const double size) const;
 
     /** The changes in a step. */
     struct Step
@@ -49,7 +50,7 @@ namespace Biface
       /** The locally owned entries. */
       LA::Vector                 displacement;
       std::vector<Modes::Vector> resultants;
-      double                     mu   = 0;
+      LoadParameters             mu;
       double                     size = 0;
     };
 
@@ -72,7 +73,7 @@ namespace Biface
     serialize(Archive &archive, const unsigned int)
     {
       bool                known = last.has_value();
-      double              mu    = (known ? last->mu : 0.);
+      LoadParameters      mu    = (known ? last->mu : LoadParameters());
       double              size  = (known ? last->size : 0.);
       archive &known &mu &size;
       if (known && !last)

@@ -171,7 +171,14 @@ namespace Biface
     bool
     rolls(const LoadLevel &start) const
     {
-      return start.rolls() || end(start).rolls() || control == "axle moment";
+      return start.rolls() || end(start).rolls() || prescribes("axle moment");
+    }
+
+    /** Whether the control prescribes a quantity, alone or with another. */
+    bool
+    prescribes(const std::string &quantity) const
+    {
+      return control.find(quantity) != std::string::npos;
     }
 
     /** Whether steps end at critical points. */
@@ -187,7 +194,7 @@ namespace Biface
     moves_foundation() const
     {
       return contact &&
-             (travel || slide || turn || control == "foundation force");
+             (travel || slide || turn || prescribes("foundation force"));
     }
 
     /** @param number the number of the stage, for its default name. */

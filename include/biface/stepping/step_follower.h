@@ -34,8 +34,8 @@ namespace Biface
       /** Of the control, before it accepted the step. */
       const Control::Memory &memory;
       const Control::Trial  &trial;
-      /** The final load parameter. */
-      double mu;
+      /** The final load parameters. */
+      LoadParameters mu;
       /** The state before the history of friction is recorded. */
       const State &state;
       const Loads &loads;

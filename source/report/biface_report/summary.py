@@ -64,7 +64,8 @@ def unfinished(run):
                 f"{', '.join(rest)}."]
     last = f"Stage {planned[-1][0]}/"
     goals = {"load": [("Pressure", "pressure"), ("Load factor", "load_factor")],
-             "foundation force": [("Force", "force")]}
+             "foundation force": [("Force", "force")],
+             "foundation force and axle moment": [("Force", "force")]}
     goals = list(goals.get(run.setting(last + "Control"), []))
     if (run.setting(last + "Contact") == "true"
             and run.setting(last + "Control") == "load"):

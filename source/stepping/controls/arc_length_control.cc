@@ -124,26 +124,26 @@ namespace Biface
   ArcLengthControl::propose(const Equilibrium &from) const
   {
     Trial trial;
-    trial.level = [this](const double mu) { return level_at(mu); };
-    trial.mu    = load_fraction;
+    trial.level = [this](const LoadParameters &mu) { return level_at(mu[0]); };
+    trial.mu    = {load_fraction};
     if (n_steps == 0)
-      trial.equation = std::make_shared<const FirstStepEquation>(
+      trial.equations = std::make_shared<const FirstStepEquation>(
         load_rate(), size.get(), from.last_change);
     else
-      trial.equation = std::make_shared<const ArcLengthEquation>(
+      trial.equations = std::make_shared<const ArcLengthEquation>(
         load_rate(), size.get(), from.last_change);
     return trial;
   }
 
 
   std::optional<Control::Trial>
-  ArcLengthControl::replace(const Trial &trial, const double mu) const
+  ArcLengthControl::replace(const Trial &trial, const LoadParameters &mu) const
   {
-    if (!trial.equation || mu <= 1)
+    if (!trial.equations || mu[0] <= 1)
       return {};
-    Trial to_the_end    = trial;
-    to_the_end.mu       = 1;
-    to_the_end.equation = nullptr;
+    Trial to_the_end     = trial;
+    to_the_end.mu        = {1};
+    to_the_end.equations = nullptr;
     return to_the_end;
   }
 
@@ -154,7 +154,7 @@ namespace Biface
     // desired iterations per step
     constexpr double wanted_iterations = 5;
 
-    load_fraction = step.mu;
+    load_fraction = step.mu[0];
     ++n_steps;
     // displacements on another branch are of another size
     if (n_steps == 1 || step.to_branch)

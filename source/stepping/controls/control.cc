@@ -6,11 +6,10 @@
 
 #include <biface/base/errors.h>
 #include <biface/stepping/controls/arc_length_control.h>
-#include <biface/stepping/controls/axle_moment_control.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/controls/displacement_control.h>
-#include <biface/stepping/controls/force_control.h>
 #include <biface/stepping/controls/load_control.h>
+#include <biface/stepping/controls/resultant_control.h>
 
 namespace Biface
 {
@@ -28,11 +27,13 @@ namespace Biface
 
     /** All controls, by their names in parameter files. */
     const std::vector<std::pair<std::string, decltype(&make<LoadControl>)>>
-      controls{{"load", &make<LoadControl>},
-               {"displacement", &make<DisplacementControl>},
-               {"arc length", &make<ArcLengthControl>},
-               {"foundation force", &make<ForceControl>},
-               {"axle moment", &make<AxleMomentControl>}};
+      controls{
+        {"load", &make<LoadControl>},
+        {"displacement", &make<DisplacementControl>},
+        {"arc length", &make<ArcLengthControl>},
+        {"foundation force", &make<ForceControl>},
+        {"axle moment", &make<AxleMomentControl>},
+        {"foundation force and axle moment", &make<ForceAndAxleMomentControl>}};
   } // namespace
 
 

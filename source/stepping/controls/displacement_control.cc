@@ -112,9 +112,9 @@ namespace Biface
   DisplacementControl::propose(const Equilibrium &from) const
   {
     Trial trial;
-    trial.level    = [this](const double mu) { return level_at(mu); };
-    trial.mu       = load_fraction;
-    trial.equation = std::make_shared<const DisplacementEquation>(
+    trial.level = [this](const LoadParameters &mu) { return level_at(mu[0]); };
+    trial.mu    = {load_fraction};
+    trial.equations = std::make_shared<const DisplacementEquation>(
       load_rate(),
       displacement_functional(
         from.equations.mesh, stage.control_point, stage.control_component),
@@ -127,7 +127,7 @@ namespace Biface
   DisplacementControl::accept(const Step &step)
   {
     EqualSteps::accept(step);
-    load_fraction = step.mu;
+    load_fraction = step.mu[0];
   }
 
 

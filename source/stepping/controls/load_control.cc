@@ -8,9 +8,9 @@ namespace Biface
   LoadControl::propose(const Equilibrium & /*from*/) const
   {
     Trial trial;
-    trial.level = [this](const double mu) { return level_at(mu); };
-    trial.mu    = next();
-    trial.size  = trial.mu - fraction;
+    trial.level = [this](const LoadParameters &mu) { return level_at(mu[0]); };
+    trial.mu    = {next()};
+    trial.size  = trial.mu[0] - fraction;
     return trial;
   }
 

@@ -39,7 +39,7 @@ namespace Biface
     /** If a step went beyond the loads of the stage: a step that ends at these
      * loads. */
     std::optional<Trial>
-    replace(const Trial &trial, const double mu) const override;
+    replace(const Trial &trial, const LoadParameters &mu) const override;
 
     void
     accept(const Step &step) override;

@@ -114,12 +114,13 @@ namespace Biface
     /** A step to try. */
     struct Trial
     {
-      /** The loads, as a function of the load parameter @f$\mu@f$. */
-      std::function<LoadLevel(const double)> level;
-      /** The value of @f$\mu@f$ or, with an equation, the initial guess. */
-      double mu = 0;
-      /** The equation that determines @f$\mu@f$; null if it is prescribed. */
-      std::shared_ptr<const ControlEquation> equation = nullptr;
+      /** The loads, as a function of the load parameters: as many as there are
+       * equations, one if there are none. */
+      std::function<LoadLevel(const LoadParameters &)> level;
+      /** Their values or, with equations, the initial guess. */
+      LoadParameters mu;
+      /** The equations that determine them; null if they are prescribed. */
+      std::shared_ptr<const ControlEquations> equations = nullptr;
       /** The size of the step as a fraction of the stage, for predictors, if
        * states change in proportion to it; otherwise 0. */
       double size = 0;
@@ -132,7 +133,7 @@ namespace Biface
     /** A step to try instead of one that converged at @p mu but went beyond the
      * end of the stage; none if it did not. */
     virtual std::optional<Trial>
-    replace(const Trial & /*trial*/, const double /*mu*/) const
+    replace(const Trial & /*trial*/, const LoadParameters & /*mu*/) const
     {
       return {};
     }
@@ -141,8 +142,8 @@ namespace Biface
     struct Step
     {
       const Trial &trial;
-      /** The final load parameter. */
-      double mu;
+      /** The final load parameters. */
+      LoadParameters mu;
       /** Number of iterations in all attempts at the step. */
       unsigned int iterations;
       const State &before, &after;
@@ -259,8 +260,7 @@ namespace Biface
     static std::optional<double>
     common_part(const std::vector<Way> &ways);
 
-    /** The paths of the loads; the last two are those of the angular velocity
-     * and of the travel. */
+    /** The paths of the loads. */
     std::vector<Way>
     ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_controls_resultant_control_h
+#define biface_stepping_controls_resultant_control_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <biface/model/foundation_resultants.h>
+#include <biface/stepping/controls/equal_steps.h>
+
+namespace Biface
+{
+  /** A resultant of the forces between shell and foundation that is prescribed,
+   * and the load that is computed instead. It has no data. */
+  class ControlledResultant
+  {
+  public:
+    virtual ~ControlledResultant() = default;
+
+    /** Its name in Control::Memory. */
+    virtual std::string
+    name() const = 0;
+
+    /** See Control::check(). */
+    virtual void
+    check(const Stage               &stage,
+          const std::string         &section,
+          const Control::KnownStart &start) const = 0;
+
+    /** The value at the end of a stage. */
+    virtual double
+    end(const Stage &stage) const = 0;
+
+    virtual FoundationResultant
+    evaluate(const ShellEquations         &equations,
+             const State                  &state,
+             const Loads                  &loads,
+             const std::vector<LoadRates> &rates) const = 0;
+
+    /** What the violation of a prescribed value is relative to. */
+    virtual double
+    scale(const double                       prescribed,
+          const ControlEquations::Iteration &iteration) const = 0;
+
+    /** The unknown load. */
+    virtual double LoadLevel::               *
+    load() const = 0;
+
+    /** The same before the run. */
+    virtual std::optional<double> Control::KnownStart::                              *
+    known_load() const = 0;
+
+    /** The derivative of the loads by the unknown one. */
+    virtual LoadRates
+    rate() const = 0;
+
+    /** The initial value of the unknown load in a step.
+     * @param next the other loads at its end. */
+    virtual double
+    guess(const Control::Equilibrium &from, const LoadLevel &next) const = 0;
+
+    /** The change of the unknown load that lets the resultant appear where it
+     * is zero, whatever the loads: then no other load changes. None if it does
+     * not know. */
+    virtual std::optional<double>
+    change_to_appear(const ControlEquations::Iteration & /*iteration*/) const
+    {
+      return {};
+    }
+  };
+
+
+  /** Resultants of the foundation are prescribed in every step, together with
+   * all loads but one for each of them, which is unknown. */
+  class ResultantControl : public EqualSteps
+  {
+  public:
+    using Resultants = std::vector<std::shared_ptr<const ControlledResultant>>;
+
+    using EqualSteps::check;
+
+    ResultantControl(const Stage      &stage,
+                     const Parameters &parameters,
+                     const Resultants &resultants);
+
+    void
+    check(const std::string &section, const KnownStart &start) const override;
+
+    KnownStart
+    known_end(const KnownStart &start) const override;
+
+    void
+    begin(const Equilibrium &from) override;
+
+    Trial
+    propose(const Equilibrium &from) const override;
+
+    Memory
+    get_memory() const override;
+
+    void
+    restore(const Memory &memory) override;
+
+  protected:
+    void
+    change_way(const Stage &now, const LoadLevel &reached) override;
+
+  private:
+    /** The values at a fraction of the stage. */
+    std::vector<double>
+    values_at(const double fraction) const;
+
+    const Resultants    resultants;
+    std::vector<double> start_values;
+  };
+
+
+  /** The force on the foundation is prescribed, its travel is unknown. */
+  class ForceControl : public ResultantControl
+  {
+  public:
+    ForceControl(const Stage &stage, const Parameters &parameters);
+  };
+
+
+  /** The moment of the axle on a rolling wheel is prescribed, zero for free
+   * rolling; the angular velocity is unknown. */
+  class AxleMomentControl : public ResultantControl
+  {
+  public:
+    AxleMomentControl(const Stage &stage, const Parameters &parameters);
+  };
+
+
+  /** Both. */
+  class ForceAndAxleMomentControl : public ResultantControl
+  {
+  public:
+    ForceAndAxleMomentControl(const Stage &stage, const Parameters &parameters);
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/controls/resultant_control.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    class ControlledForce : public ControlledResultant
+    {
+    public:
+      std::string
+      name() const override
+      {
+        return "force";
+      }
+
+      void
+      check(const Stage       &stage,
+            const std::string &section,
+            const Control::KnownStart & /*start*/) const override
+      {
+        if (!stage.contact)
+          throw InputError(
+            section + "/Control", stage.control, "it needs 'Contact = true'");
+        if (stage.travel.value_or(0) != 0)
+          throw InputError(section + "/Travel",
+                           number_to_string(*stage.travel),
+                           "with 'Control = " + stage.control +
+                             "' it must not be set: the travel is computed");
+        check_positive(section + "/Force", stage.force);
+      }
+
+      double
+      end(const Stage &stage) const override
+      {
+        return stage.force;
+      }
+
+      FoundationResultant
+      evaluate(const ShellEquations         &equations,
+               const State                  &state,
+               const Loads                  &loads,
+               const std::vector<LoadRates> &rates) const override
+      {
+        return foundation_force(equations, state, loads, rates);
+      }
+
+      double
+      scale(const double prescribed,
+            const ControlEquations::Iteration & /*iteration*/) const override
+      {
+        return std::abs(prescribed);
+      }
+
+      double LoadLevel::       *
+      load() const override
+      {
+        return &LoadLevel::travel;
+      }
+
+      std::optional<double> Control::KnownStart::                      *
+      known_load() const override
+      {
+        return &Control::KnownStart::travel;
+      }
+
+      LoadRates
+      rate() const override
+      {
+        LoadRates rates;
+        rates.travel = 1;
+        return rates;
+      }
+
+      double
+      guess(const Control::Equilibrium &from,
+            const LoadLevel & /*next*/) const override
+      {
+        double travel = from.level.travel;
+        if (from.contact.count_active(from.state) == 0)
+          travel +=
+            beyond_touch(from.contact, from.state, from.loads(from.level));
+        return travel;
+      }
+
+      std::optional<double>
+      change_to_appear(
+        const ControlEquations::Iteration &iteration) const override
+      {
+        if (iteration.contact.count_active(iteration.state) > 0)
+          return {};
+        return beyond_touch(
+          iteration.contact, iteration.state, iteration.loads);
+      }
+
+    private:
+      /** The travel until the foundation touches, and a little further to get
+       * into contact. */
+      static double
+      beyond_touch(const ContactInteraction &contact,
+                   const State              &state,
+                   const Loads              &loads)
+      {
+        return contact.travel_to_touch(state, loads) +
+               0.01 * contact.mesh.thickness();
+      }
+    };
+
+
+    class ControlledAxleMoment : public ControlledResultant
+    {
+    public:
+      std::string
+      name() const override
+      {
+        return "moment";
+      }
+
+      void
+      check(const Stage               &stage,
+            const std::string         &section,
+            const Control::KnownStart &start) const override
+      {
+        const std::string with = "with 'Control = " + stage.control + "' ";
+        if (!stage.contact)
+          throw InputError(
+            section + "/Control", stage.control, "it needs 'Contact = true'");
+        if (stage.angular_velocity)
+          throw InputError(section + "/Angular velocity",
+                           number_to_string(*stage.angular_velocity),
+                           with + "it must not be set: it is computed");
+        const double velocity =
+          stage.ground_velocity.value_or(start.ground_velocity.value_or(0));
+        if (velocity == 0)
+          throw InputError(section + "/Ground velocity",
+                           stage.ground_velocity ? "0" : "unchanged",
+                           with + "the wheel must move over the ground");
+        check_finite(section + "/Axle moment", stage.axle_moment);
+      }
+
+      double
+      end(const Stage &stage) const override
+      {
+        return stage.axle_moment;
+      }
+
+      FoundationResultant
+      evaluate(const ShellEquations         &equations,
+               const State                  &state,
+               const Loads                  &loads,
+               const std::vector<LoadRates> &rates) const override
+      {
+        return axle_moment(equations, state, loads, rates);
+      }
+
+      double
+      scale(const double                       prescribed,
+            const ControlEquations::Iteration &iteration) const override
+      {
+        // free rolling prescribes zero: relative to what the force on the
+        // ground would exert at the radius
+        const double force = foundation_force(iteration.equations,
+                                              iteration.state,
+                                              iteration.loads)
+                               .value;
+        return std::abs(prescribed) +
+               std::abs(force *
+                        iteration.loads.foundation->clearance(Point<3>()));
+      }
+
+      double LoadLevel::       *
+      load() const override
+      {
+        return &LoadLevel::angular_velocity;
+      }
+
+      std::optional<double> Control::KnownStart::                      *
+      known_load() const override
+      {
+        return &Control::KnownStart::angular_velocity;
+      }
+
+      LoadRates
+      rate() const override
+      {
+        LoadRates rates;
+        rates.angular_velocity = 1;
+        return rates;
+      }
+
+      double
+      guess(const Control::Equilibrium &from,
+            const LoadLevel            &next) const override
+      {
+        // at the same slip, or as a rigid wheel of the same height
+        return from.level.ground_velocity != 0
+                 ? from.level.angular_velocity * next.ground_velocity /
+                     from.level.ground_velocity
+                 : next.ground_velocity /
+                     std::abs(from.loads(from.level)
+                                .foundation->clearance(Point<3>()));
+      }
+    };
+
+
+    std::vector<LoadRates>
+    rates_of(const ResultantControl::Resultants &resultants)
+    {
+      std::vector<LoadRates> rates;
+      for (const auto &resultant : resultants)
+        rates.push_back(resultant->rate());
+      return rates;
+    }
+
+
+    /** Solve a small linear system by elimination; the solution is not finite
+     * if there is none. */
+    std::vector<double>
+    solve(std::vector<std::vector<double>> A, std::vector<double> b)
+    {
+      const unsigned int n = b.size();
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          unsigned int pivot = k;
+          for (unsigned int i = k + 1; i < n; ++i)
+            if (std::abs(A[i][k]) > std::abs(A[pivot][k]))
+              pivot = i;
+          std::swap(A[k], A[pivot]);
+          std::swap(b[k], b[pivot]);
+          for (unsigned int i = k + 1; i < n; ++i)
+            {
+              const double factor = A[i][k] / A[k][k];
+              for (unsigned int j = k; j < n; ++j)
+                A[i][j] -= factor * A[k][j];
+              b[i] -= factor * b[k];
+            }
+        }
+      for (unsigned int k = n; k-- > 0;)
+        {
+          for (unsigned int j = k + 1; j < n; ++j)
+            b[k] -= A[k][j] * b[j];
+          b[k] /= A[k][k];
+        }
+      return b;
+    }
+
+
+    class ResultantEquations : public ControlEquations
+    {
+    public:
+      ResultantEquations(const ResultantControl::Resultants &resultants,
+                         const std::vector<double>          &values)
+        : ControlEquations(rates_of(resultants))
+        , resultants(resultants)
+        , values(values)
+      {}
+
+      LoadParameters
+      parameter_changes(const Iteration               &iteration,
+                        const LA::Vector              &dV_R,
+                        const std::vector<LA::Vector> &dV_q) const override
+      {
+        const unsigned int n = resultants.size();
+        for (unsigned int i = 0; i < n; ++i)
+          if (const auto change = resultants[i]->change_to_appear(iteration))
+            {
+              LoadParameters changes(n);
+              changes[i] = *change;
+              return changes;
+            }
+
+        std::vector<std::vector<double>> matrix(n, std::vector<double>(n));
+        std::vector<double>              missing(n);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const FoundationResultant now = resultants[i]->evaluate(
+              iteration.equations, iteration.state, iteration.loads, rates);
+            missing[i] = values[i] - now.value - now.gradient * dV_R;
+            for (unsigned int j = 0; j < n; ++j)
+              matrix[i][j] = now.gradient * dV_q[j] + now.per_load[j];
+          }
+        return solve(matrix, missing);
+      }
+
+      double
+      violation(const Iteration &iteration) const override
+      {
+        double largest = 0;
+        for (unsigned int i = 0; i < resultants.size(); ++i)
+          {
+            const double now =
+              resultants[i]
+                ->evaluate(
+                  iteration.equations, iteration.state, iteration.loads, {})
+                .value;
+            const double relative = std::abs(now - values[i]) /
+                                    resultants[i]->scale(values[i], iteration);
+            // not a number is none
+            largest = (relative <= largest ? largest : relative);
+          }
+        return largest;
+      }
+
+    private:
+      const ResultantControl::Resultants resultants;
+      const std::vector<double>          values;
+    };
+  } // namespace
+
+
+  ResultantControl::ResultantControl(const Stage      &stage,
+                                     const Parameters &parameters,
+                                     const Resultants &resultants)
+    : EqualSteps(stage, parameters)
+    , resultants(resultants)
+    , start_values(resultants.size())
+  {}
+
+
+  void
+  ResultantControl::check(const std::string &section,
+                          const KnownStart  &start) const
+  {
+    for (const auto &resultant : resultants)
+      resultant->check(stage, section, start);
+  }
+
+
+  Control::KnownStart
+  ResultantControl::known_end(const KnownStart &start) const
+  {
+    KnownStart end = EqualSteps::known_end(start);
+    for (const auto &resultant : resultants)
+      (end.*resultant->known_load()).reset();
+    return end;
+  }
+
+
+  void
+  ResultantControl::begin(const Equilibrium &from)
+  {
+    EqualSteps::begin(from);
+    // without pressure no moment depends on the angular velocity
+    if (resultants.size() > 1 && from.contact.count_active(from.state) == 0)
+      throw InputError("the stage '" + stage.name +
+                       "' has 'Control = " + stage.control +
+                       "' and must start in contact, such as after a stage "
+                       "with 'Control = foundation force'.");
+    const Loads loads = from.loads(from.level);
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      start_values[i] =
+        resultants[i]->evaluate(from.equations, from.state, loads, {}).value;
+  }
+
+
+  Control::Trial
+  ResultantControl::propose(const Equilibrium &from) const
+  {
+    const double    part = next();
+    const LoadLevel end  = level_at(part);
+    Trial           trial;
+    trial.level = [this, end](const LoadParameters &mu) {
+      LoadLevel level = end;
+      for (unsigned int i = 0; i < resultants.size(); ++i)
+        level.*resultants[i]->load() = mu[i];
+      return level;
+    };
+    trial.mu.clear();
+    for (const auto &resultant : resultants)
+      trial.mu.push_back(resultant->guess(from, end));
+    trial.equations =
+      std::make_shared<const ResultantEquations>(resultants, values_at(part));
+    trial.size = part - fraction;
+    return trial;
+  }
+
+
+  std::vector<double>
+  ResultantControl::values_at(const double fraction) const
+  {
+    std::vector<double> values(start_values);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      values[i] += fraction * (resultants[i]->end(stage) - start_values[i]);
+    return values;
+  }
+
+
+  Control::Memory
+  ResultantControl::get_memory() const
+  {
+    Memory memory = EqualSteps::get_memory();
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      memory.numbers["start " + resultants[i]->name()] = start_values[i];
+    return memory;
+  }
+
+
+  void
+  ResultantControl::restore(const Memory &memory)
+  {
+    EqualSteps::restore(memory);
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      start_values[i] = memory.numbers.at("start " + resultants[i]->name());
+  }
+
+
+  void
+  ResultantControl::change_way(const Stage &now, const LoadLevel &reached)
+  {
+    const std::vector<double> values = values_at(fraction);
+    // the unknown loads follow no path
+    LoadLevel from = reached, to = now.end(start);
+    for (const auto &resultant : resultants)
+      from.*resultant->load() = to.*resultant->load() =
+                                  start.*resultant->load();
+    std::vector<Way> ways = ways_of_loads(from, to);
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      ways.push_back({start_values[i], values[i], resultants[i]->end(now)});
+    if (!go_on_from(common_part(ways), reached))
+      start_values = values;
+  }
+
+
+  ForceControl::ForceControl(const Stage &stage, const Parameters &parameters)
+    : ResultantControl(stage, parameters, {std::make_shared<ControlledForce>()})
+  {}
+
+
+  AxleMomentControl::AxleMomentControl(const Stage      &stage,
+                                       const Parameters &parameters)
+    : ResultantControl(
+        stage, parameters, {std::make_shared<ControlledAxleMoment>()})
+  {}
+
+
+  ForceAndAxleMomentControl::ForceAndAxleMomentControl(
+    const Stage &stage, const Parameters &parameters)
+    : ResultantControl(stage,
+                       parameters,
+                       {std::make_shared<ControlledForce>(),
+                        std::make_shared<ControlledAxleMoment>()})
+  {}
+} // namespace Biface
