@@ -111,6 +111,7 @@ namespace Biface
                                                "Angular velocity",
                                                "Ground velocity",
                                                "Slip angle",
+                                               "Slip ratio",
                                                "Axle moment",
                                                "Control value",
                                                "Force",

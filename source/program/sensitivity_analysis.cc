@@ -35,7 +35,7 @@ namespace Biface
     StageEnds ends;
 
     /** Of the current stage. */
-    const Stage                       *stage = nullptr;
+    Stage                              stage;
     std::unique_ptr<Control>           control;
     std::shared_ptr<const FrictionLaw> friction;
     bool                               rolls = false;
@@ -117,7 +117,7 @@ namespace Biface
                                 const LoadLevel &level) const
   {
     return loads_at(level,
-                    *neighbor.stage,
+                    neighbor.stage,
                     neighbor.rolls,
                     neighbor.friction,
                     neighbor.model.contact,
@@ -141,13 +141,15 @@ namespace Biface
             neighbor.progress       = end.progress;
             neighbor.model.equations.internal_forces().restore(end.history);
           }
-        neighbor.stage    = &neighbor.parameters->stages[stage];
+        neighbor.progress.stage_begun = false;
+        neighbor.stage                = neighbor.progress.with_angular_velocity(
+          neighbor.parameters->stages[stage]);
         neighbor.friction = neighbor.model.contact.friction(
           "Stage " + std::to_string(stage + 1) + "/Friction",
-          neighbor.stage->friction,
-          neighbor.stage->glued);
-        neighbor.rolls = neighbor.stage->rolls(neighbor.progress.reached);
-        Biface::start_stage(*neighbor.stage,
+          neighbor.stage.friction,
+          neighbor.stage.glued);
+        neighbor.rolls = neighbor.stage.rolls(neighbor.progress.reached);
+        Biface::start_stage(neighbor.stage,
                             neighbor.rolls,
                             neighbor.model.equations,
                             neighbor.model.contact,
@@ -155,7 +157,7 @@ namespace Biface
                             neighbor.progress,
                             neighbor.state);
         neighbor.control = make_control(
-          *neighbor.stage, neighbor.parameters->load_stepping.control);
+          neighbor.stage, neighbor.parameters->load_stepping.control);
         neighbor.control->begin(
           {neighbor.model.equations,
            neighbor.model.contact,
@@ -445,6 +447,8 @@ namespace Biface
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
     const auto        &stages = parameters.stages;
+    for (const auto &neighbor : neighbors)
+      neighbor->progress.end_stage(neighbor->stage);
     for (const auto &neighbor : neighbors)
       if (is_branched_from(stages, position))
         neighbor->ends.insert_or_assign(

@@ -69,7 +69,8 @@ namespace Biface
   {
     while (true)
       {
-        const Stage   &stage   = stages[progress.stage];
+        const Stage stage =
+          progress.with_angular_velocity(stages[progress.stage]);
         const auto     control = make_control(stage, parameters.control);
         const StageRun run{
           stage,
@@ -111,6 +112,7 @@ namespace Biface
             observer(report, state);
           }
 
+        progress.end_stage(stage);
         if (is_branched_from(stages, progress.stage))
           {
             RestorePoint end{

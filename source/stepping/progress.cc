@@ -5,17 +5,26 @@
 namespace Biface
 {
   void
+  Progress::end_stage(const Stage &ended)
+  {
+    if (ended.ends_rolling_freely())
+      free_rolling_radius = Biface::free_rolling_radius(reached);
+  }
+
+
+  void
   Progress::change_stage(const Stage &before, const Stage &now)
   {
     if (!stage_begun)
       return;
-    const std::unique_ptr<Control> changed = make_control(before);
+    const std::unique_ptr<Control> changed =
+      make_control(with_angular_velocity(before));
     changed->restore(control);
     LoadLevel level = reached;
     // the pressure of a sealed gas is on no path
     if (gas_content)
       level.pressure = control.start.pressure;
-    if (changed->change_stage(now, level))
+    if (changed->change_stage(with_angular_velocity(now), level))
       predictor.reset();
     control = changed->get_memory();
   }

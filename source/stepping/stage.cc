@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 
 #include <biface/base/errors.h>
@@ -140,6 +142,18 @@ namespace Biface
       "and its plane at the end of the stage, positive to the left. A drum is "
       "turned by it about 'Direction' through 'Point on path'. "
       "'unchanged': as at the start of the stage. Unit: degrees.");
+    add_optional_number(
+      prm,
+      "Slip ratio",
+      slip_ratio,
+      "none",
+      "Longitudinal slip ratio at the end of the stage, (Omega R - V cos "
+      "alpha)/(V cos alpha) with the angular velocity Omega, which it replaces, "
+      "the ground velocity V and the slip angle alpha; R is the rolling radius "
+      "V cos alpha/Omega at the end of the last stage before that ended in "
+      "free rolling, with a prescribed 'Axle moment' of 0. Negative for "
+      "braking, -1 for a locked wheel. 'none': see 'Angular velocity'. No "
+      "unit.");
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction in the stage, instead of that "
@@ -296,6 +310,17 @@ namespace Biface
     check_load("Angular velocity", angular_velocity);
     check_load("Ground velocity", ground_velocity);
     check_load("Slip angle", slip_angle);
+    check_load("Slip ratio", slip_ratio);
+    if (slip_ratio && !contact)
+      throw InputError(section + "/Slip ratio",
+                       number_to_string(*slip_ratio),
+                       "it needs 'Contact = true'");
+    if (slip_ratio && (angular_velocity || prescribes("axle moment")))
+      throw InputError(section + "/Slip ratio",
+                       number_to_string(*slip_ratio),
+                       "it must be 'none' with " +
+                         (angular_velocity ? "a given 'Angular velocity'"
+                                           : "'Control = " + control + "'"));
     if (slide)
       check_finite(section + "/Slide", *slide);
     if (!friction.empty())
@@ -388,6 +413,32 @@ namespace Biface
   }
 
 
+  Stage
+  Stage::with_angular_velocity(const LoadLevel             &start,
+                               const std::optional<double> &free_radius) const
+  {
+    Stage result = *this;
+    if (slip_ratio)
+      {
+        Assert(free_radius, ExcNotInitialized());
+        const LoadLevel last = end(start);
+        result.angular_velocity =
+          (1 + *slip_ratio) * last.ground_velocity *
+          std::cos(last.slip_angle * numbers::PI / 180) / *free_radius;
+      }
+    return result;
+  }
+
+
+  double
+  free_rolling_radius(const LoadLevel &level)
+  {
+    return level.ground_velocity *
+           std::cos(level.slip_angle * numbers::PI / 180) /
+           level.angular_velocity;
+  }
+
+
   std::optional<unsigned int>
   stage_before(const std::vector<Stage> &stages, const unsigned int position)
   {
@@ -425,6 +476,18 @@ namespace Biface
                            "the stage from which it starts must have 'Contact "
                            "= true', since the nodes in contact at its end "
                            "are glued");
+        if (stage.slip_ratio)
+          {
+            std::optional<unsigned int> free = before;
+            while (free && !stages[*free].ends_rolling_freely())
+              free = stage_before(stages, *free);
+            if (!free)
+              throw InputError(section + "/Slip ratio",
+                               number_to_string(*stage.slip_ratio),
+                               "a stage before must end in free rolling, with "
+                               "'Control = axle moment' and 'Axle moment = "
+                               "0': it gives the rolling radius");
+          }
         Control::KnownStart start =
           (before ? ends[*before] : Control::KnownStart::undeformed());
         if (stage.from_prestress)

@@ -309,6 +309,8 @@ namespace
     {"Stage 1/Angular velocity",
      {{{"1"}, {{"Mesh/Closed in alpha_2", "false"}}}}},
     {"Stage 1/Ground velocity", {{{"1"}}}},
+    {"Stage 1/Slip ratio",
+     {{{"0.1"}}, {{"0.1", "-1"}, {{"Stage 1/Contact", "true"}}}}},
     {"Stage 1/Axle moment", {{{"1"}}}},
     {"Contact/Critical velocity", {{{"-1"}}}},
     {"Stage 1/Friction",

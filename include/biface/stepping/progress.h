@@ -46,6 +46,10 @@ namespace Biface
      * if there was no foundation. */
     std::optional<FoundationReaction> reaction, first_reaction;
 
+    /** At the end of the last stage that ended in free rolling, see
+     * Biface::free_rolling_radius(). */
+    std::optional<double> free_rolling_radius;
+
     /** The content of the gas in a stage where it is sealed, see
      * Gas::content(). */
     std::optional<double> gas_content;
@@ -74,6 +78,19 @@ namespace Biface
       return stage_begun && stage + 1 == stages.size() && control.done >= 1;
     }
 
+    /** The current stage with its angular velocity, see
+     * Stage::with_angular_velocity(). */
+    Stage
+    with_angular_velocity(const Stage &given) const
+    {
+      return given.with_angular_velocity(stage_begun ? control.start : reached,
+                                         free_rolling_radius);
+    }
+
+    /** Record what later stages need of the end of the current one. */
+    void
+    end_stage(const Stage &ended);
+
     /** Change the description of the current stage, if it has started, see
      * Control::change_stage(). */
     void
@@ -89,6 +106,7 @@ namespace Biface
       archive &touched_point &factor_of_shape &work;
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
+      serialize_optional(archive, free_rolling_radius);
       serialize_optional(archive, gas_content);
       serialize_optional(archive, n_negative_pivots);
       archive &control &predictor;

@@ -110,6 +110,8 @@ namespace Biface
     std::optional<double>               turn;
     /** How the wheel rolls at the end of the stage, see LoadLevel. */
     std::optional<double> angular_velocity, ground_velocity, slip_angle;
+    /** Instead of the angular velocity, see with_angular_velocity(). */
+    std::optional<double> slip_ratio;
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
     double axle_moment = 0;
@@ -181,6 +183,23 @@ namespace Biface
       return control.find(quantity) != std::string::npos;
     }
 
+    /** Whether the wheel rolls freely at the end of the stage. */
+    bool
+    ends_rolling_freely() const
+    {
+      return prescribes("axle moment") && axle_moment == 0;
+    }
+
+    /** The same stage with the angular velocity at its end that belongs to the
+     * slip ratio S, if one is given,
+     * @f$\Omega=(1+S)\,V\cos\alpha/R@f$ with the ground velocity V and the slip
+     * angle @f$\alpha@f$ at its end.
+     * @param start the loads at its start.
+     * @param free_radius R, see free_rolling_radius(). */
+    Stage
+    with_angular_velocity(const LoadLevel             &start,
+                          const std::optional<double> &free_radius) const;
+
     /** Whether steps end at critical points. */
     bool
     locates_critical_points() const
@@ -225,6 +244,7 @@ namespace Biface
       serialize_optional(archive, angular_velocity);
       serialize_optional(archive, ground_velocity);
       serialize_optional(archive, slip_angle);
+      serialize_optional(archive, slip_ratio);
       archive                                            &axle_moment;
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
@@ -233,6 +253,10 @@ namespace Biface
     }
   };
 
+
+  /** The rolling radius in free rolling, @f$V\cos\alpha/\Omega@f$. */
+  double
+  free_rolling_radius(const LoadLevel &level);
 
   /** The position of the stage from whose end that at @p position starts: the
    * previous one, or the one that it names. None for the first stage, which

@@ -94,7 +94,9 @@ namespace Biface
       stage.travel ? stage.travel : start.travel,
       stage.slide ? stage.slide : start.slide,
       stage.turn ? stage.turn : start.turn,
-      stage.angular_velocity ? stage.angular_velocity : start.angular_velocity,
+      stage.slip_ratio ? std::nullopt
+                       : (stage.angular_velocity ? stage.angular_velocity
+                                                 : start.angular_velocity),
       stage.ground_velocity ? stage.ground_velocity : start.ground_velocity,
       stage.slip_angle ? stage.slip_angle : start.slip_angle,
       false};
