@@ -10,6 +10,7 @@
 #include <biface/output/history_file.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/scalar_results.h>
+#include <biface/solver/modal_analysis.h>
 
 namespace Biface
 {
@@ -76,13 +77,14 @@ namespace Biface
                                const ShellMesh                &mesh,
                                const FailureCriteria          &criteria,
                                const Point<3>                 &moment_center,
-                               const bool                      with_volume)
+                               const bool                      with_volume,
+                               const unsigned int              n_modes)
     : names(names), criteria(criteria), moment_center(moment_center)
   {
     for (const std::string &name : names)
       {
         const std::optional<Source> source =
-          find(name, mesh, criteria, with_volume);
+          find(name, mesh, criteria, with_volume, n_modes);
         if (!source)
           {
             std::string columns;
@@ -94,8 +96,9 @@ namespace Biface
               entry,
               name,
               "it must be one of " + columns +
-                ", 'POINT u_x' with a named point, or 'BODY F_x' "
-                "with a body of forces.csv");
+                ", 'POINT u_x' with a named point, 'BODY F_x' "
+                "with a body of forces.csv, or 'frequency 1' with the number "
+                "of a mode that 'Modes' asks for");
           }
         sources.push_back(*source);
       }
@@ -106,7 +109,8 @@ namespace Biface
   ScalarResults::find(const std::string     &name,
                       const ShellMesh       &mesh,
                       const FailureCriteria &criteria,
-                      const bool             with_volume) const
+                      const bool             with_volume,
+                      const unsigned int     n_modes) const
   {
     Source source;
     if (const auto column =
@@ -140,6 +144,13 @@ namespace Biface
             }
         return {};
       }
+    for (unsigned int m = 0; m < n_modes; ++m)
+      if (rest == "frequency" && last == std::to_string(m + 1))
+        {
+          source.kind     = Source::Kind::frequency;
+          source.position = m;
+          return source;
+        }
     if (const auto component = position_of(last, force_components))
       {
         source.kind      = Source::Kind::force;
@@ -152,6 +163,16 @@ namespace Biface
         return {};
       }
     return {};
+  }
+
+
+  bool
+  ScalarResults::have_frequency() const
+  {
+    return std::any_of(
+      sources.begin(), sources.end(), [](const Source &source) {
+        return source.kind == Source::Kind::frequency;
+      });
   }
 
 
@@ -206,6 +227,10 @@ namespace Biface
                                         : body.moment)[source.component % 3];
                 break;
               }
+            case Source::Kind::frequency:
+              if (report.modes && source.position < report.modes->modes.size())
+                value = report.modes->modes[source.position].frequency();
+              break;
           }
         values.push_back(value);
       }

@@ -11,6 +11,7 @@
 #include <biface/base/errors.h>
 #include <biface/model/footprint.h>
 #include <biface/program/sensitivity_analysis.h>
+#include <biface/solver/modal_analysis.h>
 #include <biface/stepping/stage_start.h>
 
 namespace Biface
@@ -74,6 +75,30 @@ namespace Biface
                          "a small change of it must not change the nodes of "
                          "the mesh");
     }
+
+
+    /** The number of modes known wherever derivatives are wanted. */
+    unsigned int
+    n_modes(const Parameters &parameters)
+    {
+      unsigned int n = numbers::invalid_unsigned_int;
+      for (unsigned int s = 0; s < parameters.stages.size(); ++s)
+        if (parameters.sensitivities.is_wanted(s, parameters.stages.size()))
+          n = std::min(n, parameters.stages[s].n_modes);
+      return n;
+    }
+
+
+    /** The gas sealed in a neighbor, if any. */
+    template <typename Neighbor>
+    std::optional<Gas::Sealed>
+    sealed_in(const Neighbor &neighbor)
+    {
+      std::optional<Gas::Sealed> gas;
+      if (neighbor.progress.gas_content)
+        gas.emplace(*neighbor.model.gas, *neighbor.progress.gas_content);
+      return gas;
+    }
   } // namespace
 
 
@@ -92,7 +117,8 @@ namespace Biface
               *model.mesh,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
-              model.cavity() != nullptr)
+              model.cavity() != nullptr,
+              n_modes(parameters))
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const Change &change : parameters.sensitivities.changes)
@@ -190,9 +216,8 @@ namespace Biface
     {
       ShellEquations &equations = model.equations;
       equations.assemble(step.state, step.loads);
-      // the factors of the last iteration
-      check(linear_solver.factorize(
-        equations.tangent(), equations.is_symmetric(step.loads), true));
+      check(linear_solver.factorize_for_many(
+        equations.tangent(), equations.is_symmetric(step.loads)));
       if (gas)
         {
           LoadRates rates;
@@ -239,7 +264,9 @@ namespace Biface
         {
           check(linear_solver.solve(correction, left, exactness));
           solution += correction;
-          model.equations.tangent().residual(left, solution, forces);
+          if (model.equations.tangent().residual(left, solution, forces) <=
+              exactness * forces.l2_norm())
+            break;
         }
       model.mesh->constraints.distribute(solution);
       return solution;
@@ -297,12 +324,6 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Sensitivities");
 
     std::optional<Gas::Sealed> gas;
-    const auto                 sealed_in = [](const Neighbor &neighbor) {
-      std::optional<Gas::Sealed> gas;
-      if (neighbor.progress.gas_content)
-        gas.emplace(*neighbor.model.gas, *neighbor.progress.gas_content);
-      return gas;
-    };
     // the content in the run is between those of its neighbors
     if (neighbors[0]->progress.gas_content)
       gas.emplace(*model.gas,
@@ -478,7 +499,7 @@ namespace Biface
         std::array<std::vector<double>, 2> values;
         for (unsigned int side = 0; side < 2; ++side)
           {
-            const Neighbor           &neighbor = *neighbors[2 * e + side];
+            Neighbor                 &neighbor = *neighbors[2 * e + side];
             const ContactInteraction &contact  = neighbor.model.contact;
             const LoadLevel          &level    = neighbor.progress.reached;
 
@@ -493,6 +514,9 @@ namespace Biface
             changed.contact = contact.summarize(neighbor.state, changed.loads);
             changed.footprint =
               find_footprint(contact, neighbor.state, changed.loads);
+            if (report.modes && results.have_frequency())
+              changed.modes =
+                change_modes(*report.modes, neighbor, changed.loads);
             values[side] = evaluate(neighbor.model, changed, neighbor.state);
           }
         table->entries.push_back({change.name, change.value});
@@ -510,6 +534,33 @@ namespace Biface
           }
       }
     return table;
+  }
+
+
+  std::shared_ptr<const VibrationModes>
+  SensitivityAnalysis::change_modes(const VibrationModes &modes,
+                                    Neighbor             &neighbor,
+                                    const Loads          &loads)
+  {
+    if (!modes.symmetric)
+      throw InputError("Sensitivities/Outputs",
+                       "frequency",
+                       "the stage " + neighbor.stage->name +
+                         " has loads without a potential, for which "
+                         "derivatives of frequencies are not implemented");
+    const auto                gas     = sealed_in(neighbor);
+    auto                      changed = std::make_shared<VibrationModes>(modes);
+    const std::vector<double> squares =
+      rayleigh_quotients(neighbor.model.equations,
+                         neighbor.model.contact,
+                         timer,
+                         neighbor.state,
+                         loads,
+                         gas ? &*gas : nullptr,
+                         modes);
+    for (unsigned int m = 0; m < squares.size(); ++m)
+      changed->modes[m].square = squares[m];
+    return changed;
   }
 
 

@@ -29,7 +29,8 @@ namespace Biface
                       "by commas: columns of history.csv such as 'force', "
                       "displacements of named points such as 'top u_x' or "
                       "'top inner u_x', forces of forces.csv such as 'alpha_1 "
-                      "min F_x'.",
+                      "min F_x', frequencies of a stage with 'Modes' such as "
+                      "'frequency 1'.",
                       Patterns::List(Patterns::Anything()));
     prm.add_parameter("Stages",
                       stages,

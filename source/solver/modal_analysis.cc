@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <biface/model/rigid_motions.h>
@@ -237,10 +238,71 @@ namespace Biface
           pair.value = 0;
       }
     settle(eigenpairs.pairs, problem.multiply, fields);
+    result.symmetric = problem.symmetric;
     for (const Eigenpair &pair : eigenpairs.pairs)
       if (result.modes.size() < n)
         result.modes.push_back(finish(pair));
     result.success = true;
     return result;
+  }
+
+
+  std::vector<double>
+  rayleigh_quotients(ShellEquations           &equations,
+                     const ContactInteraction &contact,
+                     TimerOutput              &timer,
+                     const State              &state,
+                     const Loads              &loads,
+                     const Gas::Sealed        *gas,
+                     const VibrationModes     &modes)
+  {
+    const ShellMesh &mesh = equations.mesh;
+    HeldTangent      tangent(equations, contact, timer);
+    LA::SparseMatrix K;
+    tangent.assemble(state, loads, K);
+    tangent.hold(state, loads, K);
+    LA::Vector forces, gradient;
+    if (gas)
+      {
+        LoadRates pressure_alone;
+        pressure_alone.pressure = 1;
+        forces                  = equations.load_direction(
+          state, HeldTangent::without_foundation(loads), pressure_alone);
+        gradient = gas->pressure_gradient(state);
+        mesh.condense(gradient);
+      }
+    const MassMatrix mass(mesh);
+
+    std::vector<double> quotients;
+    for (const VibrationMode &mode : modes.modes)
+      {
+        LA::Vector shape = owned_part(mode.shape);
+        for (const auto i : mesh.locally_owned)
+          if (mesh.constraints.is_constrained(i))
+            shape(i) = 0;
+        LA::Vector product(shape);
+        K.vmult(product, shape);
+        double stiffness = product * shape;
+        if (gas)
+          stiffness -= (forces * shape) * (gradient * shape);
+        mass.vmult(product, shape);
+        quotients.push_back(stiffness / (product * shape));
+      }
+
+    // the shapes of the same frequency are arbitrary, but not their mean
+    constexpr double same = 1e-7;
+    for (unsigned int i = 0, end = 0; i < quotients.size(); i = end)
+      {
+        const double square = modes.modes[i].square.real();
+        while (end < quotients.size() &&
+               modes.modes[end].square.real() - square <=
+                 same * std::abs(square))
+          ++end;
+        const double mean =
+          std::accumulate(&quotients[i], &quotients[i] + (end - i), 0.) /
+          (end - i);
+        std::fill(&quotients[i], &quotients[i] + (end - i), mean);
+      }
+    return quotients;
   }
 } // namespace Biface

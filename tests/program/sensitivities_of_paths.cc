@@ -4,7 +4,7 @@
 // differences, along every kind of path: where the foundation touches a shell
 // that depends on the entry, with friction, linear strain theory, a force or a
 // displacement that is controlled, a sealed gas, a prestress, and a stage that
-// starts from an earlier one.
+// starts from an earlier one; of frequencies, too.
 
 #include <deal.II/base/mpi.h>
 
@@ -155,10 +155,27 @@ main(int argc, char **argv)
               "Stage 2/Travel=5"}),
         "Stage 1/Pressure; Stage 3/Pressure; Material cord/E_L",
         "side u_x, strain_energy");
+  check("modes",
+        tire,
+        with({"Element/Strain sampling=means",
+              "Material cord/Density=1.2e-9",
+              "Stage 2/Travel=10",
+              "Stage 2/Modes=3"}),
+        "Stage 1/Pressure; Material cord/E_L; Material cord/Density; "
+        "Laminate/Plies[2]; Surface/Circular arc/Radius",
+        "frequency 1, frequency 2, frequency 3");
   check("gas",
         DATA_DIR "/gas_tube.prm",
         {"Named points=middle: 25 0", "Mesh/Intervals alpha_1=0:25:2, 25:50:2"},
         "Gas/Ambient pressure; Stage 1/Pressure; Material wall/E; "
         "Supports/alpha_1 max; Surface/Straight line/Begin[1]",
         "pressure, volume, middle u_x");
+  check("modes with gas",
+        DATA_DIR "/gas_tube.prm",
+        {"Material wall/Density=1e-9",
+         "Supports/alpha_1 max=v_1 both = 5",
+         "Stage 2/Modes=2"},
+        "Gas/Ambient pressure; Stage 1/Pressure; Material wall/E; "
+        "Supports/alpha_1 max",
+        "frequency 1, frequency 2");
 }

@@ -21,26 +21,33 @@ namespace Biface
    * - a column of history.csv, such as `force`;
    * - a column of probes.csv at a named point, such as `top u_x`, of the middle
    *   surface unless the face is given, as in `top inner u_x`;
-   * - a column of forces.csv of a body, such as `alpha_1 min F_x`.
+   * - a column of forces.csv of a body, such as `alpha_1 min F_x`;
+   * - the frequency of a mode, such as `frequency 1`.
    */
   class ScalarResults
   {
   public:
     /** Throws InputError if there is no such number.
      * @param entry the entry that lists the names, for error messages.
-     * @param with_volume whether the volume of the cavity is known. */
+     * @param with_volume whether the volume of the cavity is known.
+     * @param n_modes the number of modes that are known. */
     ScalarResults(const std::string              &entry,
                   const std::vector<std::string> &names,
                   const ShellMesh                &mesh,
                   const FailureCriteria          &criteria,
                   const dealii::Point<3>         &moment_center,
-                  const bool                      with_volume);
+                  const bool                      with_volume,
+                  const unsigned int              n_modes);
 
     const std::vector<std::string> &
     get_names() const
     {
       return names;
     }
+
+    /** Whether there is a frequency among them. */
+    bool
+    have_frequency() const;
 
     /** The values of a step. Must be called on all ranks.
      * @param cavity null if its volume is not of interest. */
@@ -58,12 +65,13 @@ namespace Biface
       {
         history,
         probe,
-        force
+        force,
+        frequency
       };
 
       Kind kind = Kind::history;
       /** In history.csv the position after step and stage, otherwise that of
-       * the point or the body. */
+       * the point, the body or the mode. */
       unsigned int position = 0;
       /** Position among the components of the last columns of probes.csv or
        * forces.csv. */
@@ -77,7 +85,8 @@ namespace Biface
     find(const std::string     &name,
          const ShellMesh       &mesh,
          const FailureCriteria &criteria,
-         const bool             with_volume) const;
+         const bool             with_volume,
+         const unsigned int     n_modes) const;
 
     const std::vector<std::string> names;
     const FailureCriteria          criteria;

@@ -85,6 +85,12 @@ namespace Biface
     Loads
     loads_on(const Neighbor &neighbor, const LoadLevel &level) const;
 
+    /** The modes of the run with the frequencies of a neighbor. */
+    std::shared_ptr<const VibrationModes>
+    change_modes(const VibrationModes &modes,
+                 Neighbor             &neighbor,
+                 const Loads          &loads);
+
     /** Warn once if something is not a smooth function of an entry: if the
      * value here deviates from the mean of those below and above by more than a
      * part of their difference.

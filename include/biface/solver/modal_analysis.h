@@ -76,6 +76,9 @@ namespace Biface
     std::vector<VibrationMode> modes;
     /** Of the whole shell. */
     double total_mass = 0;
+    /** Whether the tangent is symmetric, so that frequencies are stationary in
+     * the shapes. */
+    bool symmetric = false;
   };
 
 
@@ -145,6 +148,26 @@ namespace Biface
     /** Arbitrary displacements. */
     LA::Vector start;
   };
+
+
+  /**
+   * Rayleigh's quotients @f$oldsymbolarphi^T\mathbf Koldsymbolarphi/
+   * oldsymbolarphi^T\mathbf Moldsymbolarphi@f$ of a shell for the
+   * shapes of a neighboring one. They deviate from its @f$\omega^2@f$ by terms
+   * of second order if the tangent is symmetric; modes of the same frequency
+   * have their mean. The last assembly of the equations is lost.
+   *
+   * @param modes of the neighbor, whose degrees of freedom are the same.
+   * @param gas the gas sealed in; null for none.
+   */
+  std::vector<double>
+  rayleigh_quotients(ShellEquations           &equations,
+                     const ContactInteraction &contact,
+                     dealii::TimerOutput      &timer,
+                     const State              &state,
+                     const Loads              &loads,
+                     const Gas::Sealed        *gas,
+                     const VibrationModes     &modes);
 } // namespace Biface
 
 #endif
