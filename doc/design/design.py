@@ -45,6 +45,9 @@ of it the tire buckles:
 
 The first shape has no wave around the tire.
 
+[laminated_cylinder.prm](../prm/laminated_cylinder.prm) shows the two ways together: a
+prediction from a small load, and `Critical points = locate` on the path.
+
 ## What matters most?
 
     subsection Sensitivities
