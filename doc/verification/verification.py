@@ -42,6 +42,8 @@ HEADINGS = {
     "buckling_ring": "Buckling of a long cylinder under pressure",
     "buckling_ring_dead": "Buckling of a long cylinder under dead pressure",
     "critical_column": "Elastica beyond Euler's load",
+    "critical_cap": "Snap-through of a shallow cap",
+    "critical_cap_waves": "Buckling of a shallow cap in two waves",
     "critical_roof": "Limit point of the hinged roof",
     "cantilever_end_shear": "Cantilever under end shear",
     "cantilever_roll_up": "Cantilever bent into a circle",

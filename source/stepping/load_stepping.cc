@@ -413,8 +413,18 @@ namespace Biface
     if (!run.stage.locates_critical_points())
       return attempt.result.n_negative_pivots;
     Assert(buckling_analysis, ExcNotInitialized());
-    return buckling_analysis->count_negative_pivots(
+    const auto n = buckling_analysis->count_negative_pivots(
       {attempt.state, loads_at(attempt.level, run)});
+    if (!n && !warned_of_critical_points)
+      {
+        out << "  Warning: critical points of " << run.stage.name
+            << " cannot be found: the tangent is not symmetric, as with loads "
+               "without a potential, or the linear solver does not count "
+               "negative pivots"
+            << std::endl;
+        warned_of_critical_points = true;
+      }
+    return n;
   }
 
 
@@ -769,7 +779,7 @@ namespace Biface
   void
   LoadStepping::warn_of_pierced_nodes(const State &state, const Loads &loads)
   {
-    if (warned)
+    if (warned_of_pierced_nodes)
       return;
     const ActiveSet    pierced = contact.pierced_nodes(state, loads);
     const unsigned int any     = std::count(pierced.begin(), pierced.end(), 0) <
@@ -781,7 +791,7 @@ namespace Biface
     out << "  Warning: the foundation penetrates supported nodes, which "
            "cannot come into contact: "
         << name_nodes(contact.mesh, pierced) << std::endl;
-    warned = true;
+    warned_of_pierced_nodes = true;
   }
 
 

@@ -263,8 +263,9 @@ namespace Biface
     BucklingAnalysis           *buckling_analysis;
     StepFollower               *follower;
 
-    /** Whether this warning was given. */
-    bool warned = false;
+    /** Whether these warnings were given. */
+    bool warned_of_pierced_nodes   = false;
+    bool warned_of_critical_points = false;
   };
 } // namespace Biface
 
