@@ -621,7 +621,7 @@ writes this page from runs of the program:
 cmake --build build --target verification
 ```
 
-It takes ten minutes and needs Python with matplotlib (on Debian
+It takes twenty minutes and needs Python with matplotlib (on Debian
 `python3-matplotlib`; run cmake again after installing it). Runs are repeated
 only if the program or their parameter file has changed.
 
