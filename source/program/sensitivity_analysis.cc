@@ -545,7 +545,7 @@ namespace Biface
     if (!modes.symmetric)
       throw InputError("Sensitivities/Outputs",
                        "frequency",
-                       "the stage " + neighbor.stage->name +
+                       "the stage " + neighbor.stage.name +
                          " has loads without a potential, for which "
                          "derivatives of frequencies are not implemented");
     const auto                gas     = sealed_in(neighbor);
