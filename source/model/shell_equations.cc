@@ -317,13 +317,13 @@ namespace Biface
     if (force_scale == 0)
       return 0;
     const Epetra_CrsMatrix &epetra = tangent().trilinos_matrix();
+    const Epetra_Vector     V      = at_columns(tangent(), state.displacement);
     double                  square = 0;
     for (int row = 0; row < epetra.NumMyRows(); ++row)
       {
         if (mesh.constraints.is_constrained(epetra.GRID(row)))
           continue;
-        const double force =
-          absolute_product(tangent(), row, state.displacement);
+        const double force = absolute_product(tangent(), row, V);
         square += force * force;
       }
     return std::numeric_limits<double>::epsilon() *

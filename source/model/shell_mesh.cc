@@ -263,6 +263,10 @@ namespace Biface
     collect_cells_and_nodes(face_heights);
     if (supports.is_cyclic())
       add_cyclic_nodes(face_heights);
+    locally_relevant.compress();
+    for (Cell &cell : cells)
+      for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+        cell.positions[i] = locally_relevant.index_within_set(cell.dofs[i]);
     nodes_of_points = find_nodes(this->points, *this);
     make_constraints(supports, *this, constraints, prescribed, supported);
 
@@ -620,9 +624,13 @@ namespace Biface
   MixedElement::NodalVector
   ShellMesh::cell_values(const LA::Vector &V, const Cell &cell) const
   {
+    AssertDimension(V.trilinos_vector().MyLength(),
+                    static_cast<int>(locally_relevant.n_elements()));
+    // not V(dof), which searches the number of each entry
+    const double *const       entries = V.begin();
     MixedElement::NodalVector values;
     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-      values[i] = V(cell.dofs[i]);
+      values[i] = entries[cell.positions[i]];
     cell.to_own_faces(values);
     return values;
   }

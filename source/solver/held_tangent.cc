@@ -130,11 +130,12 @@ namespace Biface
     LA::Vector       ghosted = mesh.ghosted_vector();
     ghosted                  = x;
 
-    const Epetra_CrsMatrix &epetra = K.trilinos_matrix();
-    double                  sum    = 0;
+    const Epetra_CrsMatrix &epetra       = K.trilinos_matrix();
+    const Epetra_Vector     x_of_columns = at_columns(K, ghosted);
+    double                  sum          = 0;
     for (int row = 0; row < epetra.NumMyRows(); ++row)
-      sum +=
-        absolute_product(K, row, ghosted) * std::abs(ghosted(epetra.GRID(row)));
+      sum += absolute_product(K, row, x_of_columns) *
+             std::abs(ghosted(epetra.GRID(row)));
     return std::numeric_limits<double>::epsilon() *
            Utilities::MPI::sum(sum, mesh.communicator);
   }

@@ -7,6 +7,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Vector.h>
 
 #include <cmath>
 
@@ -31,14 +32,28 @@ namespace Biface
   }
 
 
+  /** The entries of a vector in the order of the columns of a matrix on this
+   * rank.
+   * @param x readable at these columns. */
+  inline Epetra_Vector
+  at_columns(const LA::SparseMatrix &A, const LA::Vector &x)
+  {
+    const Epetra_BlockMap &columns = A.trilinos_matrix().ColMap();
+    Epetra_Vector          entries(columns);
+    for (int k = 0; k < columns.NumMyElements(); ++k)
+      entries[k] = x(columns.GID(k));
+    return entries;
+  }
+
+
   /** The sum of @f$|A_{ij}x_j|@f$ over a row, to which the round-off of the
    * product is proportional.
    * @param row the local number of the row.
-   * @param x readable at all columns of this rank. */
+   * @param x the entries at the columns of this rank, see at_columns(). */
   inline double
   absolute_product(const LA::SparseMatrix &A,
                    const int               row,
-                   const LA::Vector       &x)
+                   const Epetra_Vector    &x)
   {
     const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
     int                     n_entries;
@@ -47,7 +62,7 @@ namespace Biface
     epetra.ExtractMyRowView(row, n_entries, values, columns);
     double sum = 0;
     for (int k = 0; k < n_entries; ++k)
-      sum += std::abs(values[k] * x(epetra.GCID(columns[k])));
+      sum += std::abs(values[k] * x[columns[k]]);
     return sum;
   }
 } // namespace Biface

@@ -69,6 +69,9 @@ namespace Biface
   struct Cell
   {
     std::array<dealii::types::global_dof_index, MixedElement::n_dofs> dofs;
+    /** The positions of the dofs in ShellMesh::locally_relevant, and so among
+     * the entries of a vector with ghosts. */
+    std::array<unsigned int, MixedElement::n_dofs> positions;
     /** Positions in ShellMesh::nodes. */
     std::array<unsigned int, 4> nodes;
     /** Position in ShellMesh::strips. */
@@ -293,7 +296,8 @@ namespace Biface
                   const Node        &node,
                   const unsigned int face) const;
 
-    /** The displacements of the faces of a cell, see MixedElement::Part. */
+    /** The displacements of the faces of a cell, see MixedElement::Part.
+     * @param V a vector with ghosts. */
     MixedElement::NodalVector
     cell_values(const LA::Vector &V, const Cell &cell) const;
 
