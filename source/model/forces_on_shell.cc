@@ -220,16 +220,15 @@ namespace Biface
   ForceOnShell
   force_of_foundation(const ShellEquations &equations,
                       const State          &state,
-                      const Loads          &loads,
+                      const NodalForces    &forces,
                       const Point<3>       &center)
   {
-    const ShellMesh &mesh = equations.mesh;
-    const LA::Vector forces =
-      equations.nodal_forces(ForceTerm::Source::foundation, state, loads);
+    const ShellMesh  &mesh     = equations.mesh;
+    const LA::Vector &on_nodes = forces[ForceTerm::Source::foundation];
     Resultant resultant(mesh, shape_of_forces(equations, state), center, 1);
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
-        resultant.add(0, node, face_forces(mesh, forces, node));
+        resultant.add(0, node, face_forces(mesh, on_nodes, node));
     return resultant.on_all_ranks({"foundation"})[0];
   }
 
@@ -248,7 +247,7 @@ namespace Biface
   std::vector<ForceOnShell>
   forces_on_shell(const ShellEquations &equations,
                   const State          &state,
-                  const Loads          &loads,
+                  const NodalForces    &forces,
                   const Point<3>       &center)
   {
     const ShellMesh               &mesh     = equations.mesh;
@@ -258,24 +257,10 @@ namespace Biface
 
     // by the body
     std::array<LA::Vector, n_others> others;
-    for (LA::Vector &forces : others)
-      forces = mesh.owned_vector();
-    const std::vector<LA::Vector> by_term =
-      equations.nodal_forces(state, loads);
-    for (unsigned int t = 0; t < by_term.size(); ++t)
-      switch (equations.get_terms()[t]->source())
-        {
-          case ForceTerm::Source::shell:
-            others[interpolation] += by_term[t];
-            break;
-          case ForceTerm::Source::loads:
-            others[loads_of_shell] += by_term[t];
-            break;
-          case ForceTerm::Source::foundation:
-            others[foundation] += by_term[t];
-            break;
-        }
-    others[prestress] = internal.unlisted_forces();
+    others[foundation]     = forces[ForceTerm::Source::foundation];
+    others[loads_of_shell] = forces[ForceTerm::Source::loads];
+    others[interpolation]  = forces[ForceTerm::Source::shell];
+    others[prestress]      = internal.unlisted_forces();
     others[interpolation] -= others[prestress];
 
     Resultant resultant(

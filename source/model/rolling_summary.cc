@@ -44,7 +44,8 @@ namespace Biface
   summarize_rolling(const ShellEquations     &equations,
                     const ContactInteraction &contact,
                     const State              &state,
-                    const Loads              &loads)
+                    const Loads              &loads,
+                    const NodalForces        &forces)
   {
     const RigidFoundation &ground  = *loads.foundation;
     const Rolling         &rolling = *loads.rolling;
@@ -56,7 +57,7 @@ namespace Biface
     };
 
     const ForceOnShell exerted =
-      force_of_foundation(equations, state, loads, center);
+      force_of_foundation(equations, state, forces, center);
 
     // each column of the mass adds up to a quarter
     std::vector<double> powers(2);

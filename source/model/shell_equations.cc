@@ -216,10 +216,7 @@ namespace Biface
   {
     Assert(!loads.foundation, ExcInternalError());
     internal.take_as_prestress(state);
-    LA::Vector                    given   = mesh.owned_vector();
-    const std::vector<LA::Vector> by_term = nodal_forces(state, loads);
-    for (unsigned int t = 1; t < terms.size(); ++t)
-      given += by_term[t];
+    LA::Vector given = nodal_forces(state, loads)[ForceTerm::Source::loads];
     internal.balance(given);
 
     LA::Vector unbalanced = internal.unbalanced_forces();
@@ -233,52 +230,28 @@ namespace Biface
   }
 
 
-  void
-  ShellEquations::add_nodal_forces(const unsigned int t,
-                                   const State       &state,
-                                   const Loads       &loads,
-                                   LA::Vector        &nodal_forces) const
-  {
-    ForceTerm::CellForces forces;
-    forces.with_tangent = internal.linearization_point().has_value();
-    terms[t]->add_dead_forces({loads.pressure, loads.factor, 0}, nodal_forces);
-    if (t == 0)
-      internal.add_constant_forces(nodal_forces);
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        forces.clear();
-        add_forces(t, t + 1, c, state, loads, forces);
-        const MixedElement::NodalVector force = forces.force + forces.load;
-        if (force.norm_square() > 0)
-          mesh.add_nodal_forces(mesh.cells[c], force, nodal_forces);
-      }
-  }
-
-
-  std::vector<LA::Vector>
+  NodalForces
   ShellEquations::nodal_forces(const State &state, const Loads &loads) const
   {
-    std::vector<LA::Vector> result;
-    for (unsigned int t = 0; t < terms.size(); ++t)
-      {
-        result.push_back(mesh.owned_vector());
-        add_nodal_forces(t, state, loads, result.back());
-        result.back().compress(VectorOperation::add);
-      }
-    return result;
-  }
+    NodalForces result(mesh);
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0},
+                            result[term->source()]);
+    internal.add_constant_forces(result[ForceTerm::Source::shell]);
 
-
-  LA::Vector
-  ShellEquations::nodal_forces(const ForceTerm::Source source,
-                               const State            &state,
-                               const Loads            &loads) const
-  {
-    LA::Vector result = mesh.owned_vector();
-    for (unsigned int t = 0; t < terms.size(); ++t)
-      if (terms[t]->source() == source)
-        add_nodal_forces(t, state, loads, result);
-    result.compress(VectorOperation::add);
+    ForceTerm::CellForces forces;
+    forces.with_tangent = internal.linearization_point().has_value();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (unsigned int t = 0; t < terms.size(); ++t)
+        {
+          forces.clear();
+          add_forces(t, t + 1, c, state, loads, forces);
+          const MixedElement::NodalVector force = forces.force + forces.load;
+          if (force.norm_square() > 0)
+            mesh.add_nodal_forces(
+              mesh.cells[c], force, result[terms[t]->source()]);
+        }
+    result.compress();
     return result;
   }
 

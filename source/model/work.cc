@@ -14,41 +14,34 @@ namespace Biface
      * move with it by a given motion. */
     template <typename Motion>
     double
-    foundation_work(const ShellEquations &equations,
-                    const State          &state,
-                    const Loads          &loads,
-                    const Motion         &motion)
+    foundation_work(const ShellMesh   &mesh,
+                    const LoadedState &at,
+                    const Motion      &motion)
     {
-      const ShellMesh &mesh = equations.mesh;
-      const LA::Vector forces =
-        equations.nodal_forces(ForceTerm::Source::foundation, state, loads);
-      double work = 0;
+      const LA::Vector &forces = at.forces[ForceTerm::Source::foundation];
+      double            work   = 0;
       for (const Node &node : mesh.nodes)
         if (node.locally_owned)
           work += node.surface.from_frame(
                     mesh.force_on_face(forces, node, Resultants::outer)) *
                   motion(mesh.deformed_position(
-                    state.displacement, node, Resultants::outer));
+                    at.state.displacement, node, Resultants::outer));
       return Utilities::MPI::sum(work, mesh.communicator);
     }
   } // namespace
 
 
   Work
-  work_of_step(const ShellEquations     &equations,
-               const ContactInteraction &contact,
-               const State              &before,
-               const Loads              &loads_before,
-               const State              &after,
-               const Loads              &loads_after)
+  work_of_step(const ContactInteraction &contact,
+               const LoadedState        &before,
+               const LoadedState        &after)
   {
-    const ShellMesh &mesh       = equations.mesh;
+    const ShellMesh &mesh       = contact.mesh;
     const bool       prescribed = mesh.prescribes_displacements();
-    LA::Vector       change     = owned_part(after.displacement);
-    change -= owned_part(before.displacement);
+    LA::Vector       change     = owned_part(after.state.displacement);
+    change -= owned_part(before.state.displacement);
     const auto work = [&](const ForceTerm::Source source) {
-      return (equations.nodal_forces(source, before, loads_before) * change +
-              equations.nodal_forces(source, after, loads_after) * change) /
+      return (before.forces[source] * change + after.forces[source] * change) /
              2;
     };
 
@@ -57,25 +50,24 @@ namespace Biface
     result.loads = (prescribed ? -work(ForceTerm::Source::shell) -
                                    work(ForceTerm::Source::foundation)
                                : work(ForceTerm::Source::loads));
-    if (loads_after.foundation)
+    if (after.loads.foundation)
       {
-        const RigidFoundation &start = *loads_before.foundation;
-        const RigidFoundation &end   = *loads_after.foundation;
+        const RigidFoundation &start = *before.loads.foundation;
+        const RigidFoundation &end   = *after.loads.foundation;
         result.foundation =
-          (foundation_work(equations,
+          (foundation_work(mesh,
                            before,
-                           loads_before,
                            [&](const Point<3> &x) {
                              return end.present(start.at_rest(x)) - x;
                            }) +
-           foundation_work(equations,
+           foundation_work(mesh,
                            after,
-                           loads_after,
                            [&](const Point<3> &x) {
                              return x - start.present(end.at_rest(x));
                            })) /
           2;
-        result.friction = contact.friction_work(before, after, loads_after);
+        result.friction =
+          contact.friction_work(before.state, after.state, after.loads);
       }
     return result;
   }

@@ -38,7 +38,7 @@ namespace Biface
   {
     std::string lines;
     for (const ForceOnShell &item : forces_on_shell(
-           equations, state, report.loads, parameters.moment_center))
+           equations, state, *report.forces, parameters.moment_center))
       {
         lines +=
           std::to_string(report.step) + ',' + report.stage + ',' + item.body;

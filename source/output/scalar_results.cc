@@ -198,7 +198,7 @@ namespace Biface
                                find_failure_maxima(equations, state, criteria));
     std::vector<ForceOnShell> forces;
     if (needs(Source::Kind::force))
-      forces = forces_on_shell(equations, state, report.loads, moment_center);
+      forces = forces_on_shell(equations, state, *report.forces, moment_center);
 
     std::vector<double> values;
     for (const Source &source : sources)

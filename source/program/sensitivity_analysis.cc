@@ -514,6 +514,9 @@ namespace Biface
             changed.contact = contact.summarize(neighbor.state, changed.loads);
             changed.footprint =
               find_footprint(contact, neighbor.state, changed.loads);
+            changed.forces = std::make_shared<const NodalForces>(
+              neighbor.model.equations.nodal_forces(neighbor.state,
+                                                    changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, neighbor, changed.loads);

@@ -69,7 +69,8 @@ namespace Biface
   {
     while (true)
       {
-        const Stage stage =
+        std::shared_ptr<const NodalForces> forces;
+        const Stage                        stage =
           progress.with_angular_velocity(stages[progress.stage]);
         const auto     control = make_control(stage, parameters.control);
         const StageRun run{
@@ -82,7 +83,8 @@ namespace Biface
                            stage.friction,
                            stage.glued),
           stage.rolls(progress.stage_begun ? progress.control.start
-                                           : progress.reached)};
+                                           : progress.reached),
+          forces};
 
         if (progress.stage_begun)
           control->restore(progress.control);
@@ -647,8 +649,14 @@ namespace Biface
                         now,
                         run.control.done() >= 1});
     contact.record_history(attempt.state, now);
-    progress.work +=
-      work_of_step(equations, contact, run.state, before, attempt.state, now);
+    if (!run.forces)
+      run.forces = std::make_shared<const NodalForces>(
+        equations.nodal_forces(run.state, before));
+    const auto forces = std::make_shared<const NodalForces>(
+      equations.nodal_forces(attempt.state, now));
+    progress.work += work_of_step(
+      contact, {run.state, before, *run.forces}, {attempt.state, now, *forces});
+    run.forces       = forces;
     run.state        = attempt.state;
     progress.control = run.control.get_memory();
     ++progress.n_steps;
@@ -669,18 +677,19 @@ namespace Biface
       }
     report.contact    = contact.summarize(run.state, report.loads);
     report.footprint  = find_footprint(contact, run.state, report.loads);
+    report.forces     = forces;
     report.controlled = run.control.controlled();
     const std::optional<FoundationReaction> reaction_before = progress.reaction;
     progress.reaction.reset();
     if (run.stage.contact)
       {
         const ForceOnShell now =
-          force_of_foundation(equations, run.state, report.loads, Point<3>());
+          force_of_foundation(equations, run.state, *forces, Point<3>());
         progress.reaction = {progress.reached, now.force, now.moment};
         report.stiffness  = stiffness(run, reaction_before);
         if (report.loads.rolling)
-          report.rolling =
-            summarize_rolling(equations, contact, run.state, report.loads);
+          report.rolling = summarize_rolling(
+            equations, contact, run.state, report.loads, *forces);
         warn_of_pierced_nodes(run.state, report.loads);
       }
     report.iterations        = result.iterations;

@@ -33,8 +33,8 @@ main(int argc, char *argv[])
     [&](const ShellEquations &equations,
         const StepReport     &report,
         const State          &state) {
-      for (const ForceOnShell &item :
-           forces_on_shell(equations, state, report.loads, dealii::Point<3>()))
+      for (const ForceOnShell &item : forces_on_shell(
+             equations, state, *report.forces, dealii::Point<3>()))
         if (item.body == "foundation")
           force = item.force;
       if (report.step == 8)

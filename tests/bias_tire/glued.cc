@@ -26,15 +26,16 @@ namespace
                                     "Stage 3/Glued=true"};
     overrides.insert(overrides.end(), motion.begin(), motion.end());
     ForceOnShell result;
-    run_bias_tire(overrides,
-                  [&](const ShellEquations &equations,
-                      const StepReport     &report,
-                      const State          &state) {
-                    for (const ForceOnShell &item : forces_on_shell(
-                           equations, state, report.loads, dealii::Point<3>()))
-                      if (item.body == "foundation")
-                        result = item;
-                  });
+    run_bias_tire(
+      overrides,
+      [&](const ShellEquations &equations,
+          const StepReport     &report,
+          const State          &state) {
+        for (const ForceOnShell &item : forces_on_shell(
+               equations, state, *report.forces, dealii::Point<3>()))
+          if (item.body == "foundation")
+            result = item;
+      });
     return result;
   }
 } // namespace

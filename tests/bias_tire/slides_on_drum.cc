@@ -49,7 +49,7 @@ namespace
         const Point<3> on_axis =
           report.loads.foundation->present(Point<3>(radius, 0, 0));
         foundation =
-          force_of_foundation(equations, state, report.loads, on_axis);
+          force_of_foundation(equations, state, *report.forces, on_axis);
       });
     pressure = Utilities::MPI::sum(pressure, MPI_COMM_WORLD);
     std::cout << (along_axis ? "along the axis" : "around it") << std::endl;

@@ -36,7 +36,7 @@ struct Forces
                      const Biface::State          &state) {
                    this->report = report;
                    for (const auto &item : Biface::forces_on_shell(
-                          equations, state, report.loads, {}))
+                          equations, state, *report.forces, {}))
                      for (unsigned int i = 0; i < 3; ++i)
                        {
                          of[item.body][i]     = item.force[i];

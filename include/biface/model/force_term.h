@@ -54,6 +54,7 @@ namespace Biface
       /** Whether @p tangent is needed. */
       bool with_tangent = true;
 
+      /** Set everything that is needed to zero. */
       void
       clear();
     };
@@ -119,8 +120,9 @@ namespace Biface
   {
     force = 0;
     load  = 0;
-    for (auto &row : tangent)
-      row.fill(0);
+    if (with_tangent)
+      for (auto &row : tangent)
+        row.fill(0);
     square = 0;
   }
 } // namespace Biface

@@ -27,7 +27,7 @@ namespace Biface
   ForceOnShell
   force_of_foundation(const ShellEquations   &equations,
                       const State            &state,
-                      const Loads            &loads,
+                      const NodalForces      &forces,
                       const dealii::Point<3> &center);
 
 
@@ -57,12 +57,13 @@ namespace Biface
    *
    * Must be called on all ranks, for a converged state.
    *
+   * @param forces on the nodes in this state.
    * @param center the point to which the moments refer.
    */
   std::vector<ForceOnShell>
   forces_on_shell(const ShellEquations   &equations,
                   const State            &state,
-                  const Loads            &loads,
+                  const NodalForces      &forces,
                   const dealii::Point<3> &center);
 } // namespace Biface
 

@@ -48,13 +48,14 @@ namespace Biface
   };
 
 
-  /** The figures of a converged state. Must be called on all
-   * ranks. */
+  /** The figures of a converged state. Must be called on all ranks.
+   * @param forces on the nodes in this state. */
   RollingSummary
   summarize_rolling(const ShellEquations     &equations,
                     const ContactInteraction &contact,
                     const State              &state,
-                    const Loads              &loads);
+                    const Loads              &loads,
+                    const NodalForces        &forces);
 } // namespace Biface
 
 #endif

@@ -13,6 +13,7 @@
 #include <biface/model/dead_loads.h>
 #include <biface/model/force_term.h>
 #include <biface/model/internal_forces.h>
+#include <biface/model/nodal_forces.h>
 #include <biface/model/pressure_load.h>
 #include <biface/model/shell_mesh.h>
 #include <biface/model/state.h>
@@ -116,17 +117,9 @@ namespace Biface
     Unbalance
     start_from_prestress(State &state, const Loads &loads);
 
-    /** The forces of each kind on the nodes, regardless of supports: the forces
-     * of supports are what is missing for equilibrium. In the order of
-     * get_terms(). */
-    std::vector<LA::Vector>
+    /** The forces on the nodes by their sources, regardless of supports. */
+    NodalForces
     nodal_forces(const State &state, const Loads &loads) const;
-
-    /** The sum of those of one source. */
-    LA::Vector
-    nodal_forces(const ForceTerm::Source source,
-                 const State            &state,
-                 const Loads            &loads) const;
 
     const std::vector<const ForceTerm *> &
     get_terms() const
@@ -175,13 +168,6 @@ namespace Biface
     const ShellMesh &mesh;
 
   private:
-    /** Add the forces of a term on all nodes; compress them afterwards. */
-    void
-    add_nodal_forces(const unsigned int term,
-                     const State       &state,
-                     const Loads       &loads,
-                     LA::Vector        &nodal_forces) const;
-
     /** Add the forces of the terms in a range, which linear theory linearizes
      * either all or not at all, on a cell. */
     void

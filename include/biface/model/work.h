@@ -4,7 +4,7 @@
 #define biface_model_work_h
 
 #include <biface/model/contact_interaction.h>
-#include <biface/model/shell_equations.h>
+#include <biface/model/nodal_forces.h>
 #include <biface/model/state.h>
 
 namespace Biface
@@ -37,6 +37,15 @@ namespace Biface
   };
 
 
+  /** A converged state, its loads, and the forces on its nodes. */
+  struct LoadedState
+  {
+    const State       &state;
+    const Loads       &loads;
+    const NodalForces &forces;
+  };
+
+
   /**
    * The work in a step, by the trapezoidal rule: mean forces times
    * displacements. Its error decreases with the square of the size of the step.
@@ -44,18 +53,15 @@ namespace Biface
    * plus that of friction, and the small elastic energy in the regularization
    * of contact.
    *
-   * Must be called on all ranks, for converged states.
+   * Must be called on all ranks.
    *
-   * @param before, loads_before the state at the start of the step, and its
-   * loads, with a foundation if @p loads_after has one.
+   * @param before, after the start and the end of the step, both with a
+   * foundation or both without.
    */
   Work
-  work_of_step(const ShellEquations     &equations,
-               const ContactInteraction &contact,
-               const State              &before,
-               const Loads              &loads_before,
-               const State              &after,
-               const Loads              &loads_after);
+  work_of_step(const ContactInteraction &contact,
+               const LoadedState        &before,
+               const LoadedState        &after);
 } // namespace Biface
 
 #endif

@@ -123,6 +123,9 @@ namespace Biface
       std::shared_ptr<const FrictionLaw> friction;
       /** See Stage::rolls(). */
       bool rolls;
+      /** The forces on the nodes at the end of the last step; null in the first
+       * step of this run of the stage. */
+      std::shared_ptr<const NodalForces> &forces;
     };
 
     /** The result of an attempt at a step. */

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/model/footprint.h>
+#include <biface/model/nodal_forces.h>
 #include <biface/model/rolling_summary.h>
 #include <biface/model/state.h>
 #include <biface/model/work.h>
@@ -51,6 +52,8 @@ namespace Biface
     Work           work;
     ContactSummary contact;
     Footprint      footprint;
+    /** The forces on the nodes. */
+    std::shared_ptr<const NodalForces> forces;
     /** If the foundation alone has moved, in one way, since the start of the
      * stage. */
     std::optional<StepStiffness> stiffness;
