@@ -26,13 +26,14 @@ namespace Biface
     double     below = 0;
     for (unsigned int q = 0; q < p; ++q)
       below += laminate.get_plies()[q].thickness;
-    double tension = ply.initial_stress[0][0] * ply.thickness;
+    const Tensor<1, 3> along({std::cos(ply.angle), std::sin(ply.angle), 0});
+    double             tension = ply.initial_stress[0][0] * ply.thickness;
     for (unsigned int g = 0; g < gauss.size(); ++g)
       tension +=
         gauss.weight(g) * ply.thickness *
-        rotate_about_normal(
-          laminate.stress(E, p, below + gauss.point(g)[0] * ply.thickness),
-          -ply.angle)[0][0];
+        (along *
+         (laminate.stress(E, p, below + gauss.point(g)[0] * ply.thickness) *
+          along));
     return tension;
   }
 
