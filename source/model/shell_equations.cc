@@ -143,23 +143,52 @@ namespace Biface
   }
 
 
-  LA::Vector
-  ShellEquations::out_of_balance(const State &state, const Loads &loads) const
+  ShellEquations::Balance
+  ShellEquations::balance(const State &state, const Loads &loads) const
   {
-    LA::Vector            sum = mesh.owned_vector();
+    LA::Vector load = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+    LA::Vector constant = mesh.owned_vector();
+    internal.add_constant_forces(constant);
+
+    LA::Vector sum = load;
+    sum += constant;
+    double                square = 0;
     ForceTerm::CellForces forces;
     forces.with_tangent = internal.linearization_point().has_value();
-    for (const ForceTerm *term : terms)
-      term->add_dead_forces({loads.pressure, loads.factor, 0}, sum);
-    internal.add_constant_forces(sum);
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         sum_forces(c, state, loads, forces);
+        square += forces.square;
         mesh.add_nodal_forces(mesh.cells[c], forces.force + forces.load, sum);
+        if (forces.load.norm_square() > 0)
+          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
       }
     sum.compress(VectorOperation::add);
-    mesh.condense(sum);
-    return sum;
+    load.compress(VectorOperation::add);
+    for (LA::Vector *part : {&sum, &load, &constant})
+      mesh.condense(*part);
+    return {sum,
+            std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+                      load.norm_sqr() + constant.norm_sqr())};
+  }
+
+
+  void
+  ShellEquations::assemble_residual(const State &state, const Loads &loads)
+  {
+    update_constraints(state, loads);
+    const Balance balance = this->balance(state, loads);
+    rhs                   = balance.sum;
+    force_scale           = balance.scale;
+  }
+
+
+  LA::Vector
+  ShellEquations::out_of_balance(const State &state, const Loads &loads) const
+  {
+    return balance(state, loads).sum;
   }
 
 

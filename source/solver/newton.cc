@@ -133,6 +133,8 @@ namespace Biface
     double     last_update = std::numeric_limits<double>::infinity();
     /** What the linear solver may have left of the last increment. */
     double last_error = 0;
+    /** Whether the tangent is that of this iterate. */
+    bool has_tangent = false;
 
     NewtonResult result;
 
@@ -202,6 +204,7 @@ namespace Biface
         if (result.iterations == parameters.max_iterations)
           return fail(too_many_iterations(iterate));
 
+        complete(iterate);
         if (const auto failure = compute_increment(iterate, increment))
           return fail(*failure);
         if (const auto failure = move(iterate, increment))
@@ -229,7 +232,11 @@ namespace Biface
   Newton::assemble(Iterate &iterate)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    equations.assemble(iterate.state, iterate.loads);
+    iterate.has_tangent = !expects_convergence(iterate);
+    if (iterate.has_tangent)
+      equations.assemble(iterate.state, iterate.loads);
+    else
+      equations.assemble_residual(iterate.state, iterate.loads);
 
     NewtonResult &result = iterate.result;
     result.residuals.push_back(equations.relative_residual());
@@ -256,6 +263,28 @@ namespace Biface
         out << line;
       }
     out << std::endl;
+  }
+
+
+  void
+  Newton::complete(Iterate &iterate)
+  {
+    if (iterate.has_tangent)
+      return;
+    TimerOutput::Scope scope(timer, "Assembly");
+    equations.assemble(iterate.state, iterate.loads);
+    iterate.has_tangent = true;
+  }
+
+
+  bool
+  Newton::expects_convergence(const Iterate &iterate) const
+  {
+    if (iterate.result.iterations == 0 || !iterate.is_at_rest())
+      return false;
+    // each residual is about the square of the last one
+    const double last = iterate.result.residuals.back();
+    return last * last <= parameters.residual_tolerance;
   }
 
 

@@ -62,6 +62,12 @@ namespace Biface
     void
     assemble(const State &state, const Loads &loads);
 
+    /** Compute residual() alone, in a fraction of the time; tangent() remains
+     * that of an earlier state. Prescribed displacements must be those of the
+     * supports. */
+    void
+    assemble_residual(const State &state, const Loads &loads);
+
     /** The sum of all forces on the nodes, which depends only on the
      * displacements, not on the resultants of the state. */
     const LA::Vector &
@@ -82,8 +88,8 @@ namespace Biface
     bool
     is_symmetric(const Loads &loads) const;
 
-    /** The same as residual() for any state, without the tangent. The
-     * displacements at the supports are those of the state. */
+    /** The same as residual() for any state. The displacements at the supports
+     * are those of the state. */
     LA::Vector
     out_of_balance(const State &state, const Loads &loads) const;
 
@@ -177,6 +183,17 @@ namespace Biface
                const State           &state,
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
+
+    /** The sum of all forces on the free unknowns, and the norm of those that
+     * cancel in it. */
+    struct Balance
+    {
+      LA::Vector sum;
+      double     scale;
+    };
+
+    Balance
+    balance(const State &state, const Loads &loads) const;
 
     /** Compute the forces of all terms on a cell. */
     void

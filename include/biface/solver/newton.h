@@ -139,8 +139,19 @@ namespace Biface
       LoadParameters mu;
     };
 
+    /** Compute the residual and, unless the iteration is likely to have
+     * converged, the tangent. */
     void
     assemble(Iterate &iterate);
+
+    /** Compute a tangent that was left out. */
+    void
+    complete(Iterate &iterate);
+
+    /** Whether the iterate, whose residual is not known yet, is likely to be
+     * the last one. */
+    bool
+    expects_convergence(const Iterate &iterate) const;
 
     bool
     is_converged(const Iterate &iterate) const;
