@@ -36,12 +36,12 @@ main(int argc, char *argv[])
     parameters, equations, contact, solver, out, timer, Newton::Stop());
 
   ParametrizedLoads loads;
-  loads.at = [](const double factor) {
+  loads.at = [](const LoadParameters &factor) {
     Loads loads;
-    loads.pressure = 0.15 * factor;
+    loads.pressure = 0.15 * factor[0];
     return loads;
   };
-  double             factor = 1;
+  LoadParameters     factor{1};
   const NewtonResult result =
     newton.solve(state, loads, factor, NewtonIteration::mixed);
   std::cout << (result.converged ? "converged" : result.failure.message)
