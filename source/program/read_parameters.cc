@@ -279,6 +279,15 @@ namespace Biface
     }
 
 
+    /** Whether a setting changes the shape of the shell. */
+    bool
+    changes_shape(const Override &setting)
+    {
+      return setting.setting.rfind("Surface/", 0) == 0 ||
+             setting.setting.rfind("Mesh/", 0) == 0;
+    }
+
+
     /** The parameters with each of the entries of the section 'Sensitivities'
      * changed a little. */
     std::vector<SensitivityParameters::Change>
@@ -290,8 +299,10 @@ namespace Biface
     {
       // With friction, displacements must change less than the elastic slip.
       // Without it, the step balances the round-off of stiff contact and the
-      // curvature of the forces at fixed displacements.
-      constexpr double step = 2e-5, step_with_friction = 1e-6;
+      // curvature of the forces at fixed displacements, which is large if the
+      // shape changes.
+      constexpr double step = 1e-4, step_of_shape = 2e-5,
+                       step_with_friction = 1e-6;
 
       const bool has_friction = std::any_of(
         parameters.stages.begin(),
@@ -303,8 +314,6 @@ namespace Biface
                   (own.empty() ? parameters.contact.friction.coefficient
                                : own) != "0");
         });
-      const double relative = parameters.sensitivities.step.value_or(
-        has_friction ? step_with_friction : step);
       const std::string entry = "Sensitivities/Entries";
       std::vector<SensitivityParameters::Change> changes;
       for (const DesignVariable &variable :
@@ -313,6 +322,14 @@ namespace Biface
           SensitivityParameters::Change change;
           change.name  = variable.get_name();
           change.value = variable.value(prm);
+          const std::vector<Override> here =
+            settings({variable}, {change.value}, prm, entry);
+          const bool of_shape =
+            std::any_of(here.begin(), here.end(), changes_shape);
+          const double relative = parameters.sensitivities.step.value_or(
+            has_friction ? step_with_friction
+            : of_shape   ? step_of_shape
+                         : step);
           const double size =
             relative * (change.value == 0 ? 1 : std::abs(change.value));
           const std::array<double, 2> values{

@@ -44,8 +44,9 @@ namespace Biface
       step,
       "automatic",
       "The change of an entry in differences, in parts of its value; for an "
-      "entry that is 0, the change itself. 'automatic': 2e-5, with friction "
-      "1e-6, since the elastic slip is small. No unit.");
+      "entry that is 0, the change itself. 'automatic': 1e-4, for entries of "
+      "the sections Surface and Mesh 2e-5; with friction 1e-6, since the "
+      "elastic slip is small. No unit.");
   }
 
 
