@@ -413,6 +413,18 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The component of the velocity of a wheel in its plane. */
+    double
+    forward_velocity(const LoadLevel &level)
+    {
+      return level.ground_velocity *
+             std::cos(level.slip_angle * numbers::PI / 180);
+    }
+  } // namespace
+
+
   Stage
   Stage::with_angular_velocity(const LoadLevel             &start,
                                const std::optional<double> &free_radius) const
@@ -423,8 +435,7 @@ namespace Biface
         Assert(free_radius, ExcNotInitialized());
         const LoadLevel last = end(start);
         result.angular_velocity =
-          (1 + *slip_ratio) * last.ground_velocity *
-          std::cos(last.slip_angle * numbers::PI / 180) / *free_radius;
+          (1 + *slip_ratio) * forward_velocity(last) / *free_radius;
       }
     return result;
   }
@@ -433,9 +444,7 @@ namespace Biface
   double
   free_rolling_radius(const LoadLevel &level)
   {
-    return level.ground_velocity *
-           std::cos(level.slip_angle * numbers::PI / 180) /
-           level.angular_velocity;
+    return forward_velocity(level) / level.angular_velocity;
   }
 
 
