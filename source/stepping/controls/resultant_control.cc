@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
+#include <deal.II/lac/exceptions.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
 #include <cmath>
 #include <limits>
 
@@ -28,9 +31,6 @@ namespace Biface
             const std::string &section,
             const Control::KnownStart & /*start*/) const override
       {
-        if (!stage.contact)
-          throw InputError(
-            section + "/Control", stage.control, "it needs 'Contact = true'");
         if (stage.travel.value_or(0) != 0)
           throw InputError(section + "/Travel",
                            number_to_string(*stage.travel),
@@ -131,9 +131,6 @@ namespace Biface
             const Control::KnownStart &start) const override
       {
         const std::string with = "with 'Control = " + stage.control + "' ";
-        if (!stage.contact)
-          throw InputError(
-            section + "/Control", stage.control, "it needs 'Contact = true'");
         if (stage.angular_velocity)
           throw InputError(section + "/Angular velocity",
                            number_to_string(*stage.angular_velocity),
@@ -222,35 +219,22 @@ namespace Biface
     }
 
 
-    /** Solve a small linear system by elimination; the solution is not finite
-     * if there is none. */
+    /** Solve a small linear system; the solution is not finite if there is
+     * none. */
     std::vector<double>
-    solve(std::vector<std::vector<double>> A, std::vector<double> b)
+    solve(LAPACKFullMatrix<double> &matrix, Vector<double> &rhs)
     {
-      const unsigned int n = b.size();
-      for (unsigned int k = 0; k < n; ++k)
+      try
         {
-          unsigned int pivot = k;
-          for (unsigned int i = k + 1; i < n; ++i)
-            if (std::abs(A[i][k]) > std::abs(A[pivot][k]))
-              pivot = i;
-          std::swap(A[k], A[pivot]);
-          std::swap(b[k], b[pivot]);
-          for (unsigned int i = k + 1; i < n; ++i)
-            {
-              const double factor = A[i][k] / A[k][k];
-              for (unsigned int j = k; j < n; ++j)
-                A[i][j] -= factor * A[k][j];
-              b[i] -= factor * b[k];
-            }
+          matrix.compute_lu_factorization();
         }
-      for (unsigned int k = n; k-- > 0;)
+      catch (const LACExceptions::ExcSingular &)
         {
-          for (unsigned int j = k + 1; j < n; ++j)
-            b[k] -= A[k][j] * b[j];
-          b[k] /= A[k][k];
+          return std::vector<double>(rhs.size(),
+                                     std::numeric_limits<double>::quiet_NaN());
         }
-      return b;
+      matrix.solve(rhs);
+      return std::vector<double>(rhs.begin(), rhs.end());
     }
 
 
@@ -278,15 +262,15 @@ namespace Biface
               return changes;
             }
 
-        std::vector<std::vector<double>> matrix(n, std::vector<double>(n));
-        std::vector<double>              missing(n);
+        LAPACKFullMatrix<double> matrix(n);
+        Vector<double>           missing(n);
         for (unsigned int i = 0; i < n; ++i)
           {
             const FoundationResultant now = resultants[i]->evaluate(
               iteration.equations, iteration.state, iteration.loads, rates);
             missing[i] = values[i] - now.value - now.gradient * dV_R;
             for (unsigned int j = 0; j < n; ++j)
-              matrix[i][j] = now.gradient * dV_q[j] + now.per_load[j];
+              matrix(i, j) = now.gradient * dV_q[j] + now.per_load[j];
           }
         return solve(matrix, missing);
       }
@@ -330,6 +314,9 @@ namespace Biface
   ResultantControl::check(const std::string &section,
                           const KnownStart  &start) const
   {
+    if (!stage.contact)
+      throw InputError(
+        section + "/Control", stage.control, "it needs 'Contact = true'");
     for (const auto &resultant : resultants)
       resultant->check(stage, section, start);
   }
