@@ -111,6 +111,37 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The term of a sealed gas in the stiffness, minus the product of two
+     * vectors; see Gas. */
+    struct GasTerm
+    {
+      /** The forces per pressure. */
+      LA::Vector forces;
+      /** The derivative of the pressure by the displacements. */
+      LA::Vector gradient;
+    };
+
+
+    GasTerm
+    gas_term(const ShellEquations &equations,
+             const State          &state,
+             const Loads          &loads,
+             const Gas::Sealed    &gas)
+    {
+      LoadRates pressure_alone;
+      pressure_alone.pressure = 1;
+      GasTerm term{
+        equations.load_direction(
+          state, HeldTangent::without_foundation(loads), pressure_alone),
+        gas.pressure_gradient(state)};
+      equations.mesh.condense(term.gradient);
+      return term;
+    }
+  } // namespace
+
+
   VibrationModes
   ModalAnalysis::compute(const State       &state,
                          const Loads       &loads,
@@ -139,22 +170,20 @@ namespace Biface
 
     // a term of rank one, see Gas; it has the form of Newton's iteration
     const bool symmetric_matrix = problem.symmetric;
-    LA::Vector forces, gradient, per_pressure;
+    GasTerm    term;
+    LA::Vector per_pressure;
     double     denominator = 1;
     if (gas)
       {
-        LoadRates pressure_alone;
-        pressure_alone.pressure = 1;
-        forces   = equations.load_direction(state, alone, pressure_alone);
-        gradient = gas->pressure_gradient(state);
-        mesh.condense(gradient);
+        term         = gas_term(equations, state, loads, *gas);
         per_pressure = mesh.owned_vector();
 
         constexpr double parallel = 1e-8;
-        LA::Vector       difference(forces);
-        difference /= forces.l2_norm();
-        difference.add((gradient * forces < 0 ? 1 : -1) / gradient.l2_norm(),
-                       gradient);
+        LA::Vector       difference(term.forces);
+        difference /= term.forces.l2_norm();
+        difference.add((term.gradient * term.forces < 0 ? 1 : -1) /
+                         term.gradient.l2_norm(),
+                       term.gradient);
         if (difference.l2_norm() > parallel)
           problem.symmetric = false;
       }
@@ -164,9 +193,9 @@ namespace Biface
         return false;
       if (gas)
         {
-          if (!solve(per_pressure, forces))
+          if (!solve(per_pressure, term.forces))
             return false;
-          denominator = 1 - gradient * per_pressure;
+          denominator = 1 - term.gradient * per_pressure;
         }
       return denominator != 0;
     };
@@ -174,7 +203,7 @@ namespace Biface
       if (!solve(x, b))
         return false;
       if (gas)
-        x.add(gradient * x / denominator, per_pressure);
+        x.add(term.gradient * x / denominator, per_pressure);
       return true;
     };
     problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
@@ -261,16 +290,8 @@ namespace Biface
     LA::SparseMatrix K;
     tangent.assemble(state, loads, K);
     tangent.hold(state, loads, K);
-    LA::Vector forces, gradient;
-    if (gas)
-      {
-        LoadRates pressure_alone;
-        pressure_alone.pressure = 1;
-        forces                  = equations.load_direction(
-          state, HeldTangent::without_foundation(loads), pressure_alone);
-        gradient = gas->pressure_gradient(state);
-        mesh.condense(gradient);
-      }
+    const GasTerm term =
+      (gas ? gas_term(equations, state, loads, *gas) : GasTerm());
     const MassMatrix mass(mesh);
 
     std::vector<double> quotients;
@@ -284,19 +305,17 @@ namespace Biface
         K.vmult(product, shape);
         double stiffness = product * shape;
         if (gas)
-          stiffness -= (forces * shape) * (gradient * shape);
+          stiffness -= (term.forces * shape) * (term.gradient * shape);
         mass.vmult(product, shape);
         quotients.push_back(stiffness / (product * shape));
       }
 
     // the shapes of the same frequency are arbitrary, but not their mean
-    constexpr double same = 1e-7;
     for (unsigned int i = 0, end = 0; i < quotients.size(); i = end)
       {
-        const double square = modes.modes[i].square.real();
+        end = i + 1;
         while (end < quotients.size() &&
-               modes.modes[end].square.real() - square <=
-                 same * std::abs(square))
+               are_same(modes.modes[end - 1].square, modes.modes[end].square))
           ++end;
         const double mean =
           std::accumulate(&quotients[i], &quotients[i] + (end - i), 0.) /

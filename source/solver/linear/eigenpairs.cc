@@ -144,14 +144,21 @@ namespace Biface
   }
 
 
+  bool
+  are_same(const std::complex<double> &a, const std::complex<double> &b)
+  {
+    constexpr double same = 1e-7;
+    return std::abs(b - a) <= same * std::abs(b);
+  }
+
+
   void
   settle(std::vector<Eigenpair>        &pairs,
          const Multiply                &multiply,
          const std::vector<LA::Vector> &fields)
   {
-    // relative distance of eigenvalues that are the same, and the part of a
-    // field in a group of vectors that is not round-off
-    constexpr double same = 1e-7, significant = 1e-5;
+    // the part of a field in a group of vectors that is not round-off
+    constexpr double significant = 1e-5;
 
     std::stable_sort(
       pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
@@ -167,8 +174,7 @@ namespace Biface
         const bool is_complex = (pairs[begin].value.imag() != 0);
         while (end < pairs.size() && !is_complex &&
                pairs[end].value.imag() == 0 &&
-               std::abs(pairs[end].value - pairs[end - 1].value) <=
-                 same * std::abs(pairs[end].value))
+               are_same(pairs[end - 1].value, pairs[end].value))
           ++end;
 
         if (is_complex)

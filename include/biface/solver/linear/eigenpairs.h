@@ -59,6 +59,11 @@ namespace Biface
   };
 
 
+  /** Whether two eigenvalues are the same up to round-off. */
+  bool
+  are_same(const std::complex<double> &a, const std::complex<double> &b);
+
+
   struct Eigenpairs
   {
     bool success = false;
