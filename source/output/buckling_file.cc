@@ -11,15 +11,16 @@ namespace Biface
   BucklingFile::BucklingFile(const std::vector<Stage> &stages,
                              ResultsDirectory         &directory,
                              const ShellEquations     &equations)
-    : StepTable("buckling.csv",
-                "step,modes,mode,stage,factor,pressure,load_factor,approach,"
-                "load_work,circumferential_waves,meridional_half_waves",
-                0,
-                directory,
-                equations)
-    , any(std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-      return stage.n_buckling > 0;
-    }))
+    : StepTable(
+        "buckling.csv",
+        "step,modes,mode,stage,factor,pressure,load_factor,approach,"
+        "load_work,circumferential_waves,meridional_half_waves",
+        0,
+        directory,
+        equations,
+        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.n_buckling > 0;
+        }))
   {}
 
 

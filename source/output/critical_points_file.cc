@@ -18,10 +18,10 @@ namespace Biface
         "circumferential_waves,meridional_half_waves",
         1,
         directory,
-        equations)
-    , any(std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-      return stage.locates_critical_points();
-    }))
+        equations,
+        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.locates_critical_points();
+        }))
   {}
 
 

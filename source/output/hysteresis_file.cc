@@ -22,8 +22,8 @@ namespace Biface
                 "first_harmonics",
                 equations.mesh.layup.get_plies().size(),
                 directory,
-                equations)
-    , any(any_rolling(stages) && equations.mesh.layup.has_loss())
+                equations,
+                any_rolling(stages) && equations.mesh.layup.has_loss())
   {}
 
 

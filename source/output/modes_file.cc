@@ -13,15 +13,15 @@ namespace Biface
   ModesFile::ModesFile(const std::vector<Stage> &stages,
                        ResultsDirectory         &directory,
                        const ShellEquations     &equations)
-    : StepTable("modes.csv",
-                "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
-                "participation_x,participation_y,participation_z,"
-                "effective_mass_x,effective_mass_y,effective_mass_z,"
-                "total_mass,circumferential_waves,meridional_half_waves",
-                0,
-                directory,
-                equations)
-    , any_modes(
+    : StepTable(
+        "modes.csv",
+        "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
+        "participation_x,participation_y,participation_z,"
+        "effective_mass_x,effective_mass_y,effective_mass_z,"
+        "total_mass,circumferential_waves,meridional_half_waves",
+        0,
+        directory,
+        equations,
         std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
           return stage.n_modes > 0;
         }))

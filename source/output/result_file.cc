@@ -104,10 +104,12 @@ namespace Biface
                        const std::string    &header,
                        const unsigned int    lines_per_step,
                        ResultsDirectory     &directory,
-                       const ShellEquations &equations)
+                       const ShellEquations &equations,
+                       const bool            wanted)
     : ResultFile(name, directory, equations)
     , header(header)
     , lines_per_step(lines_per_step)
+    , wanted(wanted)
   {}
 
 

@@ -22,8 +22,8 @@ namespace Biface
                                 : ""),
                 1,
                 directory,
-                equations)
-    , any(any_rolling(stages))
+                equations,
+                any_rolling(stages))
   {}
 
 

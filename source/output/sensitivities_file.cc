@@ -14,8 +14,8 @@ namespace Biface
                 "logarithmic_derivative",
                 n_pairs,
                 directory,
-                equations)
-    , n_pairs(n_pairs)
+                equations,
+                n_pairs > 0)
   {}
 
 

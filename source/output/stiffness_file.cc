@@ -56,8 +56,12 @@ namespace Biface
   StiffnessFile::StiffnessFile(const std::vector<Stage> &stages,
                                ResultsDirectory         &directory,
                                const ShellEquations     &equations)
-    : StepTable("stiffness.csv", stiffness_header(), 1, directory, equations)
-    , any_motion(
+    : StepTable(
+        "stiffness.csv",
+        stiffness_header(),
+        1,
+        directory,
+        equations,
         std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
           return stage.moves_foundation();
         }))

@@ -21,12 +21,6 @@ namespace Biface
                  ResultsDirectory         &directory,
                  const ShellEquations     &equations);
 
-    bool
-    is_wanted() const override
-    {
-      return any;
-    }
-
   private:
     bool
     contains(const StepReport &report) const override
@@ -36,8 +30,6 @@ namespace Biface
 
     void
     write(const StepReport &report, const State &state) override;
-
-    const bool any;
   };
 } // namespace Biface
 

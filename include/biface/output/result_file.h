@@ -140,12 +140,20 @@ namespace Biface
   {
   public:
     /** @param header the names of the columns, separated by commas.
-     * @param lines_per_step 0 if the second column says how many. */
+     * @param lines_per_step 0 if the second column says how many.
+     * @param wanted see is_wanted(). */
     StepTable(const std::string    &name,
               const std::string    &header,
               const unsigned int    lines_per_step,
               ResultsDirectory     &directory,
-              const ShellEquations &equations);
+              const ShellEquations &equations,
+              const bool            wanted = true);
+
+    bool
+    is_wanted() const override
+    {
+      return wanted;
+    }
 
     void
     start() override;
@@ -165,6 +173,7 @@ namespace Biface
 
     const std::string  header;
     const unsigned int lines_per_step;
+    const bool         wanted;
   };
 
 

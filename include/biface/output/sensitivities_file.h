@@ -19,12 +19,6 @@ namespace Biface
                       ResultsDirectory     &directory,
                       const ShellEquations &equations);
 
-    bool
-    is_wanted() const override
-    {
-      return n_pairs > 0;
-    }
-
   private:
     bool
     contains(const StepReport &report) const override
@@ -34,8 +28,6 @@ namespace Biface
 
     void
     write(const StepReport &report, const State &state) override;
-
-    const unsigned int n_pairs;
   };
 } // namespace Biface
 
