@@ -309,6 +309,25 @@ namespace Biface
   }
 
 
+  DeclaredEntries::DeclaredEntries(const ParameterHandler &prm) : prm(prm)
+  {
+    for (const std::string &name : declared_names(prm))
+      names.insert(name);
+  }
+
+
+  std::optional<std::string>
+  DeclaredEntries::value(const std::string &entry) const
+  {
+    if (names.count(entry) == 0)
+      return {};
+    std::vector<std::string> path = Utilities::split_string_list(entry, '/');
+    const std::string        name = path.back();
+    path.pop_back();
+    return prm.get(path, name);
+  }
+
+
   namespace
   {
     /** Number of single-letter edits between two words. */

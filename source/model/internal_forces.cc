@@ -24,10 +24,12 @@ namespace Biface
   std::vector<Modes::Vector>
   InternalForces::resultants_of_laminate() const
   {
+    std::vector<Modes::Vector> of_strips;
+    for (const Strip &strip : mesh.strips)
+      of_strips.push_back(Modes::constant(strip.laminate.initial_resultants()));
     std::vector<Modes::Vector> resultants;
     for (const Cell &cell : mesh.cells)
-      resultants.push_back(
-        Modes::constant(mesh.strips[cell.strip].laminate.initial_resultants()));
+      resultants.push_back(of_strips[cell.strip]);
 
     const auto          &given = mesh.layup.get_initial_resultants();
     std::vector<Formula> formulas;

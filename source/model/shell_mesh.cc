@@ -242,7 +242,6 @@ namespace Biface
     , sampling(sampling)
     , points(points)
     , surface(std::move(surface))
-    , fe(FE_Q<2, 3>(1), 6)
   {
     strips = make_strips(layup, *this->surface, grid);
     const std::vector<std::array<double, 2>> face_heights =
@@ -253,10 +252,12 @@ namespace Biface
       check_geometry(*this->surface, grid, face_heights_on_lines(strips, side));
 
     triangulation = make_triangulation(communicator, *this->surface, grid);
-    dof_handler.reinit(*triangulation);
-    dof_handler.distribute_dofs(fe);
-    locally_owned = dof_handler.locally_owned_dofs();
-    DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+    const auto new_dof_handler =
+      std::make_shared<DoFHandler<2, 3>>(*triangulation);
+    new_dof_handler->distribute_dofs(FESystem<2, 3>(FE_Q<2, 3>(1), 6));
+    dof_handler   = new_dof_handler;
+    locally_owned = dof_handler->locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(*dof_handler, locally_relevant);
 
     diameter = diagonal_of_box(*triangulation);
 
@@ -277,6 +278,21 @@ namespace Biface
       if (!constraints.is_constrained(dof))
         ++n_owned_free;
     n_free = Utilities::MPI::sum(n_owned_free, communicator);
+  }
+
+
+  std::shared_ptr<const ShellMesh>
+  ShellMesh::with_layup(const Layup &other) const
+  {
+    const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
+    result->layup  = other;
+    result->strips = make_strips(other, *surface, grid);
+    for (unsigned int i = 0; i < strips.size(); ++i)
+      for (unsigned int line = 0; line < 2; ++line)
+        if (result->strips[i].at_lines[line].face_heights() !=
+            strips[i].at_lines[line].face_heights())
+          return nullptr;
+    return result;
   }
 
 
@@ -338,7 +354,7 @@ namespace Biface
       };
 
     std::vector<std::set<unsigned int>> adjacent;
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : dof_handler->active_cell_iterators())
       {
         if (cell->is_artificial())
           continue;

@@ -29,109 +29,132 @@ namespace Biface
   } // namespace
 
 
-  std::vector<std::string>
-  history_columns(const FailureCriteria &criteria,
-                  const ShellMesh       &mesh,
-                  const bool             with_volume)
+  std::vector<HistoryGroup>
+  history_groups(const FailureCriteria &criteria,
+                 const ShellMesh       &mesh,
+                 const bool             with_volume)
   {
-    std::vector<std::string> columns{
-      "step",          "stage",           "approach",      "force",
-      "contact_nodes", "contact_area",    "max_pressure",  "iterations",
-      "seconds",       "pressure",        "load_factor",   "strain_energy",
-      "load_work",     "foundation_work", "friction_work", "slide_x",
-      "slide_y",       "slide_z",         "turn",          "slipping_nodes"};
+    using Step   = HistoryGroup::Step;
+    using Values = std::vector<std::optional<double>>;
+
+    std::vector<HistoryGroup> groups{
+      {{"approach",
+        "force",
+        "contact_nodes",
+        "contact_area",
+        "max_pressure",
+        "iterations",
+        "seconds",
+        "pressure",
+        "load_factor"},
+       [](const Step &step) -> Values {
+         const StepReport     &report  = step.report;
+         const ContactSummary &contact = report.contact;
+         return {report.approach,
+                 contact.force,
+                 contact.n_nodes,
+                 contact.area,
+                 contact.max_pressure,
+                 report.iterations,
+                 report.seconds,
+                 report.loads.pressure,
+                 report.loads.factor};
+       }},
+      {{"strain_energy"},
+       [](const Step &step) -> Values {
+         return {step.equations.internal_forces().strain_energy(step.state)};
+       }},
+      {{"load_work",
+        "foundation_work",
+        "friction_work",
+        "slide_x",
+        "slide_y",
+        "slide_z",
+        "turn",
+        "slipping_nodes"},
+       [](const Step &step) -> Values {
+         const StepReport &report = step.report;
+         return {report.work.loads,
+                 report.work.foundation,
+                 report.work.friction,
+                 report.slide[0],
+                 report.slide[1],
+                 report.slide[2],
+                 report.turn,
+                 report.contact.n_slipping};
+       }}};
     if (with_volume)
-      columns.emplace_back("volume");
-    for (const FailureCriterion &criterion : criteria.requested())
-      for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
-        columns.push_back(criterion.column + '_' + what);
+      groups.push_back({{"volume"}, [](const Step &step) -> Values {
+                          return {step.cavity->volume(step.state)};
+                        }});
+    if (const auto requested = criteria.requested(); !requested.empty())
+      {
+        std::vector<std::string> columns;
+        for (const FailureCriterion &criterion : requested)
+          for (const std::string what : {"index", "alpha_1", "alpha_2", "ply"})
+            columns.push_back(criterion.column + '_' + what);
+        groups.push_back(
+          {columns, [](const Step &step) {
+             Values values;
+             for (const FailureMaximum &maximum : step.failure_maxima)
+               if (std::isnan(maximum.index))
+                 values.resize(values.size() + 4);
+               else
+                 values.insert(values.end(),
+                               {maximum.index,
+                                maximum.alpha[0],
+                                maximum.alpha[1],
+                                static_cast<double>(maximum.ply)});
+             return values;
+           }});
+      }
     if (mesh.layup.has_slack_cords())
-      columns.emplace_back("slack_cords");
-    for (const std::string column : {"footprint_length",
-                                     "footprint_width",
-                                     "footprint_area",
-                                     "mean_pressure",
-                                     "recovered_max_pressure",
-                                     "load_ratio",
-                                     "slipping_area"})
-      columns.push_back(column);
+      groups.push_back(
+        {{"slack_cords"}, [](const Step &step) -> Values {
+           return {step.equations.internal_forces().slack_fraction(step.state)};
+         }});
+    groups.push_back(
+      {{"footprint_length",
+        "footprint_width",
+        "footprint_area",
+        "mean_pressure",
+        "recovered_max_pressure",
+        "load_ratio",
+        "slipping_area"},
+       [](const Step &step) -> Values {
+         const StepReport     &report    = step.report;
+         const ContactSummary &contact   = report.contact;
+         const Footprint      &footprint = report.footprint;
+         return {footprint.length,
+                 footprint.width,
+                 footprint.area,
+                 ratio(contact.force, footprint.area),
+                 footprint.max_pressure,
+                 ratio(contact.force, report.loads.pressure * footprint.area),
+                 contact.slipping_area};
+       }});
     if (is_wheel(mesh))
-      columns.emplace_back("loaded_radius");
+      groups.push_back({{"loaded_radius"}, [](const Step &step) -> Values {
+                          const auto &foundation = step.report.loads.foundation;
+                          return {foundation ? foundation->clearance(Point<3>())
+                                             : 0.};
+                        }});
     const TensionMembers members(mesh.layup);
     if (members.exist())
-      for (const std::string what : {"", "_alpha_1", "_alpha_2", "_ply"})
-        columns.push_back("max_" + members.name() + what);
-    return columns;
-  }
-
-
-  std::vector<std::optional<double>>
-  history_values(const StepReport                  &report,
-                 const State                       &state,
-                 const ShellEquations              &equations,
-                 const Cavity                      *cavity,
-                 const std::vector<FailureMaximum> &failure_maxima)
-  {
-    const ShellMesh                   &mesh    = equations.mesh;
-    const ContactSummary              &contact = report.contact;
-    std::vector<std::optional<double>> values{
-      report.approach,
-      contact.force,
-      contact.n_nodes,
-      contact.area,
-      contact.max_pressure,
-      report.iterations,
-      report.seconds,
-      report.loads.pressure,
-      report.loads.factor,
-      equations.internal_forces().strain_energy(state),
-      report.work.loads,
-      report.work.foundation,
-      report.work.friction,
-      report.slide[0],
-      report.slide[1],
-      report.slide[2],
-      report.turn,
-      contact.n_slipping};
-    const auto add = [&](const double value) { values.emplace_back(value); };
-    if (cavity)
-      add(cavity->volume(state));
-    for (const FailureMaximum &maximum : failure_maxima)
-      if (std::isnan(maximum.index))
-        values.resize(values.size() + 4);
-      else
-        for (const double value : {maximum.index,
-                                   maximum.alpha[0],
-                                   maximum.alpha[1],
-                                   static_cast<double>(maximum.ply)})
-          add(value);
-    if (mesh.layup.has_slack_cords())
-      add(equations.internal_forces().slack_fraction(state));
-
-    const Footprint &footprint = report.footprint;
-    for (const double value :
-         {footprint.length,
-          footprint.width,
-          footprint.area,
-          ratio(contact.force, footprint.area),
-          footprint.max_pressure,
-          ratio(contact.force, report.loads.pressure * footprint.area),
-          contact.slipping_area})
-      add(value);
-    if (is_wheel(mesh))
-      add(report.loads.foundation
-            ? report.loads.foundation->clearance(Point<3>())
-            : 0.);
-    if (TensionMembers(mesh.layup).exist())
       {
-        const MaximumTension maximum = find_maximum_tension(equations, state);
-        for (const double value : {maximum.value,
-                                   maximum.alpha[0],
-                                   maximum.alpha[1],
-                                   static_cast<double>(maximum.ply)})
-          add(value);
+        std::vector<std::string> columns;
+        for (const std::string what : {"", "_alpha_1", "_alpha_2", "_ply"})
+          columns.push_back("max_" + members.name() + what);
+        groups.push_back({columns, [](const Step &step) -> Values {
+                            const MaximumTension maximum =
+                              find_maximum_tension(step.equations, step.state);
+                            return {maximum.value,
+                                    maximum.alpha[0],
+                                    maximum.alpha[1],
+                                    static_cast<double>(maximum.ply)};
+                          }});
       }
-    return values;
+    return groups;
   }
 
 
@@ -140,10 +163,11 @@ namespace Biface
                       const ShellMesh       &mesh,
                       const bool             with_volume)
   {
-    std::string text;
-    for (const std::string &column :
-         history_columns(criteria, mesh, with_volume))
-      text += (text.empty() ? "" : ",") + column;
+    std::string text = "step,stage";
+    for (const HistoryGroup &group :
+         history_groups(criteria, mesh, with_volume))
+      for (const std::string &column : group.columns)
+        text += "," + column;
     return text;
   }
 
@@ -159,6 +183,7 @@ namespace Biface
                 equations)
     , criteria(criteria)
     , cavity(cavity)
+    , groups(history_groups(criteria, equations.mesh, cavity != nullptr))
   {}
 
 
@@ -174,9 +199,11 @@ namespace Biface
   {
     failure_maxima   = find_failure_maxima(equations, state, criteria);
     std::string line = std::to_string(report.step) + ',' + report.stage;
-    for (const std::optional<double> &value :
-         history_values(report, state, equations, cavity, failure_maxima))
-      line += ',' + (value ? csv_number(*value) : std::string());
+    const HistoryGroup::Step step{
+      report, state, equations, cavity, failure_maxima};
+    for (const HistoryGroup &group : groups)
+      for (const std::optional<double> &value : group.values(step))
+        line += ',' + (value ? csv_number(*value) : std::string());
     append(line + '\n');
   }
 } // namespace Biface

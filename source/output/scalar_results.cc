@@ -7,7 +7,6 @@
 
 #include <biface/base/errors.h>
 #include <biface/model/forces_on_shell.h>
-#include <biface/output/history_file.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
@@ -27,12 +26,8 @@ namespace Biface
         return column.size() >= end.size() &&
                column.compare(column.size() - end.size(), end.size(), end) == 0;
       };
-      for (const std::string counted : {"step",
-                                        "stage",
-                                        "iterations",
-                                        "seconds",
-                                        "contact_nodes",
-                                        "slipping_nodes"})
+      for (const std::string counted :
+           {"iterations", "seconds", "contact_nodes", "slipping_nodes"})
         if (column == counted)
           return false;
       return !ends_with("_work") && !ends_with("_alpha_1") &&
@@ -79,19 +74,21 @@ namespace Biface
                                const Point<3>                 &moment_center,
                                const bool                      with_volume,
                                const unsigned int              n_modes)
-    : names(names), criteria(criteria), moment_center(moment_center)
+    : names(names)
+    , criteria(criteria)
+    , moment_center(moment_center)
+    , history(history_groups(criteria, mesh, with_volume))
   {
     for (const std::string &name : names)
       {
-        const std::optional<Source> source =
-          find(name, mesh, criteria, with_volume, n_modes);
+        const std::optional<Source> source = find(name, mesh, n_modes);
         if (!source)
           {
             std::string columns;
-            for (const std::string &column :
-                 history_columns(criteria, mesh, with_volume))
-              if (has_derivative(column))
-                columns += (columns.empty() ? "" : ", ") + column;
+            for (const HistoryGroup &group : history)
+              for (const std::string &column : group.columns)
+                if (has_derivative(column))
+                  columns += (columns.empty() ? "" : ", ") + column;
             throw InputError(
               entry,
               name,
@@ -106,22 +103,20 @@ namespace Biface
 
 
   std::optional<ScalarResults::Source>
-  ScalarResults::find(const std::string     &name,
-                      const ShellMesh       &mesh,
-                      const FailureCriteria &criteria,
-                      const bool             with_volume,
-                      const unsigned int     n_modes) const
+  ScalarResults::find(const std::string &name,
+                      const ShellMesh   &mesh,
+                      const unsigned int n_modes) const
   {
     Source source;
-    if (const auto column =
-          position_of(name, history_columns(criteria, mesh, with_volume)))
-      {
-        if (!has_derivative(name))
-          return {};
-        // after step and stage
-        source.position = *column - 2;
-        return source;
-      }
+    for (unsigned int g = 0; g < history.size(); ++g)
+      if (const auto column = position_of(name, history[g].columns))
+        {
+          if (!has_derivative(name))
+            return {};
+          source.position  = g;
+          source.component = *column;
+          return source;
+        }
 
     std::string       rest = Utilities::trim(name);
     const std::string last = take_last_word(rest);
@@ -167,11 +162,11 @@ namespace Biface
 
 
   bool
-  ScalarResults::have_frequency() const
+  ScalarResults::have(const Source::Kind kind) const
   {
     return std::any_of(
-      sources.begin(), sources.end(), [](const Source &source) {
-        return source.kind == Source::Kind::frequency;
+      sources.begin(), sources.end(), [&](const Source &source) {
+        return source.kind == kind;
       });
   }
 
@@ -182,22 +177,23 @@ namespace Biface
                           const StepReport     &report,
                           const State          &state) const
   {
-    const ShellMesh &mesh  = equations.mesh;
-    const auto       needs = [&](const Source::Kind kind) {
-      return std::any_of(
-        sources.begin(), sources.end(), [&](const Source &source) {
-          return source.kind == kind;
-        });
-    };
-    std::vector<std::optional<double>> history;
-    if (needs(Source::Kind::history))
-      history = history_values(report,
-                               state,
-                               equations,
-                               cavity,
-                               find_failure_maxima(equations, state, criteria));
+    const ShellMesh &mesh = equations.mesh;
+
+    // only the groups that contain a result
+    std::vector<std::vector<std::optional<double>>> groups(history.size());
+    if (have(Source::Kind::history))
+      {
+        const auto failure_maxima =
+          find_failure_maxima(equations, state, criteria);
+        const HistoryGroup::Step step{
+          report, state, equations, cavity, failure_maxima};
+        for (const Source &source : sources)
+          if (source.kind == Source::Kind::history &&
+              groups[source.position].empty())
+            groups[source.position] = history[source.position].values(step);
+      }
     std::vector<ForceOnShell> forces;
-    if (needs(Source::Kind::force))
+    if (have_force())
       forces = forces_on_shell(equations, state, *report.forces, moment_center);
 
     std::vector<double> values;
@@ -207,7 +203,7 @@ namespace Biface
         switch (source.kind)
           {
             case Source::Kind::history:
-              value = history[source.position].value_or(value);
+              value = groups[source.position][source.component].value_or(value);
               break;
             case Source::Kind::probe:
               {

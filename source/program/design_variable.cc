@@ -149,20 +149,6 @@ namespace Biface
       text = Utilities::trim(text.substr(prefix.size()));
       return true;
     }
-
-
-    /** The value of an entry "Section/Entry"; nothing if it does not exist. */
-    std::optional<std::string>
-    value_of(const ParameterHandler &prm, const std::string &entry)
-    {
-      const std::vector<std::string> names = declared_names(prm);
-      if (std::find(names.begin(), names.end(), entry) == names.end())
-        return {};
-      std::vector<std::string> path = Utilities::split_string_list(entry, '/');
-      const std::string        name = path.back();
-      path.pop_back();
-      return prm.get(path, name);
-    }
   } // namespace
 
 
@@ -237,15 +223,16 @@ namespace Biface
 
 
   unsigned int
-  DesignVariable::find(const Number &number, const ParameterHandler &prm) const
+  DesignVariable::find(const Number          &number,
+                       const DeclaredEntries &declared) const
   {
-    const std::optional<std::string> value = value_of(prm, number.entry);
+    const std::optional<std::string> value = declared.value(number.entry);
     if (!value)
       throw InputError(where,
                        text,
                        "there is no entry " + quoted(number.entry) +
                          "; the nearest name is " +
-                         quoted(nearest_name(prm, number.entry)));
+                         quoted(nearest_name(declared.prm, number.entry)));
     const std::string what =
       "the entry " + quoted(number.entry) + " is " + quoted(*value);
     const std::size_t n = find_numbers(*value).size();
@@ -266,22 +253,32 @@ namespace Biface
   }
 
 
+  std::vector<std::string>
+  DesignVariable::get_entries() const
+  {
+    std::vector<std::string> entries;
+    for (const Number &number : numbers)
+      entries.push_back(number.entry);
+    return entries;
+  }
+
+
   void
-  DesignVariable::check(const ParameterHandler &prm) const
+  DesignVariable::check(const DeclaredEntries &declared) const
   {
     for (const Number &number : numbers)
-      find(number, prm);
+      find(number, declared);
   }
 
 
   double
-  DesignVariable::value(const ParameterHandler &prm) const
+  DesignVariable::value(const DeclaredEntries &declared) const
   {
     std::vector<double> values;
     for (const Number &number : numbers)
       {
-        const unsigned int position = find(number, prm);
-        const std::string  given    = *value_of(prm, number.entry);
+        const unsigned int position = find(number, declared);
+        const std::string  given    = *declared.value(number.entry);
         const Span         span     = find_numbers(given)[position - 1];
         const double       found    = parse_number(where,
                                           given.substr(span.begin, span.size),
@@ -333,7 +330,7 @@ namespace Biface
   std::vector<Override>
   settings(const std::vector<DesignVariable> &variables,
            const std::vector<double>         &values,
-           const ParameterHandler            &prm,
+           const DeclaredEntries             &declared,
            const std::string                 &source)
   {
     AssertDimension(variables.size(), values.size());
@@ -348,7 +345,7 @@ namespace Biface
       for (const DesignVariable::Number &number : variables[i].numbers)
         {
           Change &change =
-            changes[number.entry][variables[i].find(number, prm)];
+            changes[number.entry][variables[i].find(number, declared)];
           if (variables[i].factor)
             change.factor *= values[i];
           else if (change.value)
@@ -363,7 +360,7 @@ namespace Biface
     std::vector<Override> result;
     for (const auto &[entry, numbers] : changes)
       {
-        const std::string given = *value_of(prm, entry);
+        const std::string given = *declared.value(entry);
         const auto        spans = find_numbers(given);
         std::string       text;
         std::size_t       copied = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <sstream>
 
@@ -268,23 +269,30 @@ namespace Biface
     }
 
 
-    /** Whether the mesh does not depend on a setting. */
+    /** Whether an entry belongs to one of the sections that begin so. */
     bool
-    keeps_mesh(const Override &setting)
+    is_in(const std::string                        &entry,
+          const std::initializer_list<const char *> sections)
     {
-      for (const char *section : {"Stage ", "Loads/", "Gas/", "Contact/"})
-        if (setting.setting.rfind(section, 0) == 0)
-          return true;
-      return false;
+      return std::any_of(
+        sections.begin(), sections.end(), [&](const char *section) {
+          return entry.rfind(section, 0) == 0;
+        });
     }
 
 
-    /** Whether a setting changes the shape of the shell. */
-    bool
-    changes_shape(const Override &setting)
+    /** What entries change in the mesh. */
+    SensitivityParameters::MeshChange
+    mesh_change(const std::vector<std::string> &entries)
     {
-      return setting.setting.rfind("Surface/", 0) == 0 ||
-             setting.setting.rfind("Mesh/", 0) == 0;
+      using MeshChange  = SensitivityParameters::MeshChange;
+      MeshChange change = MeshChange::nothing;
+      for (const std::string &entry : entries)
+        if (is_in(entry, {"Material ", "Laminate/"}))
+          change = std::max(change, MeshChange::plies);
+        else if (!is_in(entry, {"Stage ", "Loads/", "Gas/", "Contact/"}))
+          change = MeshChange::anything;
+      return change;
     }
 
 
@@ -314,18 +322,24 @@ namespace Biface
                   (own.empty() ? parameters.contact.friction.coefficient
                                : own) != "0");
         });
-      const std::string entry = "Sensitivities/Entries";
+      const std::string     entry = "Sensitivities/Entries";
+      const DeclaredEntries declared(prm);
       std::vector<SensitivityParameters::Change> changes;
       for (const DesignVariable &variable :
            parse_design_variables(entry, parameters.sensitivities.entries))
         {
           SensitivityParameters::Change change;
           change.name  = variable.get_name();
-          change.value = variable.value(prm);
-          const std::vector<Override> here =
-            settings({variable}, {change.value}, prm, entry);
+          change.value = variable.value(declared);
+          const std::vector<std::string> changed_entries =
+            variable.get_entries();
+          change.mesh_change = mesh_change(changed_entries);
           const bool of_shape =
-            std::any_of(here.begin(), here.end(), changes_shape);
+            std::any_of(changed_entries.begin(),
+                        changed_entries.end(),
+                        [](const std::string &name) {
+                          return is_in(name, {"Surface/", "Mesh/"});
+                        });
           const double relative = parameters.sensitivities.step.value_or(
             has_friction ? step_with_friction
             : of_shape   ? step_of_shape
@@ -338,13 +352,9 @@ namespace Biface
           for (unsigned int side = 0; side < 2; ++side)
             {
               std::vector<Source> changed_sources = sources;
-              change.same_mesh                    = true;
               for (const Override &setting :
-                   settings({variable}, {values[side]}, prm, entry))
-                {
-                  changed_sources.push_back({entry, override_text(setting)});
-                  change.same_mesh = change.same_mesh && keeps_mesh(setting);
-                }
+                   settings({variable}, {values[side]}, declared, entry))
+                changed_sources.push_back({entry, override_text(setting)});
               const auto       changed = std::make_shared<Parameters>();
               ParameterHandler changed_prm;
               try

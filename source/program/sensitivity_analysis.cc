@@ -124,10 +124,13 @@ namespace Biface
     for (const Change &change : parameters.sensitivities.changes)
       for (const auto &changed : change.parameters)
         {
+          using MeshChange = SensitivityParameters::MeshChange;
           std::shared_ptr<const ShellMesh> mesh = model.mesh;
-          if (!change.same_mesh)
+          if (change.mesh_change != MeshChange::nothing)
             {
-              mesh = make_shell_mesh(*changed, model.mesh->communicator);
+              mesh = (change.mesh_change == MeshChange::plies
+                        ? with_other_plies(*mesh, *changed)
+                        : make_shell_mesh(*changed, mesh->communicator));
               check_mesh(*model.mesh, *mesh, change.name);
             }
           neighbors.push_back(std::make_unique<Neighbor>(changed, mesh));
@@ -369,8 +372,6 @@ namespace Biface
               if (const auto own_gas = sealed_in(neighbor))
                 neighbor.loads.pressure = neighbor.level.pressure =
                   own_gas->pressure(neighbor.state);
-              neighbor.model.equations.internal_forces().settle_resultants(
-                neighbor.state);
               neighbor.model.contact.compute_multipliers(neighbor.state,
                                                          neighbor.loads);
             }
@@ -449,8 +450,8 @@ namespace Biface
           {
             Neighbor &neighbor        = *neighbors[2 * e + side];
             neighbor.progress.reached = neighbor.level;
-            neighbor.model.contact.compute_multipliers(neighbor.state,
-                                                       neighbor.loads);
+            neighbor.model.equations.internal_forces().settle_resultants(
+              neighbor.state);
             neighbor.model.contact.record_history(neighbor.state,
                                                   neighbor.loads);
           }
@@ -514,9 +515,10 @@ namespace Biface
             changed.contact = contact.summarize(neighbor.state, changed.loads);
             changed.footprint =
               find_footprint(contact, neighbor.state, changed.loads);
-            changed.forces = std::make_shared<const NodalForces>(
-              neighbor.model.equations.nodal_forces(neighbor.state,
-                                                    changed.loads));
+            if (results.have_force())
+              changed.forces = std::make_shared<const NodalForces>(
+                neighbor.model.equations.nodal_forces(neighbor.state,
+                                                      changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, neighbor, changed.loads);

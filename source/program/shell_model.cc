@@ -57,6 +57,15 @@ namespace Biface
           std::floor(Utilities::MPI::min(available, communicator) / gigabyte)) +
         " GB of memory.");
     }
+
+
+    Layup
+    make_layup(const Parameters &parameters, const ChartGrid &finest)
+    {
+      return {parameters.laminate,
+              parameters.materials,
+              plies_on_surface(make_surface(parameters.surface), finest)};
+    }
   } // namespace
 
 
@@ -70,10 +79,7 @@ namespace Biface
     const ChartGrid finest(parameters.mesh, *surface);
     const ChartGrid given = (grid ? *grid : finest);
     check_memory(given, communicator);
-    const Layup layup(
-      parameters.laminate,
-      parameters.materials,
-      plies_on_surface(make_surface(parameters.surface), finest));
+    const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
     return std::make_shared<const ShellMesh>(communicator,
                                              std::move(surface),
@@ -82,6 +88,15 @@ namespace Biface
                                              parameters.supports,
                                              points,
                                              parameters.element.sampling);
+  }
+
+
+  std::shared_ptr<const ShellMesh>
+  with_other_plies(const ShellMesh &mesh, const Parameters &parameters)
+  {
+    const auto same_faces = mesh.with_layup(make_layup(parameters, mesh.grid));
+    return same_faces ? same_faces
+                      : make_shell_mesh(parameters, mesh.communicator);
   }
 
 

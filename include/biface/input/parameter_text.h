@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -100,6 +102,25 @@ namespace Biface
    * "Section/". */
   std::vector<std::string>
   declared_names(const dealii::ParameterHandler &prm);
+
+  /** The declared entries by their names, to look up many of them. */
+  class DeclaredEntries
+  {
+  public:
+    /** Not explicit: the object, which is kept by reference, stands for its
+     * entries. */
+    DeclaredEntries(const dealii::ParameterHandler &prm);
+
+    /** The value of an entry "Section/Entry"; nothing if it does not exist. */
+    std::optional<std::string>
+    value(const std::string &entry) const;
+
+    const dealii::ParameterHandler &prm;
+
+  private:
+    std::set<std::string> names;
+  };
+
 
   /** The declared name nearest to an unknown one. */
   std::string

@@ -163,10 +163,16 @@ namespace Biface
               const std::vector<NamedPoint>          &points = {},
               const StrainSampling sampling = StrainSampling::vertices);
 
+    /** The same mesh with other plies, of which it shares all but these; null
+     * if they place the faces elsewhere. Throws InputError if a ply ends
+     * between two lines. */
+    std::shared_ptr<const ShellMesh>
+    with_layup(const Layup &other) const;
+
     const MPI_Comm communicator;
 
     const ChartGrid grid;
-    const Layup     layup;
+    Layup           layup;
 
     const StrainSampling sampling;
 
@@ -205,7 +211,7 @@ namespace Biface
     const dealii::DoFHandler<2, 3> &
     get_dof_handler() const
     {
-      return dof_handler;
+      return *dof_handler;
     }
 
     /** The maximum thickness of the shell. Unit: length. */
@@ -237,7 +243,7 @@ namespace Biface
     dealii::types::global_dof_index
     n_nodes() const
     {
-      return dof_handler.n_dofs() / 6;
+      return dof_handler->n_dofs() / 6;
     }
 
     /** The number of cells on all ranks. */
@@ -302,6 +308,9 @@ namespace Biface
     cell_values(const LA::Vector &V, const Cell &cell) const;
 
   private:
+    /** A copy on the same triangulation. */
+    ShellMesh(const ShellMesh &) = default;
+
     /** @param face_heights on each line of the first coordinate. */
     void
     collect_cells_and_nodes(
@@ -311,13 +320,13 @@ namespace Biface
     void
     add_cyclic_nodes(const std::vector<std::array<double, 2>> &face_heights);
 
-    std::unique_ptr<const ReferenceSurface>                    surface;
-    std::unique_ptr<dealii::parallel::TriangulationBase<2, 3>> triangulation;
-    const dealii::FESystem<2, 3>                               fe;
-    dealii::DoFHandler<2, 3>                                   dof_handler;
-    dealii::types::global_dof_index                            n_free = 0;
-    double max_thickness                                              = 0;
-    double diameter                                                   = 0;
+    std::shared_ptr<const ReferenceSurface> surface;
+    std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
+                                                    triangulation;
+    std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;
+    dealii::types::global_dof_index                 n_free        = 0;
+    double                                          max_thickness = 0;
+    double                                          diameter      = 0;
   };
 
 

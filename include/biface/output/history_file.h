@@ -3,6 +3,7 @@
 #ifndef biface_output_history_file_h
 #define biface_output_history_file_h
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,24 +14,34 @@
 
 namespace Biface
 {
-  /** The names of the columns of history.csv.
+  /** Columns of history.csv whose values are computed together. */
+  struct HistoryGroup
+  {
+    /** What they are computed from. */
+    struct Step
+    {
+      const StepReport     &report;
+      const State          &state;
+      const ShellEquations &equations;
+      /** Null if its volume is not of interest. */
+      const Cavity *cavity;
+      /** See find_failure_maxima(). */
+      const std::vector<FailureMaximum> &failure_maxima;
+    };
+
+    std::vector<std::string> columns;
+
+    /** One for each column; empty fields are not set. Must be called on all
+     * ranks. */
+    std::function<std::vector<std::optional<double>>(const Step &)> values;
+  };
+
+  /** The columns of history.csv after the step and the name of the stage.
    * @param with_volume whether that of the cavity is one of them. */
-  std::vector<std::string>
-  history_columns(const FailureCriteria &criteria,
-                  const ShellMesh       &mesh,
-                  const bool             with_volume);
-
-
-  /** The numbers of a line of history.csv after the step and the name of the
-   * stage; empty fields are not set. Must be called on all ranks.
-   * @param cavity null if its volume is not of interest.
-   * @param failure_maxima see find_failure_maxima(). */
-  std::vector<std::optional<double>>
-  history_values(const StepReport                  &report,
-                 const State                       &state,
-                 const ShellEquations              &equations,
-                 const Cavity                      *cavity,
-                 const std::vector<FailureMaximum> &failure_maxima);
+  std::vector<HistoryGroup>
+  history_groups(const FailureCriteria &criteria,
+                 const ShellMesh       &mesh,
+                 const bool             with_volume);
 
 
   /** history.csv: a line per step with its loads, its contact zone, its strain
@@ -64,9 +75,10 @@ namespace Biface
     void
     write(const StepReport &report, const State &state) override;
 
-    const FailureCriteria       criteria;
-    const Cavity               *cavity;
-    std::vector<FailureMaximum> failure_maxima;
+    const FailureCriteria           criteria;
+    const Cavity                   *cavity;
+    const std::vector<HistoryGroup> groups;
+    std::vector<FailureMaximum>     failure_maxima;
   };
 } // namespace Biface
 

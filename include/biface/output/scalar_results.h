@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/model/cavity.h>
+#include <biface/output/history_file.h>
 #include <biface/output/ply_results.h>
 #include <biface/stepping/step_report.h>
 
@@ -47,7 +48,17 @@ namespace Biface
 
     /** Whether there is a frequency among them. */
     bool
-    have_frequency() const;
+    have_frequency() const
+    {
+      return have(Source::Kind::frequency);
+    }
+
+    /** Whether there is a force of a body among them. */
+    bool
+    have_force() const
+    {
+      return have(Source::Kind::force);
+    }
 
     /** The values of a step. Must be called on all ranks.
      * @param cavity null if its volume is not of interest. */
@@ -70,28 +81,30 @@ namespace Biface
       };
 
       Kind kind = Kind::history;
-      /** In history.csv the position after step and stage, otherwise that of
-       * the point, the body or the mode. */
+      /** That of the group of columns of history.csv, of the point, the body or
+       * the mode. */
       unsigned int position = 0;
-      /** Position among the components of the last columns of probes.csv or
-       * forces.csv. */
+      /** Position in the group, or among the components of the last columns of
+       * probes.csv or forces.csv. */
       unsigned int component = 0;
       /** The share of the inner face. */
       double inner = 0.5;
     };
 
+    bool
+    have(const Source::Kind kind) const;
+
     /** The source of a name; none if there is no such number. */
     std::optional<Source>
-    find(const std::string     &name,
-         const ShellMesh       &mesh,
-         const FailureCriteria &criteria,
-         const bool             with_volume,
-         const unsigned int     n_modes) const;
+    find(const std::string &name,
+         const ShellMesh   &mesh,
+         const unsigned int n_modes) const;
 
-    const std::vector<std::string> names;
-    const FailureCriteria          criteria;
-    const dealii::Point<3>         moment_center;
-    std::vector<Source>            sources;
+    const std::vector<std::string>  names;
+    const FailureCriteria           criteria;
+    const dealii::Point<3>          moment_center;
+    const std::vector<HistoryGroup> history;
+    std::vector<Source>             sources;
   };
 } // namespace Biface
 

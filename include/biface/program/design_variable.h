@@ -3,11 +3,10 @@
 #ifndef biface_program_design_variable_h
 #define biface_program_design_variable_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 #include <vector>
 
+#include <biface/input/parameter_text.h>
 #include <biface/program/parameters.h>
 
 namespace Biface
@@ -44,6 +43,10 @@ namespace Biface
       return name;
     }
 
+    /** The names of the entries whose numbers vary. */
+    std::vector<std::string>
+    get_entries() const;
+
     bool
     is_factor() const
     {
@@ -52,13 +55,13 @@ namespace Biface
 
     /** Throws InputError if a number does not exist in a parameter file. */
     void
-    check(const dealii::ParameterHandler &prm) const;
+    check(const DeclaredEntries &declared) const;
 
     /** The value in a parameter file; 1 for a factor. Throws InputError if
      * there is no such number, or if its numbers differ.
-     * @param prm the entries of the file and their values. */
+     * @param declared the entries of the file and their values. */
     double
-    value(const dealii::ParameterHandler &prm) const;
+    value(const DeclaredEntries &declared) const;
 
   private:
     /** A number in the value of an entry. */
@@ -78,7 +81,7 @@ namespace Biface
     /** The position of a number, from 1. Throws InputError if it does not
      * exist. */
     unsigned int
-    find(const Number &number, const dealii::ParameterHandler &prm) const;
+    find(const Number &number, const DeclaredEntries &declared) const;
 
     /** The entry that contains the text, and the text, for error messages. */
     std::string where;
@@ -91,7 +94,7 @@ namespace Biface
     friend std::vector<Override>
     settings(const std::vector<DesignVariable> &variables,
              const std::vector<double>         &values,
-             const dealii::ParameterHandler    &prm,
+             const DeclaredEntries             &declared,
              const std::string                 &source);
   };
 
@@ -114,13 +117,13 @@ namespace Biface
    * same one. Factors multiply what other variables have set.
    *
    * @param values one for each variable.
-   * @param prm the entries of the file and their values.
+   * @param declared the entries of the file and their values.
    * @param source the name of the settings in error messages, see Override.
    */
   std::vector<Override>
   settings(const std::vector<DesignVariable> &variables,
            const std::vector<double>         &values,
-           const dealii::ParameterHandler    &prm,
+           const DeclaredEntries             &declared,
            const std::string                 &source);
 } // namespace Biface
 

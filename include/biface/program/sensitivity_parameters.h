@@ -29,6 +29,14 @@ namespace Biface
      * run. */
     std::optional<double> step;
 
+    /** What a change of an entry changes in the mesh. */
+    enum class MeshChange
+    {
+      nothing,
+      plies,
+      anything
+    };
+
     /** A design variable with the parameters of a run in which it is
      * different. */
     struct Change
@@ -38,8 +46,8 @@ namespace Biface
       /** The difference of the values, and the parameters below and above. */
       double                                           step;
       std::array<std::shared_ptr<const Parameters>, 2> parameters;
-      /** Whether the mesh is the same. */
-      bool same_mesh;
+      /** What can be another in the mesh. */
+      MeshChange mesh_change;
     };
 
     /** One for each of the entries, see read_parameters(). */

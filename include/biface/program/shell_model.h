@@ -24,6 +24,12 @@ namespace Biface
                   const ChartGrid  *grid = nullptr);
 
 
+  /** Create the mesh of parameters that differ from those of another mesh at
+   * most in the sections of materials and 'Laminate'. Throws InputError. */
+  std::shared_ptr<const ShellMesh>
+  with_other_plies(const ShellMesh &mesh, const Parameters &parameters);
+
+
   /** Everything that acts in an analysis: the shell, its foundation, its loads
    * and its gas. */
   struct ShellModel
