@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -226,25 +227,31 @@ namespace Biface
           LoadRates rates;
           rates.pressure = 1;
           per_pressure   = solve_without_gas(
-            equations.load_direction(step.state, step.loads, rates));
+            {equations.load_direction(step.state, step.loads, rates)})[0];
           pressure_gradient = gas->pressure_gradient(step.state);
           denominator       = 1 - *pressure_gradient * per_pressure;
         }
       if (step.trial.equations)
-        for (const LoadRates &rates : step.trial.equations->rates)
-          per_parameter.push_back(
-            solve(equations.load_direction(step.state, step.loads, rates)));
+        {
+          std::vector<LA::Vector> directions;
+          for (const LoadRates &rates : step.trial.equations->rates)
+            directions.push_back(
+              equations.load_direction(step.state, step.loads, rates));
+          per_parameter = solve(directions);
+        }
     }
 
-    /** The displacements per given forces, with the pressure of the gas; those
-     * of the supports do not change. */
-    LA::Vector
-    solve(const LA::Vector &forces)
+    /** The displacements per each of the given forces, with the pressure of the
+     * gas; those of the supports do not change. */
+    std::vector<LA::Vector>
+    solve(const std::vector<LA::Vector> &forces)
     {
-      LA::Vector solution = solve_without_gas(forces);
+      std::vector<LA::Vector> solutions = solve_without_gas(forces);
       if (pressure_gradient)
-        solution.add(*pressure_gradient * solution / denominator, per_pressure);
-      return solution;
+        for (LA::Vector &solution : solutions)
+          solution.add(*pressure_gradient * solution / denominator,
+                       per_pressure);
+      return solutions;
     }
 
     ShellModel   &model;
@@ -256,23 +263,40 @@ namespace Biface
     std::vector<LA::Vector> per_parameter;
 
   private:
-    LA::Vector
-    solve_without_gas(const LA::Vector &forces)
+    std::vector<LA::Vector>
+    solve_without_gas(const std::vector<LA::Vector> &forces)
     {
       constexpr double exactness = 1e-12;
-      LA::Vector       solution  = model.mesh->owned_vector();
+
+      const LA::Vector          none = model.mesh->owned_vector();
+      std::vector<LA::Vector>   solutions(forces.size(), none);
+      std::vector<unsigned int> inexact(forces.size());
+      std::iota(inexact.begin(), inexact.end(), 0);
+      std::vector<LA::Vector> left = forces;
       // solvers stop at a residual that is small enough for Newton's method
-      LA::Vector left(forces), correction(solution);
       for (unsigned int pass = 0; pass < 2 && failure.empty(); ++pass)
         {
-          check(linear_solver.solve(correction, left, exactness));
-          solution += correction;
-          if (model.equations.tangent().residual(left, solution, forces) <=
-              exactness * forces.l2_norm())
-            break;
+          std::vector<LA::Vector> corrections(left.size(), none);
+          check(linear_solver.solve_all(corrections, left, exactness));
+          std::vector<unsigned int> still_inexact;
+          std::vector<LA::Vector>   still_left;
+          for (unsigned int i = 0; i < inexact.size(); ++i)
+            {
+              const LA::Vector &force    = forces[inexact[i]];
+              LA::Vector       &solution = solutions[inexact[i]];
+              solution += corrections[i];
+              if (model.equations.tangent().residual(
+                    left[i], solution, force) <= exactness * force.l2_norm())
+                continue;
+              still_inexact.push_back(inexact[i]);
+              still_left.push_back(left[i]);
+            }
+          inexact = still_inexact;
+          left    = still_left;
         }
-      model.mesh->constraints.distribute(solution);
-      return solution;
+      for (LA::Vector &solution : solutions)
+        model.mesh->constraints.distribute(solution);
+      return solutions;
     }
 
     void
@@ -319,6 +343,112 @@ namespace Biface
   }
 
 
+  SensitivityAnalysis::Derivative
+  SensitivityAnalysis::start(const Step &step, const unsigned int e) const
+  {
+    Derivative derivative{{{propose(step, *neighbors[2 * e]),
+                            propose(step, *neighbors[2 * e + 1])}},
+                          model.mesh->owned_vector(),
+                          LoadParameters(step.mu.size())};
+    move(step, e, derivative);
+    return derivative;
+  }
+
+
+  void
+  SensitivityAnalysis::move(const Step        &step,
+                            const unsigned int e,
+                            const Derivative  &derivative) const
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        Neighbor    &neighbor = *neighbors[2 * e + side];
+        const double half =
+          (side == 0 ? -0.5 : 0.5) * parameters.sensitivities.changes[e].step;
+        LA::Vector moved = derivative.fixed[side];
+        moved.add(half, derivative.displacements);
+        neighbor.state.displacement = moved;
+        LoadParameters mu           = step.mu;
+        add(mu, half, derivative.mu);
+        neighbor.level = neighbor.trial.level(mu);
+        neighbor.loads = loads_on(neighbor, neighbor.level);
+        if (const auto gas = sealed_in(neighbor))
+          neighbor.loads.pressure = neighbor.level.pressure =
+            gas->pressure(neighbor.state);
+        neighbor.model.contact.compute_multipliers(neighbor.state,
+                                                   neighbor.loads);
+      }
+  }
+
+
+  LA::Vector
+  SensitivityAnalysis::force_rate(const Step        &step,
+                                  const unsigned int e,
+                                  const LA::Vector  &here,
+                                  const double       roundoff)
+  {
+    const Change             &change = parameters.sensitivities.changes[e];
+    std::array<LA::Vector, 2> forces;
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const Neighbor &neighbor = *neighbors[2 * e + side];
+        forces[side] = neighbor.model.equations.out_of_balance(neighbor.state,
+                                                               neighbor.loads);
+      }
+    LA::Vector difference = forces[1];
+    difference -= forces[0];
+    if (!step.loads.friction)
+      {
+        LA::Vector curvature = forces[1];
+        curvature += forces[0];
+        curvature.add(-2, here);
+        const double size = difference.l2_norm();
+        check_step(change,
+                   -size / 2,
+                   curvature.l2_norm() / 2,
+                   size / 2,
+                   roundoff,
+                   "the balance of forces");
+      }
+    difference /= change.step;
+    return difference;
+  }
+
+
+  void
+  SensitivityAnalysis::correct_loads(
+    const Step                    &step,
+    const unsigned int             e,
+    const std::vector<LA::Vector> &per_parameter,
+    Derivative                    &derivative) const
+  {
+    const LA::Vector none = model.mesh->owned_vector();
+    LoadParameters   further(step.mu.size());
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const Neighbor &neighbor = *neighbors[2 * e + side];
+        LA::Vector      total    = owned_part(neighbor.state.displacement);
+        total -= owned_part(neighbor.before.displacement);
+        const LoadParameters mu =
+          neighbor.trial.equations->parameter_changes({neighbor.model.equations,
+                                                       neighbor.model.contact,
+                                                       neighbor.state,
+                                                       neighbor.loads,
+                                                       total,
+                                                       {}},
+                                                      none,
+                                                      per_parameter);
+        add(further,
+            (side == 0 ? -1 : 1) / parameters.sensitivities.changes[e].step,
+            mu);
+      }
+    add(derivative.mu, 1, further);
+    for (unsigned int i = 0; i < further.size(); ++i)
+      derivative.displacements.add(further[i], per_parameter[i]);
+    move(step, e, derivative);
+  }
+
+
   void
   SensitivityAnalysis::follow(const Step &step)
   {
@@ -339,122 +469,52 @@ namespace Biface
                         model.equations.relative_roundoff(step.state)
                     : 0.);
 
+    const unsigned int        n = parameters.sensitivities.changes.size();
+    std::vector<Derivative>   derivatives;
+    std::vector<unsigned int> unsettled(n);
+    std::iota(unsettled.begin(), unsettled.end(), 0);
+    for (unsigned int e = 0; e < n; ++e)
+      derivatives.push_back(start(step, e));
+
     // At fixed displacements, a small motion of the foundation changes the
     // pressure, which limits friction, by much. With friction, the forces are
     // only linear where the neighbors have followed.
     constexpr unsigned int max_passes = 6;
     constexpr double       exact      = 1e-7;
-
-    const auto &changes = parameters.sensitivities.changes;
-    for (unsigned int e = 0; e < changes.size(); ++e)
+    for (unsigned int pass = 0; pass < max_passes && !unsettled.empty(); ++pass)
       {
-        std::array<LA::Vector, 2> fixed;
-        for (unsigned int side = 0; side < 2; ++side)
-          fixed[side] = propose(step, *neighbors[2 * e + side]);
-        LA::Vector     change = model.mesh->owned_vector();
-        LoadParameters dmu(step.mu.size());
-        // the neighbors at the current derivative
-        const auto move = [&](const LA::Vector     &further,
-                              const LoadParameters &further_mu) {
-          change += further;
-          add(dmu, 1, further_mu);
-          for (unsigned int side = 0; side < 2; ++side)
-            {
-              Neighbor    &neighbor = *neighbors[2 * e + side];
-              const double half  = (side == 0 ? -0.5 : 0.5) * changes[e].step;
-              LA::Vector   moved = fixed[side];
-              moved.add(half, change);
-              neighbor.state.displacement = moved;
-              LoadParameters mu           = step.mu;
-              add(mu, half, dmu);
-              neighbor.level = neighbor.trial.level(mu);
-              neighbor.loads = loads_on(neighbor, neighbor.level);
-              if (const auto own_gas = sealed_in(neighbor))
-                neighbor.loads.pressure = neighbor.level.pressure =
-                  own_gas->pressure(neighbor.state);
-              neighbor.model.contact.compute_multipliers(neighbor.state,
-                                                         neighbor.loads);
-            }
-        };
-        const LoadParameters unchanged(step.mu.size());
-        move(change, unchanged);
+        std::vector<LA::Vector> rates;
+        for (const unsigned int e : unsettled)
+          rates.push_back(force_rate(step, e, here, roundoff));
+        const std::vector<LA::Vector> corrections = tangent.solve(rates);
 
-        double left = 0;
-        for (unsigned int pass = 0; pass < max_passes; ++pass)
+        std::vector<unsigned int> still_unsettled;
+        for (unsigned int i = 0; i < unsettled.size(); ++i)
           {
-            std::array<LA::Vector, 2> forces;
-            for (unsigned int side = 0; side < 2; ++side)
-              {
-                Neighbor &neighbor = *neighbors[2 * e + side];
-                forces[side]       = neighbor.model.equations.out_of_balance(
-                  neighbor.state, neighbor.loads);
-              }
-            LA::Vector difference = forces[1];
-            difference -= forces[0];
-            if (!step.loads.friction)
-              {
-                LA::Vector curvature = forces[1];
-                curvature += forces[0];
-                curvature.add(-2, here);
-                const double size = difference.l2_norm();
-                check_step(changes[e],
-                           -size / 2,
-                           curvature.l2_norm() / 2,
-                           size / 2,
-                           roundoff,
-                           "the balance of forces");
-              }
-            difference /= changes[e].step;
-            const LA::Vector correction = tangent.solve(difference);
-            move(correction, unchanged);
-
+            const unsigned int e          = unsettled[i];
+            Derivative        &derivative = derivatives[e];
+            derivative.displacements += corrections[i];
+            move(step, e, derivative);
             if (step.trial.equations)
-              {
-                std::array<LoadParameters, 2> mu;
-                const LA::Vector              none = model.mesh->owned_vector();
-                for (unsigned int side = 0; side < 2; ++side)
-                  {
-                    Neighbor  &neighbor = *neighbors[2 * e + side];
-                    LA::Vector total = owned_part(neighbor.state.displacement);
-                    total -= owned_part(neighbor.before.displacement);
-                    mu[side] = neighbor.trial.equations->parameter_changes(
-                      {neighbor.model.equations,
-                       neighbor.model.contact,
-                       neighbor.state,
-                       neighbor.loads,
-                       total,
-                       {}},
-                      none,
-                      tangent.per_parameter);
-                  }
-                LoadParameters further_mu(step.mu.size());
-                add(further_mu, 1 / changes[e].step, mu[1]);
-                add(further_mu, -1 / changes[e].step, mu[0]);
-                LA::Vector further = model.mesh->owned_vector();
-                for (unsigned int i = 0; i < further_mu.size(); ++i)
-                  further.add(further_mu[i], tangent.per_parameter[i]);
-                move(further, further_mu);
-              }
+              correct_loads(step, e, tangent.per_parameter, derivative);
             // without friction, the forces of contact are linear
-            if (!step.loads.friction)
-              break;
-            const double whole = change.l2_norm();
-            left = (whole > 0 ? correction.l2_norm() / whole : 0.);
-            if (left <= exact)
-              break;
+            if (step.loads.friction &&
+                corrections[i].l2_norm() >
+                  exact * derivative.displacements.l2_norm())
+              still_unsettled.push_back(e);
           }
-        if (left > exact)
-          warn(changes[e], "the slip");
+        unsettled = still_unsettled;
+      }
+    for (const unsigned int e : unsettled)
+      warn(parameters.sensitivities.changes[e], "the slip");
 
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            Neighbor &neighbor        = *neighbors[2 * e + side];
-            neighbor.progress.reached = neighbor.level;
-            neighbor.model.equations.internal_forces().settle_resultants(
-              neighbor.state);
-            neighbor.model.contact.record_history(neighbor.state,
-                                                  neighbor.loads);
-          }
+    for (const auto &item : neighbors)
+      {
+        Neighbor &neighbor        = *item;
+        neighbor.progress.reached = neighbor.level;
+        neighbor.model.equations.internal_forces().settle_resultants(
+          neighbor.state);
+        neighbor.model.contact.record_history(neighbor.state, neighbor.loads);
       }
     if (!tangent.failure.empty())
       throw InputError("Sensitivities/Entries",

@@ -6,6 +6,7 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,6 +68,16 @@ namespace Biface
     struct Neighbor;
     struct Linearization;
 
+    /** The derivative of the displacements and of the load parameters by an
+     * entry in a step, as far as it is known. */
+    struct Derivative
+    {
+      /** Those of the run, but at the supports those of both neighbors. */
+      std::array<LA::Vector, 2> fixed;
+      LA::Vector                displacements;
+      LoadParameters            mu;
+    };
+
     using Change = SensitivityParameters::Change;
 
     /** Whether a step must be followed: if later steps read its state, or if
@@ -80,6 +91,35 @@ namespace Biface
      * neighbor. */
     LA::Vector
     propose(const Step &step, Neighbor &neighbor) const;
+
+    /** Prepare both neighbors of an entry, with derivatives that vanish. */
+    Derivative
+    start(const Step &step, const unsigned int entry) const;
+
+    /** Move both neighbors of an entry to where its derivative leads them. */
+    void
+    move(const Step        &step,
+         const unsigned int entry,
+         const Derivative  &derivative) const;
+
+    /** The rate of the forces out of balance between the neighbors of an entry
+     * where they are.
+     * @param here those of the run.
+     * @param roundoff of these. */
+    LA::Vector
+    force_rate(const Step        &step,
+               const unsigned int entry,
+               const LA::Vector  &here,
+               const double       roundoff);
+
+    /** Correct the derivative of load parameters by the equations that
+     * determine them.
+     * @param per_parameter the displacements per unit of each. */
+    void
+    correct_loads(const Step                    &step,
+                  const unsigned int             entry,
+                  const std::vector<LA::Vector> &per_parameter,
+                  Derivative                    &derivative) const;
 
     /** The loads on a neighbor. */
     Loads

@@ -65,6 +65,20 @@ namespace Biface
 
 
   LinearSolverResult
+  LinearSolver::solve_all(std::vector<LA::Vector>       &x,
+                          const std::vector<LA::Vector> &b,
+                          const double                   tolerance)
+  {
+    AssertDimension(x.size(), b.size());
+    LinearSolverResult result;
+    result.success = true;
+    for (unsigned int i = 0; i < b.size() && result.success; ++i)
+      result = solve(x[i], b[i], tolerance);
+    return result;
+  }
+
+
+  LinearSolverResult
   solve_with_refinement(
     const LA::SparseMatrix &A,
     LA::Vector             &x,

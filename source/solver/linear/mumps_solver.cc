@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_gmres.h>
 
@@ -43,8 +44,16 @@ namespace Biface
     virtual int
     factorize(const LA::SparseMatrix &A) = 0;
 
+    /** @param x, b several solutions and right hand sides. */
     virtual int
-    solve(LA::Vector &x, const LA::Vector &b) = 0;
+    solve(const ArrayView<LA::Vector>       &x,
+          const ArrayView<const LA::Vector> &b) = 0;
+
+    int
+    solve(LA::Vector &x, const LA::Vector &b)
+    {
+      return solve(ArrayView<LA::Vector>(x), ArrayView<const LA::Vector>(b));
+    }
 
     /** After the analysis, the number of iterations of GMRES with factors as a
      * preconditioner that take less time than a factorization; zero if they
@@ -114,10 +123,7 @@ namespace Biface
       mumps.nnz_loc = rows.size();
       mumps.irn_loc = rows.data();
       mumps.jcn_loc = columns.data();
-      if (is_root)
-        rhs.resize(A.m());
-      mumps.nrhs = 1;
-      mumps.lrhs = A.m();
+      mumps.lrhs    = A.m();
     }
 
     ~FactorsIn() override
@@ -166,36 +172,50 @@ namespace Biface
       return status;
     }
 
+    using Factors::solve;
+
     int
-    solve(LA::Vector &x, const LA::Vector &b) override
+    solve(const ArrayView<LA::Vector>       &x,
+          const ArrayView<const LA::Vector> &b) override
     {
-      // within the range of single precision
-      const double norm  = b.linfty_norm();
-      const double scale = (norm > 0 ? std::exp2(-std::ilogb(norm)) : 1);
-      for (unsigned int i = 0; i < own_rows.size(); ++i)
-        own_rows[i] = b.begin()[i] * row_scales[i] * scale;
-      MPI_Gatherv(own_rows.data(),
-                  own_rows.size(),
-                  mpi_type,
-                  rhs.data(),
-                  counts.data(),
-                  starts.data(),
-                  mpi_type,
-                  0,
-                  communicator);
+      const std::size_t   n = b.size();
+      std::vector<double> scales(n);
+      if (is_root)
+        rhs.resize(n * mumps.n);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          // within the range of single precision
+          const double norm = b[i].linfty_norm();
+          scales[i]         = (norm > 0 ? std::exp2(-std::ilogb(norm)) : 1);
+          for (unsigned int r = 0; r < own_rows.size(); ++r)
+            own_rows[r] = b[i].begin()[r] * row_scales[r] * scales[i];
+          MPI_Gatherv(own_rows.data(),
+                      own_rows.size(),
+                      mpi_type,
+                      rhs.data() + (is_root ? i * mumps.n : 0),
+                      counts.data(),
+                      starts.data(),
+                      mpi_type,
+                      0,
+                      communicator);
+        }
+      mumps.nrhs       = n;
       mumps.rhs        = rhs.data();
       const int status = call(solution);
-      MPI_Scatterv(rhs.data(),
-                   counts.data(),
-                   starts.data(),
-                   mpi_type,
-                   own_rows.data(),
-                   own_rows.size(),
-                   mpi_type,
-                   0,
-                   communicator);
-      for (unsigned int i = 0; i < own_rows.size(); ++i)
-        x.begin()[i] = own_rows[i] * (row_scales[i] / scale);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          MPI_Scatterv(rhs.data() + (is_root ? i * mumps.n : 0),
+                       counts.data(),
+                       starts.data(),
+                       mpi_type,
+                       own_rows.data(),
+                       own_rows.size(),
+                       mpi_type,
+                       0,
+                       communicator);
+          for (unsigned int r = 0; r < own_rows.size(); ++r)
+            x[i].begin()[r] = own_rows[r] * (row_scales[r] / scales[i]);
+        }
       return status;
     }
 
@@ -321,7 +341,7 @@ namespace Biface
     std::vector<double>    column_scales;
     /** The part of a right hand side or solution on this rank. */
     std::vector<number> own_rows;
-    /** The right hand side, then the solution, on the first rank. */
+    /** The right hand sides, then the solutions, on the first rank. */
     std::vector<number> rhs;
     std::vector<int>    counts;
     std::vector<int>    starts;
@@ -359,6 +379,18 @@ namespace Biface
           result.message += ": out of memory";
           result.cause = FailureCause::out_of_memory;
         }
+      return result;
+    }
+
+
+    /** @param status of the phase of solution. */
+    LinearSolverResult
+    solved(const int status)
+    {
+      if (status < 0)
+        return mumps_failure("solution", status);
+      LinearSolverResult result;
+      result.success = true;
       return result;
     }
   } // namespace
@@ -563,13 +595,35 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     result = solve_with_refinement(
       *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
-        if (const int status = factors->solve(x, b); status < 0)
-          return mumps_failure("solution", status);
-        LinearSolverResult result;
-        result.success = true;
-        return result;
+        return solved(factors->solve(x, b));
       });
     result.n_negative_pivots = n_negative_pivots;
+    return result;
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::solve_all(std::vector<LA::Vector>       &x,
+                         const std::vector<LA::Vector> &b,
+                         const double                   tolerance)
+  {
+    if (b.empty() || factors_of != FactorsOf::matrix ||
+        factors->in_single_precision())
+      return LinearSolver::solve_all(x, b, tolerance);
+
+    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    LinearSolverResult result =
+      solved(factors->solve(make_array_view(x), make_array_view(b)));
+    for (unsigned int i = 0; i < b.size() && result.success; ++i)
+      {
+        bool known = true;
+        result     = solve_with_refinement(
+          *matrix, x[i], b[i], [&](LA::Vector &x, const LA::Vector &b) {
+            const int status = (known ? 0 : factors->solve(x, b));
+            known            = false;
+            return solved(status);
+          });
+      }
     return result;
   }
 } // namespace Biface

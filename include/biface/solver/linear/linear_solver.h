@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/shell_mesh.h>
@@ -104,6 +105,14 @@ namespace Biface
      */
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;
+
+    /** Likewise for several right hand sides, which a direct solver handles
+     * faster at once.
+     * @return that of the first system that was not solved, if any. */
+    virtual LinearSolverResult
+    solve_all(std::vector<LA::Vector>       &x,
+              const std::vector<LA::Vector> &b,
+              const double                   tolerance);
   };
 
 

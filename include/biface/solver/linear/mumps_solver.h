@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <vector>
 
 #include <biface/solver/linear/linear_solver.h>
 
@@ -51,6 +52,11 @@ namespace Biface
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
+
+    LinearSolverResult
+    solve_all(std::vector<LA::Vector>       &x,
+              const std::vector<LA::Vector> &b,
+              const double                   tolerance) override;
 
   private:
     class Factors;
