@@ -289,18 +289,26 @@ namespace Biface
 
 
   void
-  ContactInteraction::compute_multipliers(State       &state,
-                                          const Loads &loads) const
+  ContactInteraction::compute_multipliers(
+    State                            &state,
+    const Loads                      &loads,
+    const std::vector<Linearization> &before,
+    const LA::Vector                 &increment) const
   {
+    AssertDimension(before.size(), mesh.nodes.size());
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         state.multipliers[n] = 0;
         if (!state.active[n])
           continue;
-        const Contact at        = contact_at(state, loads, n);
-        state.multipliers[n][0] = condition.multiplier(at.foundation.clearance);
+        const Node        &node   = mesh.nodes[n];
+        const Tensor<1, 3> motion = node.surface.from_frame(
+          mesh.displacement(increment, node, Resultants::outer));
+        state.multipliers[n][0] =
+          condition.multiplier(before[n].clearance - before[n].normal * motion);
         if (rubs(state, loads, n))
-          set_tangential_multipliers(state, loads, n, at);
+          set_tangential_multipliers(
+            state, loads, n, contact_at(state, loads, n));
       }
   }
 

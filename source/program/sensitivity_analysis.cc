@@ -365,18 +365,27 @@ namespace Biface
         Neighbor    &neighbor = *neighbors[2 * e + side];
         const double half =
           (side == 0 ? -0.5 : 0.5) * parameters.sensitivities.changes[e].step;
-        LA::Vector moved = derivative.fixed[side];
-        moved.add(half, derivative.displacements);
-        neighbor.state.displacement = moved;
-        LoadParameters mu           = step.mu;
+        LoadParameters mu = step.mu;
         add(mu, half, derivative.mu);
         neighbor.level = neighbor.trial.level(mu);
         neighbor.loads = loads_on(neighbor, neighbor.level);
+
+        State &state       = neighbor.state;
+        state.displacement = derivative.fixed[side];
+        const auto contact_before =
+          neighbor.model.contact.linearize(state, neighbor.loads);
+        LA::Vector increment = derivative.displacements;
+        increment *= half;
+        LA::Vector moved = derivative.fixed[side];
+        moved += increment;
+        state.displacement           = moved;
+        LA::Vector ghosted_increment = model.mesh->ghosted_vector();
+        ghosted_increment            = increment;
         if (const auto gas = sealed_in(neighbor))
           neighbor.loads.pressure = neighbor.level.pressure =
             gas->pressure(neighbor.state);
-        neighbor.model.contact.compute_multipliers(neighbor.state,
-                                                   neighbor.loads);
+        neighbor.model.contact.compute_multipliers(
+          state, neighbor.loads, contact_before, ghosted_increment);
       }
   }
 
