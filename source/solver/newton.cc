@@ -73,23 +73,23 @@ namespace Biface
     /**
      * The tolerance of the next linear solve, in the norm of the solver
      * @cite EisenstatWalker1996: the square of the last reduction of the
-     * residual, but not below what the last iteration needs, and at most
-     * @p greatest.
+     * residual, but not below what leaves no trace in the last iterate, and at
+     * most @p maximum.
      */
     double
     forcing_term(const std::vector<double> &residuals,
                  const double               tolerance,
-                 const double               greatest)
+                 const double               maximum)
     {
-      constexpr double gamma = 0.9;
+      constexpr double gamma = 0.9, no_trace = 1e-3;
 
       const double now = residuals.back();
       if (residuals.size() < 2 || now == 0)
-        return greatest;
+        return maximum;
       const double ratio = now / residuals[residuals.size() - 2];
       return std::min(
-        greatest,
-        std::max({gamma * ratio * ratio, 0.1 * tolerance / now, 1e-10}));
+        maximum,
+        std::max({gamma * ratio * ratio, no_trace * tolerance / now, 1e-10}));
     }
   } // namespace
 

@@ -528,10 +528,12 @@ namespace Biface
 
 
   bool
-  MumpsSolver::solve_with_gmres(LA::Vector &x, const LA::Vector &b)
+  MumpsSolver::solve_with_gmres(LA::Vector       &x,
+                                const LA::Vector &b,
+                                const double      tolerance)
   {
-    // the residual at which solve_with_refinement() has no doubt
-    constexpr double tolerance = 1e-10;
+    // solve_with_refinement() has no doubt here, either
+    constexpr double minimum = 1e-10;
 
     struct Preconditioner
     {
@@ -552,7 +554,7 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     const unsigned int max_iterations = factors->max_gmres_iterations();
     bool               failed         = false;
-    BoundedEffort      control(max_iterations, tolerance);
+    BoundedEffort      control(max_iterations, std::max(tolerance, minimum));
     x = 0;
     try
       {
@@ -569,22 +571,20 @@ namespace Biface
 
 
   LinearSolverResult
-  MumpsSolver::solve(LA::Vector       &x,
-                     const LA::Vector &b,
-                     const double /*tolerance*/)
+  MumpsSolver::solve(LA::Vector &x, const LA::Vector &b, const double tolerance)
   {
     Assert(matrix != nullptr, ExcNotInitialized());
     LinearSolverResult result;
     result.success = true;
     if (factors_of != FactorsOf::matrix)
       {
-        if (solve_with_gmres(x, b))
+        if (solve_with_gmres(x, b, tolerance))
           return result;
         result = factorize_anew();
       }
     if (result.success && factors->in_single_precision())
       {
-        if (solve_with_gmres(x, b))
+        if (solve_with_gmres(x, b, tolerance))
           return result;
         result = factorize_in_double_precision();
       }

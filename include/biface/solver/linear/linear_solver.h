@@ -100,8 +100,9 @@ namespace Biface
     /**
      * Solve @f$A x = b@f$ with the last matrix passed to factorize().
      *
-     * @param tolerance the relative reduction of the residual by an iterative
-     * solver, in its own norm; ignored by direct solvers.
+     * @param tolerance the relative reduction of the residual by iterations, in
+     * the norm of the solver. Without any, a solution by factors is exact up to
+     * round-off.
      */
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;

@@ -95,9 +95,12 @@ namespace Biface
 
     /** Solve with the factors, which may be those of another matrix, as a
      * preconditioner.
+     * @param tolerance of the residual, relative to @p b.
      * @return whether GMRES converged. */
     bool
-    solve_with_gmres(LA::Vector &x, const LA::Vector &b);
+    solve_with_gmres(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double      tolerance);
 
     const MPI_Comm       communicator;
     dealii::TimerOutput &timer;
