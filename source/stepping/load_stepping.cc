@@ -509,16 +509,24 @@ namespace Biface
                                const unsigned int n_after,
                                const bool         located)
   {
+    // more of them have no shape in common, as where cells get too small
+    constexpr int max_shapes = 4;
+
     Assert(buckling_analysis, ExcNotInitialized());
-    const LoadLevel &level = run.progress.reached;
-    const auto       mode =
-      buckling_analysis->critical_mode({run.state, loads_at(level, run)},
-                                       change_of(level_before, level),
-                                       n_after > n_before);
     out << "  negative pivots: " << n_after << " after " << n_before;
+    const LoadLevel &level = run.progress.reached;
+    const bool       several =
+      !located && std::abs(int(n_after) - int(n_before)) > max_shapes;
+    const auto mode =
+      (several
+         ? std::nullopt
+         : buckling_analysis->critical_mode({run.state, loads_at(level, run)},
+                                            change_of(level_before, level),
+                                            n_after > n_before));
     if (!mode)
       {
-        out << std::endl;
+        out << (several ? ", the step passed several critical points" : "")
+            << std::endl;
         return nullptr;
       }
 
