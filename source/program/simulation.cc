@@ -134,6 +134,10 @@ namespace Biface
         stage.critical_points            = CriticalPoints::ignore;
       }
     coarse_parameters.sensitivities = SensitivityParameters();
+    // far less than the error of the coarser mesh
+    constexpr double sufficient = 1e-4;
+    double &tolerance = coarse_parameters.newton.residual_tolerance;
+    tolerance         = std::max(tolerance, sufficient);
     const ChartGrid grid            = coarser_grid(mesh->grid);
     const MPI_Comm  communicator    = mesh->communicator;
     Simulation      coarse(coarse_parameters,
