@@ -87,16 +87,33 @@ namespace Biface
   {
     if (turn == 0 && slide.norm() == 0)
       return *this;
+    return after({slide,
+                  Physics::Transformations::Rotations::rotation_matrix_3d(
+                    Point<3>(shape->direction), turn),
+                  pivot});
+  }
+
+
+  RigidFoundation
+  RigidFoundation::around(const double angle) const
+  {
+    if (angle == 0)
+      return *this;
+    return after({{},
+                  Physics::Transformations::Rotations::rotation_matrix_3d(
+                    Point<3>(0, 1, 0), angle),
+                  {}});
+  }
+
+
+  RigidFoundation
+  RigidFoundation::after(Displacement further) const
+  {
     RigidFoundation result = *this;
-    Displacement    further{
-      slide,
-      Physics::Transformations::Rotations::rotation_matrix_3d(
-        Point<3>(shape->direction), turn),
-      pivot};
     if (displacement)
       {
         // from the pivot of the first motion
-        const Tensor<1, 3> arm = displacement->pivot - pivot;
+        const Tensor<1, 3> arm = displacement->pivot - further.pivot;
         further.slide += further.rotation * (arm + displacement->slide) - arm;
         further.rotation = further.rotation * displacement->rotation;
         further.pivot    = displacement->pivot;
@@ -166,11 +183,12 @@ namespace Biface
     std::array<Tensor<1, 3>, 2> result{{first, cross_product_3d(d, first)}};
 
     // the shortest rotation from the direction to the normal
+    const Tensor<1, 3> present = direction();
     for (Tensor<1, 3> &t : result)
       {
         if (displacement)
           t = displacement->rotation * t;
-        t -= (normal * t) / (1 + normal * d) * (normal + d);
+        t -= (normal * t) / (1 + normal * present) * (normal + present);
       }
     return result;
   }

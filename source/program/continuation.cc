@@ -107,6 +107,7 @@ namespace Biface
                                                "Travel",
                                                "Slide",
                                                "Turn",
+                                               "Wheel turn",
                                                "Load factor",
                                                "Angular velocity",
                                                "Ground velocity",

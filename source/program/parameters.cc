@@ -174,7 +174,7 @@ namespace Biface
   Parameters::check_rolling() const
   {
     // at the end of each stage
-    std::vector<bool> rolls;
+    std::vector<bool> rolls, turned;
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
         const Stage      &stage   = stages[i];
@@ -185,9 +185,18 @@ namespace Biface
         const bool        stops   = stage.angular_velocity.value_or(1) == 0 &&
                            stage.ground_velocity.value_or(1) == 0;
         rolls.push_back(begins || (rolled && !stops));
+        turned.push_back(stage.wheel_turn ? *stage.wheel_turn != 0
+                                          : before && turned[*before]);
         if (!begins && !rolled)
           continue;
 
+        if (turned.back() || (before && turned[*before]))
+          throw InputError(section + "/Wheel turn",
+                           stage.wheel_turn
+                             ? number_to_string(*stage.wheel_turn)
+                             : "unchanged",
+                           "it must be 0, also at the start, in a stage with "
+                           "steady rolling");
         if (!mesh.closed ||
             surface.type != ReferenceSurface::Parameters::Type::revolution)
           {

@@ -15,7 +15,8 @@ namespace Biface
             level.turn,
             level.slide[0],
             level.slide[1],
-            level.slide[2]};
+            level.slide[2],
+            level.wheel_turn};
   }
 
 
@@ -41,11 +42,13 @@ namespace Biface
     const auto at = [&](const auto &a, const auto &b) {
       return a + position * (b - a);
     };
-    return {at(first.pressure, second.pressure),
-            at(first.factor, second.factor),
-            at(first.travel, second.travel),
-            at(first.slide, second.slide),
-            at(first.turn, second.turn)};
+    LoadLevel level{at(first.pressure, second.pressure),
+                    at(first.factor, second.factor),
+                    at(first.travel, second.travel),
+                    at(first.slide, second.slide),
+                    at(first.turn, second.turn)};
+    level.wheel_turn = at(first.wheel_turn, second.wheel_turn);
+    return level;
   }
 
 

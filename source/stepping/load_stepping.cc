@@ -323,6 +323,8 @@ namespace Biface
           out << ", slide " << vector_to_string(first.slide);
         if (first.turn != 0)
           out << ", turn " << first.turn;
+        if (first.wheel_turn != 0)
+          out << ", wheel turned by " << first.wheel_turn;
       }
     if (run.rolls)
       {

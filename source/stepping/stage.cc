@@ -115,6 +115,17 @@ namespace Biface
       "as at the start of the stage. Unit: degrees.");
     add_optional_number(
       prm,
+      "Wheel turn",
+      wheel_turn,
+      unchanged,
+      "Angle by which the wheel, its supports and loads included, has turned "
+      "at the end of the stage, right-handed about the y axis. The results are "
+      "in axes that turn with the wheel: the foundation goes around it the "
+      "other way, after 'Travel', 'Slide' and 'Turn'. To roll slowly, let the "
+      "foundation slide, too. 'unchanged': as at the start of the stage. Unit: "
+      "degrees.");
+    add_optional_number(
+      prm,
       "Angular velocity",
       angular_velocity,
       unchanged,
@@ -307,6 +318,7 @@ namespace Biface
     check_load("Travel", travel);
     check_load("Load factor", factor);
     check_load("Turn", turn);
+    check_load("Wheel turn", wheel_turn);
     check_load("Angular velocity", angular_velocity);
     check_load("Ground velocity", ground_velocity);
     check_load("Slip angle", slip_angle);
@@ -390,6 +402,10 @@ namespace Biface
     if (!contact && turn.value_or(0) != 0)
       throw InputError(section + "/Turn",
                        number_to_string(*turn),
+                       "it must be 0 unless 'Contact = true'");
+    if (!contact && wheel_turn.value_or(0) != 0)
+      throw InputError(section + "/Wheel turn",
+                       number_to_string(*wheel_turn),
                        "it must be 0 unless 'Contact = true'");
     if (!contact && !friction.empty())
       throw InputError(
@@ -504,6 +520,7 @@ namespace Biface
             start.travel        = 0;
             start.slide         = Tensor<1, 3>();
             start.turn          = 0;
+            start.wheel_turn    = 0;
             start.is_undeformed = true;
           }
         const auto control = make_control(stage);

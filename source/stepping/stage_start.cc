@@ -46,7 +46,8 @@ namespace Biface
             slip_angle)
             .displaced(level.slide,
                        level.turn * numbers::PI / 180,
-                       progress.touched_point);
+                       progress.touched_point)
+            .around(-level.wheel_turn * numbers::PI / 180);
         loads.friction = friction;
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
@@ -64,11 +65,12 @@ namespace Biface
                          Progress       &progress,
                          State          &state)
     {
-      progress.reached.travel  = 0;
-      progress.work            = Work();
-      progress.reached.slide   = Tensor<1, 3>();
-      progress.reached.turn    = 0;
-      progress.factor_of_shape = progress.reached.factor;
+      progress.reached.travel     = 0;
+      progress.work               = Work();
+      progress.reached.slide      = Tensor<1, 3>();
+      progress.reached.turn       = 0;
+      progress.reached.wheel_turn = 0;
+      progress.factor_of_shape    = progress.reached.factor;
       progress.touching_travel.reset();
       progress.reaction.reset();
       progress.last_change.clear();

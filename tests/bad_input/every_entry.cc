@@ -306,6 +306,7 @@ namespace
         "0, 1, 0"}},
       {{"1, 0, 0", "0.001, 1, 0"}, {{"Stage 1/Contact", "true"}}}}},
     {"Stage 1/Turn", {{{"1"}}}},
+    {"Stage 1/Wheel turn", {{{"1"}}}},
     {"Stage 1/Angular velocity",
      {{{"1"}, {{"Mesh/Closed in alpha_2", "false"}}}}},
     {"Stage 1/Ground velocity", {{{"1"}}}},

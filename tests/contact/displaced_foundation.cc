@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A foundation that slides and turns carries its points along: a point that
-// moves with it keeps its clearance, its normal and tangents turn with it, and
-// the derivatives of clearance and normal are those of differences.
+// A foundation that slides and turns, and goes around the axle of a wheel,
+// carries its points along: a point that moves with it keeps its clearance, its
+// normal and tangents turn with it, and the derivatives of clearance and normal
+// are those of differences.
 
 #include <deal.II/physics/transformations.h>
 
@@ -16,18 +17,24 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name, const std::shared_ptr<FoundationShape> &shape)
+  test(const std::string                            &name,
+       const std::shared_ptr<const FoundationShape> &shape,
+       const double                                  around)
   {
-    const double       turn = 0.4, step = 1e-5;
-    const Tensor<1, 3> d     = shape->direction;
-    const Tensor<1, 3> slide = cross_product_3d(d, Tensor<1, 3>({1, 2, 3}));
-    const Point<3>     pivot(1, 0.5, -0.3);
-    const Tensor<2, 3> R =
-      Physics::Transformations::Rotations::rotation_matrix_3d(Point<3>(d),
-                                                              turn);
-    const RigidFoundation before = RigidFoundation(shape).moved(0.3);
-    const RigidFoundation after  = before.displaced(slide, turn, pivot);
+    using Physics::Transformations::Rotations::rotation_matrix_3d;
 
+    const double          turn = 0.4, step = 1e-5;
+    const Tensor<1, 3>    d     = shape->direction;
+    const Tensor<1, 3>    slide = cross_product_3d(d, Tensor<1, 3>({1, 2, 3}));
+    const Point<3>        pivot(1, 0.5, -0.3);
+    const Tensor<2, 3>    R_y = rotation_matrix_3d(Point<3>(0, 1, 0), around);
+    const Tensor<2, 3>    R_d = rotation_matrix_3d(Point<3>(d), turn);
+    const Tensor<2, 3>    R   = R_y * R_d;
+    const RigidFoundation before = RigidFoundation(shape).moved(0.3);
+    const RigidFoundation after =
+      before.displaced(slide, turn, pivot).around(around);
+
+    std::cout << name << (around == 0 ? "" : ", around the axle") << std::endl;
     double carried = 0, clearance = 0, normal = 0, tangents = 0, unit = 0,
            travel = 0, gradient = 0;
     for (unsigned int i = 0; i < 10; ++i)
@@ -35,10 +42,10 @@ namespace
         const Point<3> x(3 + std::sin(1 + 3.1 * i),
                          std::sin(2 + 5.3 * i),
                          std::sin(3 + 7.9 * i));
-        const Point<3> y = pivot + slide + R * (x - pivot);
-        carried          = std::max({carried,
-                                     after.present(before.at_rest(x)).distance(y),
-                                     after.at_rest(y).distance(before.at_rest(x))});
+        const Point<3> y(R_y * (pivot + slide + R_d * (x - pivot)));
+        carried = std::max({carried,
+                            after.present(before.at_rest(x)).distance(y),
+                            after.at_rest(y).distance(before.at_rest(x))});
 
         const FoundationPoint at    = before.evaluate(x),
                               there = after.evaluate(y);
@@ -72,7 +79,7 @@ namespace
                         there.normal[j])});
           }
       }
-    std::cout << name << std::endl;
+    check_small("  direction", (after.direction() - R * d).norm(), 1e-14);
     check_small("  points that move with it", carried, 1e-14);
     check_small("  their clearance", clearance, 1e-14);
     check_small("  normal", normal, 1e-14);
@@ -89,10 +96,16 @@ main()
 {
   const FoundationShape::TravelLine line{Tensor<1, 3>({2, 0.6, -0.4}),
                                          Point<3>(3, -1, 2)};
-  test("plane", std::make_shared<RigidPlane>(line));
-  test("sphere", std::make_shared<RigidSphere>(line, 4.));
-  RigidDrum::Parameters parameters;
+  RigidDrum::Parameters             parameters;
   parameters.radius = 5;
   parameters.axis   = Tensor<1, 3>({0.2, 0.8, 0.6});
-  test("drum", std::make_shared<RigidDrum>(line, parameters));
+  const auto plane  = std::make_shared<RigidPlane>(line);
+  const auto sphere = std::make_shared<RigidSphere>(line, 4.);
+  const auto drum   = std::make_shared<RigidDrum>(line, parameters);
+  for (const double around : {0., 2.})
+    {
+      test("plane", plane, around);
+      test("sphere", sphere, around);
+      test("drum", drum, around);
+    }
 }

@@ -73,6 +73,11 @@ namespace Biface
               const double                turn,
               const dealii::Point<3>     &pivot) const;
 
+    /** The same foundation after a further turn by an angle in radians,
+     * right-handed about the y axis, the axle of a wheel. */
+    RigidFoundation
+    around(const double angle) const;
+
     FoundationPoint
     evaluate(const dealii::Point<3> &x) const;
 
@@ -121,11 +126,13 @@ namespace Biface
     std::optional<FoundationShape::Cylinder>
     cylinder() const;
 
-    /** The unit vector opposite to the direction of travel. */
-    const dealii::Tensor<1, 3> &
+    /** The unit vector opposite to the direction of travel, which turns with
+     * the foundation. */
+    dealii::Tensor<1, 3>
     direction() const
     {
-      return shape->direction;
+      return displacement ? displacement->rotation * shape->direction
+                          : shape->direction;
     }
 
   private:
@@ -136,6 +143,10 @@ namespace Biface
       dealii::Tensor<2, 3> rotation;
       dealii::Point<3>     pivot;
     };
+
+    /** The same foundation after a further motion. */
+    RigidFoundation
+    after(Displacement further) const;
 
     /** A point before this motion. */
     dealii::Point<3>

@@ -40,6 +40,9 @@ namespace Biface
     double angular_velocity = 0;
     double ground_velocity  = 0;
     double slip_angle       = 0;
+    /** The angle by which the wheel has turned on the foundation, in degrees,
+     * see RigidFoundation::around(). */
+    double wheel_turn = 0;
 
     bool
     rolls() const
@@ -51,8 +54,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &pressure &factor &travel &slide   &turn;
-      archive &angular_velocity &ground_velocity &slip_angle;
+      archive &pressure &factor &travel &slide               &turn;
+      archive &angular_velocity &ground_velocity &slip_angle &wheel_turn;
     }
   };
 
@@ -112,6 +115,8 @@ namespace Biface
     std::optional<double> angular_velocity, ground_velocity, slip_angle;
     /** Instead of the angular velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
+    /** The turn of the wheel at the end of the stage, see LoadLevel. */
+    std::optional<double> wheel_turn;
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
     double axle_moment = 0;
@@ -165,7 +170,8 @@ namespace Biface
               turn.value_or(start.turn),
               angular_velocity.value_or(start.angular_velocity),
               ground_velocity.value_or(start.ground_velocity),
-              slip_angle.value_or(start.slip_angle)};
+              slip_angle.value_or(start.slip_angle),
+              wheel_turn.value_or(start.wheel_turn)};
     }
 
     /** Whether the shell rolls: it does not stand both at the start and at the
@@ -212,8 +218,8 @@ namespace Biface
     bool
     moves_foundation() const
     {
-      return contact &&
-             (travel || slide || turn || prescribes("foundation force"));
+      return contact && (travel || slide || turn || wheel_turn ||
+                         prescribes("foundation force"));
     }
 
     /** @param number the number of the stage, for its default name. */
@@ -245,6 +251,7 @@ namespace Biface
       serialize_optional(archive, ground_velocity);
       serialize_optional(archive, slip_angle);
       serialize_optional(archive, slip_ratio);
+      serialize_optional(archive, wheel_turn);
       archive                                            &axle_moment;
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;

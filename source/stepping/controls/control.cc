@@ -99,6 +99,7 @@ namespace Biface
                                                  : start.angular_velocity),
       stage.ground_velocity ? stage.ground_velocity : start.ground_velocity,
       stage.slip_angle ? stage.slip_angle : start.slip_angle,
+      stage.wheel_turn ? stage.wheel_turn : start.wheel_turn,
       false};
   }
 
@@ -140,6 +141,7 @@ namespace Biface
       stage.angular_velocity == now.angular_velocity &&
       stage.ground_velocity == now.ground_velocity &&
       stage.slip_angle == now.slip_angle &&
+      stage.wheel_turn == now.wheel_turn &&
       stage.axle_moment == now.axle_moment &&
       stage.control_value == now.control_value;
     if (same_way && stage.n_steps == now.n_steps &&
@@ -181,7 +183,8 @@ namespace Biface
       {start.factor, reached.factor, end.factor},
       {start.turn, reached.turn, end.turn},
       {start.ground_velocity, reached.ground_velocity, end.ground_velocity},
-      {start.slip_angle, reached.slip_angle, end.slip_angle}};
+      {start.slip_angle, reached.slip_angle, end.slip_angle},
+      {start.wheel_turn, reached.wheel_turn, end.wheel_turn}};
     for (unsigned int i = 0; i < 3; ++i)
       ways.push_back({start.slide[i], reached.slide[i], end.slide[i]});
     ways.push_back(
@@ -206,7 +209,8 @@ namespace Biface
               fraction * (end.angular_velocity - start.angular_velocity),
             start.ground_velocity +
               fraction * (end.ground_velocity - start.ground_velocity),
-            start.slip_angle + fraction * (end.slip_angle - start.slip_angle)};
+            start.slip_angle + fraction * (end.slip_angle - start.slip_angle),
+            start.wheel_turn + fraction * (end.wheel_turn - start.wheel_turn)};
   }
 
 
@@ -236,7 +240,8 @@ namespace Biface
                               "changes.");
     if (stage.contact &&
         ((start.travel && !stays(start.travel, stage.travel)) ||
-         !stays(start.slide, stage.slide) || !stays(start.turn, stage.turn)))
+         !stays(start.slide, stage.slide) || !stays(start.turn, stage.turn) ||
+         !stays(start.wheel_turn, stage.wheel_turn)))
       throw InputError(what + "its foundation moves, too.");
   }
 

@@ -53,14 +53,15 @@ namespace Biface
       std::optional<double>               pressure, factor, travel;
       std::optional<dealii::Tensor<1, 3>> slide;
       std::optional<double>               turn;
-      std::optional<double> angular_velocity, ground_velocity, slip_angle;
+      std::optional<double> angular_velocity, ground_velocity, slip_angle,
+        wheel_turn;
       /** Whether all displacements are zero. */
       bool is_undeformed = false;
 
       static KnownStart
       undeformed()
       {
-        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., 0., 0., 0., true};
+        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., 0., 0., 0., 0., true};
       }
 
       static KnownStart
@@ -74,6 +75,7 @@ namespace Biface
                 level.angular_velocity,
                 level.ground_velocity,
                 level.slip_angle,
+                level.wheel_turn,
                 false};
       }
     };
