@@ -135,11 +135,11 @@ namespace Biface
       }
     coarse_parameters.sensitivities = SensitivityParameters();
     // far less than the error of the coarser mesh
-    constexpr double sufficient = 1e-4;
-    double &tolerance = coarse_parameters.newton.residual_tolerance;
-    tolerance         = std::max(tolerance, sufficient);
-    const ChartGrid grid            = coarser_grid(mesh->grid);
-    const MPI_Comm  communicator    = mesh->communicator;
+    constexpr double sufficient  = 1e-4;
+    double          &tolerance   = coarse_parameters.newton.residual_tolerance;
+    tolerance                    = std::max(tolerance, sufficient);
+    const ChartGrid grid         = coarser_grid(mesh->grid);
+    const MPI_Comm  communicator = mesh->communicator;
     Simulation      coarse(coarse_parameters,
                       communicator,
                       stream,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A step that passes more than four critical points gives their number: those of
-// Euler's column are at (2 k - 1)^2 times the first load, five of them below 100
-// times that load.
+// A step that passes more than four critical points gives their number: those
+// of Euler's column are at (2 k - 1)^2 times the first load, five of them below
+// 100 times that load.
 
 #include "restart.h"
 
