@@ -46,6 +46,7 @@ CASES = [
     Case(4, 1, 2, "lumped", LUMPED),
     Case(8, 1, 2, "lumped", LUMPED),
     Case(4, 1, 2, "slack cords", SLACK),
+    Case(10, 1, 2, "slack cords", SLACK),
     Case(16, 1, 2, "slack cords", SLACK),
     Case(1, 1, 1, "iterative", ITERATIVE),
     Case(2, 1, 1, "iterative", ITERATIVE),
