@@ -511,7 +511,7 @@ def page(runs, fine, ccx_version):
         integration points in each of its four plies, and at all of them CalculiX
         turns the stiffness of the ply anew in every iteration. It reaches each
         approach in several increments, biface in one step. CPU times also depend on
-        what else the machine does: 4 to 6 s were measured for the same run of
+        what else the machine does: 3 to 6 s were measured for the same run of
         biface.
         """),
         "## Reproducing this page",
