@@ -331,8 +331,7 @@ namespace Biface
       return linear_solver.solve(x, b, exactness).success;
     };
     // some of them may have the wrong sign
-    const unsigned int n     = 4;
-    Eigenpairs         found = nearest_eigenpairs(problem, n, start);
+    Eigenpairs found = nearest_eigenpairs(problem, n_candidates, start);
     if (!found.success || found.pairs.empty())
       return {};
     const auto rank = [&](const Eigenpair &pair) {

@@ -511,14 +511,12 @@ namespace Biface
                                const unsigned int n_after,
                                const bool         located)
   {
-    // more of them have no shape in common, as where cells get too small
-    constexpr int max_shapes = 4;
-
     Assert(buckling_analysis, ExcNotInitialized());
     out << "  negative pivots: " << n_after << " after " << n_before;
-    const LoadLevel &level = run.progress.reached;
-    const bool       several =
-      !located && std::abs(int(n_after) - int(n_before)) > max_shapes;
+    const LoadLevel   &level = run.progress.reached;
+    const unsigned int n_changed =
+      std::max(n_after, n_before) - std::min(n_after, n_before);
+    const bool several = !located && n_changed > BucklingAnalysis::n_candidates;
     const auto mode =
       (several
          ? std::nullopt

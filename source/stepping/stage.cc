@@ -391,26 +391,27 @@ namespace Biface
                        number_to_string(axle_moment),
                        "it needs 'Control = axle moment' or 'foundation "
                        "force and axle moment'");
-    if (!contact && travel.value_or(0) != 0)
-      throw InputError(section + "/Travel",
-                       number_to_string(*travel),
-                       "it must be 0 unless 'Contact = true'");
-    if (!contact && slide && slide->norm() > 0)
+    if (contact)
+      return;
+
+    const auto refuse_motion = [&](const std::string           &entry,
+                                   const std::optional<double> &motion) {
+      if (motion.value_or(0) != 0)
+        throw InputError(section + "/" + entry,
+                         number_to_string(*motion),
+                         "it must be 0 unless 'Contact = true'");
+    };
+    refuse_motion("Travel", travel);
+    if (slide && slide->norm() > 0)
       throw InputError(section + "/Slide",
                        vector_to_string(*slide),
                        "it must be 0 unless 'Contact = true'");
-    if (!contact && turn.value_or(0) != 0)
-      throw InputError(section + "/Turn",
-                       number_to_string(*turn),
-                       "it must be 0 unless 'Contact = true'");
-    if (!contact && wheel_turn.value_or(0) != 0)
-      throw InputError(section + "/Wheel turn",
-                       number_to_string(*wheel_turn),
-                       "it must be 0 unless 'Contact = true'");
-    if (!contact && !friction.empty())
+    refuse_motion("Turn", turn);
+    refuse_motion("Wheel turn", wheel_turn);
+    if (!friction.empty())
       throw InputError(
         section + "/Friction", friction, "it needs 'Contact = true'");
-    if (!contact && glued)
+    if (glued)
       throw InputError(section + "/Glued", "true", "it needs 'Contact = true'");
   }
 
@@ -517,10 +518,9 @@ namespace Biface
           (before ? ends[*before] : Control::KnownStart::undeformed());
         if (stage.from_prestress)
           {
-            start.travel        = 0;
-            start.slide         = Tensor<1, 3>();
-            start.turn          = 0;
-            start.wheel_turn    = 0;
+            for_each_motion([](auto &known, const auto &zero) { known = zero; },
+                            start,
+                            LoadLevel());
             start.is_undeformed = true;
           }
         const auto control = make_control(stage);

@@ -65,12 +65,11 @@ namespace Biface
                          Progress       &progress,
                          State          &state)
     {
-      progress.reached.travel     = 0;
-      progress.work               = Work();
-      progress.reached.slide      = Tensor<1, 3>();
-      progress.reached.turn       = 0;
-      progress.reached.wheel_turn = 0;
-      progress.factor_of_shape    = progress.reached.factor;
+      for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
+                      progress.reached,
+                      LoadLevel());
+      progress.work            = Work();
+      progress.factor_of_shape = progress.reached.factor;
       progress.touching_travel.reset();
       progress.reaction.reset();
       progress.last_change.clear();

@@ -26,7 +26,7 @@ namespace Biface
   namespace CheckpointFile
   {
     /** Version of the format; files of other versions are refused. */
-    constexpr std::uint32_t format = 7;
+    constexpr std::uint32_t format = 8;
 
     using Table = std::pair<std::string, NumberedRows>;
 

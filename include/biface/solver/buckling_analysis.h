@@ -103,6 +103,11 @@ namespace Biface
     std::optional<unsigned int>
     count_negative_pivots(const Equilibrium &now);
 
+    /** The number of eigenvalues closest to zero among which critical_mode()
+     * looks. If more change their sign at once, as where cells get too small,
+     * their shapes have nothing in common. */
+    static constexpr unsigned int n_candidates = 4;
+
     /**
      * The shape of the eigenvalue of the tangent closest to zero, without a
      * position. The last assembly of the equations is lost.

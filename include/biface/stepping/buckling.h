@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <biface/solver/buckling_analysis.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/load_level.h>
 
 namespace Biface
 {
@@ -29,24 +29,6 @@ namespace Biface
     std::vector<CriticalLoads> loads;
   };
 
-
-  /** The loads as numbers. */
-  std::vector<double>
-  numbers_of(const LoadLevel &level);
-
-  /** The part of a change of the loads that a level has reached, by the first
-   * load that changes; NaN if none does. */
-  double
-  part_of_loads(const LoadLevel &start,
-                const LoadLevel &reached,
-                const LoadLevel &end);
-
-  /** The loads on the straight line through two levels: 0 for the first, 1 for
-   * the second. */
-  LoadLevel
-  loads_on_line(const LoadLevel &first,
-                const LoadLevel &second,
-                const double     position);
 
   /** The critical loads of buckling modes.
    * @param start the loads at the start of the stage.

@@ -44,11 +44,6 @@ namespace Biface
   };
 
 
-  /** The largest change of a load between two levels, relative to the load. */
-  double
-  relative_change(const LoadLevel &a, const LoadLevel &b);
-
-
   /** The part of a shape in the displacements remains as it is at the start of
    * the iteration, which therefore stays on a branch. */
   class ShapeEquation : public ControlEquation

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <biface/model/state.h>
+#include <biface/stepping/load_level.h>
 
 namespace Biface
 {
@@ -24,40 +25,6 @@ namespace Biface
     archive &given &content;
     value = (given ? std::optional<Value>(content) : std::nullopt);
   }
-
-
-  /** Loads and motion of the foundation at an instant of an analysis. */
-  struct LoadLevel
-  {
-    double pressure = 0;
-    double factor   = 0;
-    /** Since the foundation first touched the shell. */
-    double travel = 0;
-    /** See RigidFoundation::displaced(); the turn is in degrees. */
-    dealii::Tensor<1, 3> slide;
-    double               turn = 0;
-    /** Of a rolling wheel, see Rolling; the slip angle is in degrees. */
-    double angular_velocity = 0;
-    double ground_velocity  = 0;
-    double slip_angle       = 0;
-    /** The angle by which the wheel has turned on the foundation, in degrees,
-     * see RigidFoundation::around(). */
-    double wheel_turn = 0;
-
-    bool
-    rolls() const
-    {
-      return angular_velocity != 0 || ground_velocity != 0;
-    }
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &pressure &factor &travel &slide               &turn;
-      archive &angular_velocity &ground_velocity &slip_angle &wheel_turn;
-    }
-  };
 
 
   /** An instant of an analysis: the position of the stage and the completed
@@ -91,32 +58,21 @@ namespace Biface
 
 
   /** A stage of loading: from the end of the previous stage, or of another one
-   * before, to its own loads, in equal steps. */
-  struct Stage
+   * before, to its own loads, in equal steps. Loads that are not set are those
+   * at its start. */
+  struct Stage : LoadsOf<std::optional>
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
     /** The number, from 1, of the stage from whose end this one starts; if not
      * set, that of the previous stage. See stage_before(). */
     std::optional<unsigned int> start_from;
-    /** At the end of the stage; if not set, as at its start. */
-    std::optional<double> pressure;
     /** Whether the gas that exerts the pressure is sealed in, see Gas. */
     bool sealed = false;
-    /** Whether there is a foundation, and its travel at the end of the
-     * stage. */
-    bool                  contact = false;
-    std::optional<double> travel;
-    /** Its motion sideways, and its turn in degrees, at the end of the stage.
-     */
-    std::optional<dealii::Tensor<1, 3>> slide;
-    std::optional<double>               turn;
-    /** How the wheel rolls at the end of the stage, see LoadLevel. */
-    std::optional<double> angular_velocity, ground_velocity, slip_angle;
+    /** Whether there is a foundation. */
+    bool contact = false;
     /** Instead of the angular velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
-    /** The turn of the wheel at the end of the stage, see LoadLevel. */
-    std::optional<double> wheel_turn;
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
     double axle_moment = 0;
@@ -124,11 +80,8 @@ namespace Biface
      * section 'Contact'. */
     std::string friction;
     /** Whether the nodes in contact at the start of the stage cannot slip. */
-    bool glued = false;
-    /** Factor of the dead loads and prescribed displacements at the end of the
-     * stage. */
-    std::optional<double> factor;
-    unsigned int          n_steps = 1;
+    bool         glued   = false;
+    unsigned int n_steps = 1;
 
     /** The quantity prescribed in every step: one of control_names(). */
     std::string control = "load";
@@ -163,15 +116,15 @@ namespace Biface
     LoadLevel
     end(const LoadLevel &start) const
     {
-      return {pressure.value_or(start.pressure),
-              factor.value_or(start.factor),
-              travel.value_or(start.travel),
-              slide.value_or(start.slide),
-              turn.value_or(start.turn),
-              angular_velocity.value_or(start.angular_velocity),
-              ground_velocity.value_or(start.ground_velocity),
-              slip_angle.value_or(start.slip_angle),
-              wheel_turn.value_or(start.wheel_turn)};
+      LoadLevel result;
+      for_each_load(
+        [](auto &load, const auto &prescribed, const auto &at_start) {
+          load = prescribed.value_or(at_start);
+        },
+        result,
+        *this,
+        start);
+      return result;
     }
 
     /** Whether the shell rolls: it does not stand both at the start and at the
@@ -218,8 +171,10 @@ namespace Biface
     bool
     moves_foundation() const
     {
-      return contact && (travel || slide || turn || wheel_turn ||
-                         prescribes("foundation force"));
+      bool moves = prescribes("foundation force");
+      for_each_motion([&moves](const auto &motion) { moves = moves || motion; },
+                      *this);
+      return contact && moves;
     }
 
     /** @param number the number of the stage, for its default name. */
@@ -240,19 +195,11 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      serialize_optional(archive, slide);
-      archive &friction &glued;
+      for_each_load(
+        [&archive](auto &load) { serialize_optional(archive, load); }, *this);
       serialize_optional(archive, start_from);
-      serialize_optional(archive, turn);
-      serialize_optional(archive, pressure);
-      serialize_optional(archive, travel);
-      serialize_optional(archive, factor);
-      serialize_optional(archive, angular_velocity);
-      serialize_optional(archive, ground_velocity);
-      serialize_optional(archive, slip_angle);
       serialize_optional(archive, slip_ratio);
-      serialize_optional(archive, wheel_turn);
-      archive                                            &axle_moment;
+      archive &friction &glued                           &axle_moment;
       archive &name &theory &contact                     &n_steps;
       archive &control &control_point &control_component &control_value;
       archive &force &adaptive &from_prestress           &sealed;

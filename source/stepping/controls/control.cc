@@ -88,19 +88,17 @@ namespace Biface
   Control::KnownStart
   Control::known_end(const KnownStart &start) const
   {
-    return {
-      stage.pressure ? stage.pressure : start.pressure,
-      stage.factor ? stage.factor : start.factor,
-      stage.travel ? stage.travel : start.travel,
-      stage.slide ? stage.slide : start.slide,
-      stage.turn ? stage.turn : start.turn,
-      stage.slip_ratio ? std::nullopt
-                       : (stage.angular_velocity ? stage.angular_velocity
-                                                 : start.angular_velocity),
-      stage.ground_velocity ? stage.ground_velocity : start.ground_velocity,
-      stage.slip_angle ? stage.slip_angle : start.slip_angle,
-      stage.wheel_turn ? stage.wheel_turn : start.wheel_turn,
-      false};
+    KnownStart end;
+    for_each_load(
+      [](auto &known, const auto &prescribed, const auto &at_start) {
+        known = (prescribed ? prescribed : at_start);
+      },
+      end,
+      stage,
+      start);
+    if (stage.slip_ratio)
+      end.angular_velocity.reset();
+    return end;
   }
 
 
@@ -134,16 +132,15 @@ namespace Biface
   bool
   Control::change_stage(const Stage &now, const LoadLevel &reached)
   {
-    const bool same_way =
-      stage.pressure == now.pressure && stage.factor == now.factor &&
-      stage.travel == now.travel && stage.slide == now.slide &&
-      stage.turn == now.turn && stage.force == now.force &&
-      stage.angular_velocity == now.angular_velocity &&
-      stage.ground_velocity == now.ground_velocity &&
-      stage.slip_angle == now.slip_angle &&
-      stage.wheel_turn == now.wheel_turn &&
-      stage.axle_moment == now.axle_moment &&
-      stage.control_value == now.control_value;
+    bool same_way = stage.force == now.force &&
+                    stage.axle_moment == now.axle_moment &&
+                    stage.control_value == now.control_value;
+    for_each_load(
+      [&same_way](const auto &load, const auto &new_load) {
+        same_way = same_way && load == new_load;
+      },
+      stage,
+      now);
     if (same_way && stage.n_steps == now.n_steps &&
         stage.adaptive == now.adaptive)
       return false;
@@ -178,18 +175,11 @@ namespace Biface
   std::vector<Control::Way>
   Control::ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const
   {
-    std::vector<Way> ways{
-      {start.pressure, reached.pressure, end.pressure},
-      {start.factor, reached.factor, end.factor},
-      {start.turn, reached.turn, end.turn},
-      {start.ground_velocity, reached.ground_velocity, end.ground_velocity},
-      {start.slip_angle, reached.slip_angle, end.slip_angle},
-      {start.wheel_turn, reached.wheel_turn, end.wheel_turn}};
-    for (unsigned int i = 0; i < 3; ++i)
-      ways.push_back({start.slide[i], reached.slide[i], end.slide[i]});
-    ways.push_back(
-      {start.angular_velocity, reached.angular_velocity, end.angular_velocity});
-    ways.push_back({start.travel, reached.travel, end.travel});
+    const std::vector<double> from = numbers_of(start),
+                              now = numbers_of(reached), to = numbers_of(end);
+    std::vector<Way> ways;
+    for (unsigned int i = 0; i < from.size(); ++i)
+      ways.push_back({from[i], now[i], to[i]});
     return ways;
   }
 
@@ -200,17 +190,7 @@ namespace Biface
     const LoadLevel end = stage.end(start);
     if (fraction == 1)
       return end;
-    return {start.pressure + fraction * (end.pressure - start.pressure),
-            start.factor + fraction * (end.factor - start.factor),
-            start.travel + fraction * (end.travel - start.travel),
-            start.slide + fraction * (end.slide - start.slide),
-            start.turn + fraction * (end.turn - start.turn),
-            start.angular_velocity +
-              fraction * (end.angular_velocity - start.angular_velocity),
-            start.ground_velocity +
-              fraction * (end.ground_velocity - start.ground_velocity),
-            start.slip_angle + fraction * (end.slip_angle - start.slip_angle),
-            start.wheel_turn + fraction * (end.wheel_turn - start.wheel_turn)};
+    return loads_on_line(start, end, fraction);
   }
 
 
@@ -238,10 +218,15 @@ namespace Biface
         stays(start.factor, stage.factor))
       throw InputError(what + "neither its pressure nor its load factor "
                               "changes.");
-    if (stage.contact &&
-        ((start.travel && !stays(start.travel, stage.travel)) ||
-         !stays(start.slide, stage.slide) || !stays(start.turn, stage.turn) ||
-         !stays(start.wheel_turn, stage.wheel_turn)))
+    bool moves = false;
+    for_each_motion(
+      [&](const auto &begin, const auto &end) {
+        // after a given force, the travel is not known
+        moves = moves || (begin && !stays(begin, end));
+      },
+      start,
+      stage);
+    if (stage.contact && moves)
       throw InputError(what + "its foundation moves, too.");
   }
 

@@ -48,35 +48,26 @@ namespace Biface
     virtual ~Control() = default;
 
     /** What is known before the run about the start of a stage. */
-    struct KnownStart
+    struct KnownStart : LoadsOf<std::optional>
     {
-      std::optional<double>               pressure, factor, travel;
-      std::optional<dealii::Tensor<1, 3>> slide;
-      std::optional<double>               turn;
-      std::optional<double> angular_velocity, ground_velocity, slip_angle,
-        wheel_turn;
       /** Whether all displacements are zero. */
       bool is_undeformed = false;
 
       static KnownStart
       undeformed()
       {
-        return {0., 0., 0., dealii::Tensor<1, 3>(), 0., 0., 0., 0., 0., true};
+        KnownStart start    = at(LoadLevel());
+        start.is_undeformed = true;
+        return start;
       }
 
       static KnownStart
       at(const LoadLevel &level)
       {
-        return {level.pressure,
-                level.factor,
-                level.travel,
-                level.slide,
-                level.turn,
-                level.angular_velocity,
-                level.ground_velocity,
-                level.slip_angle,
-                level.wheel_turn,
-                false};
+        KnownStart start;
+        for_each_load(
+          [](auto &known, const auto &load) { known = load; }, start, level);
+        return start;
       }
     };
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_load_level_h
+#define biface_stepping_load_level_h
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Biface
+{
+  /** Loads, motions of the foundation, and how a wheel rolls: a @p Value of
+   * each, such as std::optional of what a stage prescribes. All functions for
+   * all of them use the lists for_each_motion() and for_each_load(). */
+  template <template <class> class Value>
+  struct LoadsOf
+  {
+    Value<double> pressure{};
+    /** Of the dead loads and of prescribed displacements of supports. */
+    Value<double> factor{};
+
+    /** Since the foundation first touched the shell. */
+    Value<double> travel{};
+    /** See RigidFoundation::displaced(); the turn is in degrees. */
+    Value<dealii::Tensor<1, 3>> slide{};
+    Value<double>               turn{};
+    /** The angle by which the wheel has turned on the foundation, in degrees,
+     * see RigidFoundation::around(). */
+    Value<double> wheel_turn{};
+
+    /** Of a rolling wheel, see Rolling; the slip angle is in degrees. */
+    Value<double> angular_velocity{};
+    Value<double> ground_velocity{};
+    Value<double> slip_angle{};
+  };
+
+
+  /** Call a function for each motion of the foundation, with those of all the
+   * given objects. */
+  template <class Function, class... Levels>
+  void
+  for_each_motion(const Function &function, Levels &&...levels)
+  {
+    function(levels.travel...);
+    function(levels.slide...);
+    function(levels.turn...);
+    function(levels.wheel_turn...);
+  }
+
+
+  /** Call a function for each load and motion, with those of all the given
+   * objects. */
+  template <class Function, class... Levels>
+  void
+  for_each_load(const Function &function, Levels &&...levels)
+  {
+    function(levels.pressure...);
+    function(levels.factor...);
+    for_each_motion(function, levels...);
+    function(levels.angular_velocity...);
+    function(levels.ground_velocity...);
+    function(levels.slip_angle...);
+  }
+
+
+  template <class T>
+  using Plain = T;
+
+
+  /** Loads and motions at an instant of an analysis. */
+  struct LoadLevel : LoadsOf<Plain>
+  {
+    bool
+    rolls() const
+    {
+      return angular_velocity != 0 || ground_velocity != 0;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      for_each_load([&archive](auto &load) { archive &load; }, *this);
+    }
+  };
+
+
+  /** The loads and the components of motions. */
+  std::vector<double>
+  numbers_of(const LoadLevel &level);
+
+  /** The part of a change of the loads that a level has reached, by the first
+   * load that changes; NaN if none does. */
+  double
+  part_of_loads(const LoadLevel &start,
+                const LoadLevel &reached,
+                const LoadLevel &end);
+
+  /** The loads on the straight line through two levels: 0 for the first, 1 for
+   * the second. */
+  LoadLevel
+  loads_on_line(const LoadLevel &first,
+                const LoadLevel &second,
+                const double     position);
+
+  /** The largest change of a load between two levels, relative to the load. */
+  double
+  relative_change(const LoadLevel &a, const LoadLevel &b);
+} // namespace Biface
+
+#endif

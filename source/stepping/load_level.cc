@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/stepping/load_level.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    append(std::vector<double> &numbers, const double number)
+    {
+      numbers.push_back(number);
+    }
+
+
+    void
+    append(std::vector<double> &numbers, const Tensor<1, 3> &components)
+    {
+      numbers.insert(
+        numbers.end(), components.begin_raw(), components.end_raw());
+    }
+  } // namespace
+
+
+  std::vector<double>
+  numbers_of(const LoadLevel &level)
+  {
+    std::vector<double> numbers;
+    for_each_load([&](const auto &load) { append(numbers, load); }, level);
+    return numbers;
+  }
+
+
+  double
+  part_of_loads(const LoadLevel &start,
+                const LoadLevel &reached,
+                const LoadLevel &end)
+  {
+    const std::vector<double> from = numbers_of(start),
+                              now = numbers_of(reached), to = numbers_of(end);
+    for (unsigned int i = 0; i < from.size(); ++i)
+      if (to[i] != from[i])
+        return (now[i] - from[i]) / (to[i] - from[i]);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  LoadLevel
+  loads_on_line(const LoadLevel &first,
+                const LoadLevel &second,
+                const double     position)
+  {
+    LoadLevel level;
+    for_each_load(
+      [position](auto &load, const auto &from, const auto &to) {
+        load = from + position * (to - from);
+      },
+      level,
+      first,
+      second);
+    return level;
+  }
+
+
+  double
+  relative_change(const LoadLevel &a, const LoadLevel &b)
+  {
+    const std::vector<double> before = numbers_of(a), after = numbers_of(b);
+    double                    largest = 0;
+    for (unsigned int i = 0; i < before.size(); ++i)
+      if (before[i] != after[i])
+        largest = std::max(largest,
+                           std::abs(after[i] - before[i]) /
+                             std::max(std::abs(after[i]), std::abs(before[i])));
+    return largest;
+  }
+} // namespace Biface
