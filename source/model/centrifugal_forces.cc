@@ -1,48 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/centrifugal_forces.h>
+#include <biface/model/circumferential_slope.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** The derivative by the angle at a vertex as a function of the
-     * displacements of a face: of the vertex itself and of its neighbor. */
-    struct Slope
-    {
-      Slope(const Cell &cell, const ShellMesh &mesh, const unsigned int q)
-        : lame(mesh.nodes[cell.nodes[q]].surface.lame[1])
-      {
-        const ElementGeometry::Vertex &vertex = cell.geometry.vertices[q];
-        neighbor                              = -lame * vertex.slope[1];
-        own                                   = lame * vertex.connection[1];
-        for (unsigned int i = 0; i < 3; ++i)
-          own[i][i] -= neighbor;
-        for (unsigned int face = 0; face < 2; ++face)
-          undeformed[face] = lame * vertex.metric.zeta[face][1];
-      }
-
-      double                lame;
-      Tensor<2, 3>          own;
-      double                neighbor;
-      std::array<double, 2> undeformed;
-
-      Tensor<1, 3>
-      of(const MixedElement::NodalVector &V,
-         const unsigned int               q,
-         const unsigned int               face) const
-      {
-        Tensor<1, 3> x =
-          own * MixedElement::face_displacement(V, q, face) +
-          neighbor * MixedElement::face_displacement(V, q ^ 2, face);
-        x[1] += undeformed[face];
-        return x;
-      }
-    };
-  } // namespace
-
 
   CentrifugalForces::CentrifugalForces(const ShellMesh &mesh) : mesh(mesh)
   {
@@ -69,9 +32,9 @@ namespace Biface
     MixedElement::NodalVector force;
     for (unsigned int q = 0; q < 4; ++q)
       {
-        const Slope                       slope(at.cell, mesh, q);
+        const CircumferentialSlope        slope(mesh, at.cell, q);
         const std::array<Tensor<1, 3>, 2> x{
-          {slope.of(at.V, q, 0), slope.of(at.V, q, 1)}};
+          {slope.of(at.V, 0), slope.of(at.V, 1)}};
         for (unsigned int face = 0; face < 2; ++face)
           {
             const Tensor<1, 3> momentum =
@@ -98,11 +61,7 @@ namespace Biface
     const MassMoments &m = mass_moments[at.cell.strip];
     for (unsigned int q = 0; q < 4; ++q)
       {
-        const Slope        slope(at.cell, mesh, q);
-        const Tensor<2, 3> neighbor =
-          slope.neighbor * Tensor<2, 3>(unit_symmetric_tensor<3>());
-        const std::array<std::pair<unsigned int, Tensor<2, 3>>, 2> parts{
-          {{q, slope.own}, {q ^ 2, neighbor}}};
+        const auto parts = CircumferentialSlope(mesh, at.cell, q).parts();
         for (unsigned int f = 0; f < 2; ++f)
           for (unsigned int g = 0; g < 2; ++g)
             for (const auto &row : parts)

@@ -77,7 +77,7 @@ namespace Biface
     const double                    exact  = condition.multiplier(at.clearance);
     const SlipVelocityLaw::Traction friction =
       law.traction(tangential * v, -lambda);
-    const Tensor<2, 3> per_velocity = friction.per_slip * tangential;
+    result.per_velocity = friction.per_slip * tangential;
 
     // of the velocity of the ground by the position
     Tensor<2, 3> ground_gradient;
@@ -93,13 +93,13 @@ namespace Biface
     result.value = friction.value + (lambda - exact) * friction.per_pressure;
     result.stiffness = friction.per_slip *
                          ((n * v) * gradient + outer_product(n, gradient * v)) +
-                       per_velocity * ground_gradient -
+                       result.per_velocity * ground_gradient -
                        outer_product(friction.per_pressure,
                                      condition.multiplier_stiffness() * n);
     result.stiffness_of_neighbors[1] =
-      stencil->per_neighbor() * rolling.angular_velocity * per_velocity;
+      stencil->per_neighbor() * rolling.angular_velocity * result.per_velocity;
     result.stiffness_of_neighbors[0] = -result.stiffness_of_neighbors[1];
-    result.per_angular_velocity      = -per_velocity * slope;
+    result.per_angular_velocity      = -result.per_velocity * slope;
     return result;
   }
 } // namespace Biface

@@ -33,7 +33,7 @@ namespace Biface
 
 
   std::optional<WaveNumbers>
-  wave_numbers(const ShellMesh &mesh, const LA::Vector &V)
+  wave_numbers(const ShellMesh &mesh, const std::vector<LA::Vector> &parts)
   {
     if (!mesh.grid.closed)
       return {};
@@ -42,13 +42,14 @@ namespace Biface
     const unsigned int         n_max   = mesh.grid.n_nodes(1) / 2;
     const double               turn    = lines.back() - lines.front();
 
-    // by line, component, wave number: real and imaginary parts
-    const auto position = [&](const unsigned int line,
+    // by part, line, component, wave number: real and imaginary parts
+    const auto position = [&](const unsigned int part,
+                              const unsigned int line,
                               const unsigned int component,
                               const unsigned int n) {
-      return 2 * ((3 * line + component) * (n_max + 1) + n);
+      return 2 * ((3 * (part * n_lines + line) + component) * (n_max + 1) + n);
     };
-    std::vector<double> sums(position(n_lines, 0, 0));
+    std::vector<double> sums(position(parts.size(), 0, 0, 0));
     for (const Node &node : mesh.nodes)
       {
         if (!node.locally_owned)
@@ -63,30 +64,44 @@ namespace Biface
               std::polar(1., -2 * numbers::PI / turn * n * lines[j]) *
               (half_integral(n, 2 * numbers::PI / turn * after) -
                half_integral(n, -2 * numbers::PI / turn * before));
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                const double  v    = V(node.dof(i, MixedElement::mean));
-                const Complex part = v * weight;
-                double       *sum  = &sums[position(node.grid_index[0], i, n)];
-                sum[0] += part.real();
-                sum[1] += part.imag();
-              }
+            for (unsigned int p = 0; p < parts.size(); ++p)
+              for (unsigned int i = 0; i < 3; ++i)
+                {
+                  const double  v = parts[p](node.dof(i, MixedElement::mean));
+                  const Complex term = v * weight;
+                  double *sum = &sums[position(p, node.grid_index[0], i, n)];
+                  sum[0] += term.real();
+                  sum[1] += term.imag();
+                }
           }
       }
     Utilities::MPI::sum(sums, mesh.communicator, sums);
-    const auto coefficient =
-      [&](const unsigned int line, const unsigned int i, const unsigned int n) {
-        const double *sum = &sums[position(line, i, n)];
-        return Complex(sum[0], sum[1]);
+    // of e^(+-i n phi)
+    const auto coefficient = [&](const unsigned int line,
+                                 const unsigned int i,
+                                 const unsigned int n,
+                                 const int          sign) {
+      Complex result = 0, unit = 1;
+      for (unsigned int p = 0; p < parts.size(); ++p)
+        {
+          const double *sum = &sums[position(p, line, i, n)];
+          result += unit * Complex(sum[0], sign * sum[1]);
+          unit *= Complex(0, 1);
+        }
+      return result;
+    };
+    const auto square_of =
+      [&](const unsigned int i, const unsigned int n, const int sign) {
+        double sum = 0;
+        for (unsigned int line = 0; line < n_lines; ++line)
+          sum += std::norm(coefficient(line, i, n, sign));
+        return sum;
       };
     const auto square = [&](const unsigned int i, const unsigned int n) {
-      double sum = 0;
-      for (unsigned int line = 0; line < n_lines; ++line)
-        sum += (n > 0 ? 2 : 1) * std::norm(coefficient(line, i, n));
-      return sum;
+      return square_of(i, n, 1) + (n > 0 ? square_of(i, n, -1) : 0.);
     };
 
-    WaveNumbers result{0, 1};
+    WaveNumbers result{0, 1, 0};
     double      largest = 0;
     for (unsigned int n = 0; n <= n_max; ++n)
       {
@@ -98,23 +113,34 @@ namespace Biface
           }
       }
 
-    const unsigned int n         = result.circumferential;
-    unsigned int       component = 2;
+    const unsigned int n = result.circumferential;
+    // e^(i n phi + i omega t) travels against phi, which is left-handed
+    std::array<double, 2> ways{};
+    for (unsigned int i = 0; i < 3 && n > 0; ++i)
+      {
+        ways[0] += square_of(i, n, 1);
+        ways[1] += square_of(i, n, -1);
+      }
+    if (parts.size() > 1 && ways[0] + ways[1] > 0)
+      result.travel = (ways[0] - ways[1]) / (ways[0] + ways[1]);
+    const int way = (ways[1] > (1 + 1e-6) * ways[0] ? -1 : 1);
+
+    unsigned int component = 2;
     for (const unsigned int i : {0, 1})
       if (square(i, n) > (1 + 1e-6) * square(component, n))
         component = i;
     Complex greatest = 0;
     for (unsigned int line = 0; line < n_lines; ++line)
-      if (std::abs(coefficient(line, component, n)) >
+      if (std::abs(coefficient(line, component, n, way)) >
           (1 + 1e-6) * std::abs(greatest))
-        greatest = coefficient(line, component, n);
+        greatest = coefficient(line, component, n, way);
     // smaller values do not make a wave
     constexpr double minimum = 0.05;
     double           sign    = 0;
     for (unsigned int line = 0; line < n_lines && greatest != 0.; ++line)
       {
         const double value =
-          (coefficient(line, component, n) / greatest).real();
+          (coefficient(line, component, n, way) / greatest).real();
         if (std::abs(value) < minimum)
           continue;
         if (sign * value < 0)

@@ -14,10 +14,24 @@ namespace Biface
 {
   using namespace dealii;
 
-  ModePatches::ModePatches(const ShellMesh  &mesh,
-                           const LA::Vector &displacement,
-                           const LA::Vector &shape)
-    : VertexPatches<2>({"mode", "mode", "mode", "outer_face"})
+  namespace
+  {
+    std::vector<std::string>
+    names_of_data(const unsigned int n_parts)
+    {
+      std::vector<std::string> names(3, "mode");
+      if (n_parts > 1)
+        names.resize(6, "mode_imaginary");
+      names.push_back("outer_face");
+      return names;
+    }
+  } // namespace
+
+
+  ModePatches::ModePatches(const ShellMesh                       &mesh,
+                           const LA::Vector                      &displacement,
+                           const std::vector<const LA::Vector *> &shape)
+    : VertexPatches<2>(names_of_data(shape.size()))
   {
     for (const Cell &cell : mesh.cells)
       for (unsigned int face = 0; face < 2; ++face)
@@ -28,11 +42,14 @@ namespace Biface
               const Node &node = mesh.nodes[cell.nodes[v]];
               patch.vertices[v] =
                 mesh.deformed_position(displacement, node, face);
-              const Tensor<1, 3> u =
-                node.surface.from_frame(mesh.displacement(shape, node, face));
-              for (unsigned int i = 0; i < 3; ++i)
-                patch.data(i, v) = u[i];
-              patch.data(3, v) = face;
+              for (unsigned int part = 0; part < shape.size(); ++part)
+                {
+                  const Tensor<1, 3> u = node.surface.from_frame(
+                    mesh.displacement(*shape[part], node, face));
+                  for (unsigned int i = 0; i < 3; ++i)
+                    patch.data(3 * part + i, v) = u[i];
+                }
+              patch.data(3 * shape.size(), v) = face;
             }
           patches.push_back(patch);
         }
@@ -48,9 +65,10 @@ namespace Biface
 
 
   void
-  ShapesVtu::write_shapes(const unsigned int                     step,
-                          const State                           &state,
-                          const std::vector<const LA::Vector *> &shapes)
+  ShapesVtu::write_shapes(
+    const unsigned int                                  step,
+    const State                                        &state,
+    const std::vector<std::vector<const LA::Vector *>> &shapes)
   {
     std::vector<std::pair<double, std::string>> times_and_names;
     for (unsigned int i = 0; i < shapes.size(); ++i)
@@ -58,7 +76,7 @@ namespace Biface
         const std::string file = prefix + "-" +
                                  Utilities::int_to_string(step, 4) + "-" +
                                  Utilities::int_to_string(i + 1, 3) + ".vtu";
-        ModePatches patches(equations.mesh, state.displacement, *shapes[i]);
+        ModePatches patches(equations.mesh, state.displacement, shapes[i]);
         write_vtu(patches, i + 1, directory.path(file), communicator);
         times_and_names.emplace_back(i + 1, file);
       }
@@ -84,9 +102,13 @@ namespace Biface
   void
   ModeVtu::write(const StepReport &report, const State &state)
   {
-    std::vector<const LA::Vector *> shapes;
+    std::vector<std::vector<const LA::Vector *>> shapes;
     for (const VibrationMode &mode : report.modes->modes)
-      shapes.push_back(&mode.shape);
+      {
+        shapes.push_back({&mode.shape});
+        if (mode.imaginary.size() > 0)
+          shapes.back().push_back(&mode.imaginary);
+      }
     write_shapes(report.step, state, shapes);
   }
 
@@ -109,9 +131,9 @@ namespace Biface
   void
   BucklingVtu::write(const StepReport &report, const State &state)
   {
-    std::vector<const LA::Vector *> shapes;
+    std::vector<std::vector<const LA::Vector *>> shapes;
     for (const BucklingMode &mode : report.buckling->modes)
-      shapes.push_back(&mode.shape);
+      shapes.push_back({&mode.shape});
     write_shapes(report.step, state, shapes);
   }
 } // namespace Biface

@@ -18,7 +18,7 @@ namespace Biface
         "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
         "participation_x,participation_y,participation_z,"
         "effective_mass_x,effective_mass_y,effective_mass_z,"
-        "total_mass,circumferential_waves,meridional_half_waves",
+        "total_mass,circumferential_waves,meridional_half_waves,travel",
         0,
         directory,
         equations,
@@ -45,7 +45,8 @@ namespace Biface
         for (unsigned int d = 0; d < 3; ++d)
           lines += ',' + csv_number(mode.effective_mass(d));
         lines += ',' + csv_number(report.modes->total_mass) + ',' +
-                 csv_waves(mode.waves) + '\n';
+                 csv_waves(mode.waves) + ',' +
+                 (mode.waves ? csv_number(mode.waves->travel) : "nan") + '\n';
       }
     append(lines);
   }

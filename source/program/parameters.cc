@@ -221,11 +221,6 @@ namespace Biface
                            "true",
                            "nothing is glued to the ground where the wheel "
                            "rolls");
-        if (stage.n_modes > 0)
-          throw InputError(section + "/Modes",
-                           std::to_string(stage.n_modes),
-                           "it must be 0 where the wheel rolls or spins: the "
-                           "gyroscopic terms are not implemented");
         if (stage.n_buckling > 0)
           throw InputError(section + "/Buckling",
                            std::to_string(stage.n_buckling),

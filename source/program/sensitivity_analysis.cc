@@ -617,11 +617,12 @@ namespace Biface
                                     const Loads          &loads)
   {
     if (!modes.symmetric)
-      throw InputError("Sensitivities/Outputs",
-                       "frequency",
-                       "the stage " + neighbor.stage.name +
-                         " has loads without a potential, for which "
-                         "derivatives of frequencies are not implemented");
+      throw InputError(
+        "Sensitivities/Outputs",
+        "frequency",
+        "the stage " + neighbor.stage.name +
+          " rolls, spins or has loads without a potential, for which "
+          "derivatives of frequencies are not implemented");
     const auto                gas     = sealed_in(neighbor);
     auto                      changed = std::make_shared<VibrationModes>(modes);
     const std::vector<double> squares =
@@ -633,7 +634,8 @@ namespace Biface
                          gas ? &*gas : nullptr,
                          modes);
     for (unsigned int m = 0; m < squares.size(); ++m)
-      changed->modes[m].square = squares[m];
+      changed->modes[m].omega =
+        std::conj(std::sqrt(std::complex<double>(squares[m])));
     return changed;
   }
 

@@ -283,11 +283,11 @@ namespace Biface
                            const LA::Vector &loads) const
   {
     BucklingMode mode;
-    mode.shape             = unit_shape(equations.mesh, vector);
+    mode.shape             = unit_shapes(equations.mesh, {vector})[0];
     const double all_loads = loads.l1_norm();
     if (all_loads > 0)
       mode.load_work = std::abs(loads * owned_part(mode.shape)) / all_loads;
-    mode.waves = wave_numbers(equations.mesh, mode.shape);
+    mode.waves = wave_numbers(equations.mesh, {mode.shape});
     return mode;
   }
 

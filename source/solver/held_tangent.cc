@@ -25,6 +25,13 @@ namespace Biface
     }
 
 
+    bool
+    rolls_with_friction(const Loads &loads)
+    {
+      return loads.rolling && loads.foundation && loads.friction;
+    }
+
+
     /** The stiffness by which the foundation holds the nodes in contact. */
     void
     add_contact(const ContactInteraction &contact,
@@ -79,7 +86,8 @@ namespace Biface
                         LA::SparseMatrix &K)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    equations.assemble(state, without_foundation(loads));
+    equations.assemble(
+      state, rolls_with_friction(loads) ? loads : without_foundation(loads));
     K.copy_from(equations.tangent());
   }
 
@@ -89,7 +97,7 @@ namespace Biface
                     const Loads      &loads,
                     LA::SparseMatrix &K) const
   {
-    if (!loads.foundation)
+    if (!loads.foundation || rolls_with_friction(loads))
       return;
     State held = state;
     if (loads.friction)
@@ -156,21 +164,32 @@ namespace Biface
   }
 
 
-  LA::Vector
-  unit_shape(const ShellMesh &mesh, const LA::Vector &vector)
+  std::vector<LA::Vector>
+  unit_shapes(const ShellMesh &mesh, const std::vector<LA::Vector> &parts)
   {
-    LA::Vector owned(vector);
-    mesh.constraints.distribute(owned);
-    LA::Vector shape = mesh.ghosted_vector();
-    shape            = owned;
-    double largest   = 0;
+    std::vector<LA::Vector> owned(parts), shapes;
+    for (LA::Vector &part : owned)
+      {
+        mesh.constraints.distribute(part);
+        shapes.push_back(mesh.ghosted_vector());
+        shapes.back() = part;
+      }
+    double largest = 0;
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int face = 0; face < 2; ++face)
-          largest =
-            std::max(largest, mesh.displacement(shape, node, face).norm());
-    owned /= Utilities::MPI::max(largest, mesh.communicator);
-    shape = owned;
-    return shape;
+          {
+            double square = 0;
+            for (const LA::Vector &shape : shapes)
+              square += mesh.displacement(shape, node, face).norm_square();
+            largest = std::max(largest, std::sqrt(square));
+          }
+    largest = Utilities::MPI::max(largest, mesh.communicator);
+    for (unsigned int i = 0; i < parts.size(); ++i)
+      {
+        owned[i] /= largest;
+        shapes[i] = owned[i];
+      }
+    return shapes;
   }
 } // namespace Biface

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 
 #include <biface/model/rigid_motions.h>
+#include <biface/model/velocity_matrix.h>
 #include <biface/solver/modal_analysis.h>
 
 namespace Biface
@@ -19,15 +21,14 @@ namespace Biface
   double
   VibrationMode::frequency() const
   {
-    return std::sqrt(square).real() / (2 * numbers::PI);
+    return omega.real() / (2 * numbers::PI);
   }
 
 
   double
   VibrationMode::growth_rate() const
   {
-    const std::complex<double> root = std::sqrt(square);
-    return square.imag() == 0 ? root.imag() : -root.imag();
+    return -omega.imag();
   }
 
 
@@ -36,6 +37,7 @@ namespace Biface
                                LinearSolver             &linear_solver,
                                TimerOutput              &timer)
     : equations(equations)
+    , contact(contact)
     , linear_solver(linear_solver)
     , tangent(equations, contact, timer)
     , mass(equations.mesh)
@@ -82,31 +84,52 @@ namespace Biface
 
 
   bool
-  ModalAnalysis::is_zero(const LA::SparseMatrix &K, const Eigenpair &pair) const
+  ModalAnalysis::is_zero(const LA::SparseMatrix     &K,
+                         const std::complex<double> &eigenvalue,
+                         const LA::Vector           &vector) const
   {
-    LA::Vector product(pair.vector);
-    mass.vmult(product, pair.vector);
-    return std::abs(pair.value) * (product * pair.vector) <=
-           tangent.roundoff(K, pair.vector);
+    LA::Vector product(vector);
+    mass.vmult(product, vector);
+    return std::abs(eigenvalue) * (product * vector) <=
+           tangent.roundoff(K, vector);
   }
 
 
   VibrationMode
-  ModalAnalysis::finish(const Eigenpair &pair) const
+  ModalAnalysis::finish(const Eigenpair &pair, const Loads &loads) const
   {
-    const ShellMesh &mesh = equations.mesh;
+    const ShellMesh &mesh       = equations.mesh;
+    const bool       is_complex = loads.rolling && pair.imaginary.size() > 0;
     VibrationMode    mode;
-    mode.square = pair.value;
+    mode.omega                     = pair.value;
+    std::vector<LA::Vector> shapes = unit_shapes(
+      mesh,
+      is_complex ? std::vector<LA::Vector>{pair.vector, pair.imaginary}
+                 : std::vector<LA::Vector>{pair.vector});
 
-    mode.shape             = unit_shape(mesh, pair.vector);
-    const LA::Vector owned = owned_part(mode.shape);
-
-    LA::Vector product(owned);
-    mass.vmult(product, owned);
-    mode.mass = product * owned;
+    Tensor<1, 3> square;
+    for (const LA::Vector &shape : shapes)
+      {
+        const LA::Vector owned = owned_part(shape);
+        LA::Vector       product(owned);
+        mass.vmult(product, owned);
+        mode.mass += product * owned;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const double content  = translations[i] * owned;
+            mode.participation[i] = content;
+            square[i] += content * content;
+          }
+      }
     for (unsigned int i = 0; i < 3; ++i)
-      mode.participation[i] = translations[i] * owned / mode.mass;
-    mode.waves = wave_numbers(mesh, mode.shape);
+      mode.participation[i] =
+        (is_complex ? std::sqrt(square[i]) : mode.participation[i]) / mode.mass;
+    mode.shape = shapes[0];
+    if (is_complex)
+      mode.imaginary = shapes[1];
+    mode.waves = wave_numbers(mesh, shapes);
+    if (mode.waves && loads.rolling && loads.rolling->angular_velocity < 0)
+      mode.waves->travel *= -1;
     return mode;
   }
 
@@ -159,7 +182,11 @@ namespace Biface
 
     EigenvalueProblem problem;
     problem.symmetric =
-      equations.is_symmetric(alone) || tangent.is_symmetric(K);
+      (!(loads.rolling && loads.friction) && equations.is_symmetric(alone)) ||
+      tangent.is_symmetric(K);
+    std::unique_ptr<const VelocityMatrix> velocity;
+    if (loads.rolling)
+      velocity = std::make_unique<const VelocityMatrix>(contact, state, loads);
     LinearSolverResult linear;
     // what an iterative solver may leave, relative to the right hand side
     constexpr double exactness = 1e-12;
@@ -169,7 +196,7 @@ namespace Biface
     };
 
     // a term of rank one, see Gas; it has the form of Newton's iteration
-    const bool symmetric_matrix = problem.symmetric;
+    bool       symmetric_matrix = problem.symmetric;
     GasTerm    term;
     LA::Vector per_pressure;
     double     denominator = 1;
@@ -210,6 +237,16 @@ namespace Biface
       mass.vmult(product, x);
     };
 
+    QuadraticEigenvalueProblem quadratic;
+    quadratic.solve             = problem.solve;
+    quadratic.multiply_mass     = problem.multiply;
+    quadratic.multiply_velocity = [&](LA::Vector       &product,
+                                      const LA::Vector &x) {
+      velocity->vmult(product, x);
+    };
+    quadratic.conservative =
+      problem.symmetric && !(loads.foundation && loads.friction);
+
     // The shift of a singular matrix as a part of its greatest eigenvalue, then
     // as a part of the greatest one found. Round-off in an eigenvector next to
     // the shift spoils those much farther away.
@@ -220,37 +257,48 @@ namespace Biface
       std::max(n, std::min<unsigned int>(n + 4, mesh.n_unknowns() / 4));
     Eigenpairs       eigenpairs;
     LA::SparseMatrix shifted;
+    // of omega, which is the eigenvalue if there are gyroscopic terms
+    const auto square = [&](const Eigenpair &pair) {
+      return velocity ? pair.value * pair.value : pair.value;
+    };
     for (unsigned int pass = 0; pass < 4; ++pass)
       {
+        quadratic.shift = std::sqrt(-problem.shift);
         if (pass > 0)
           {
             shifted.copy_from(K);
             shifted.add(-problem.shift, mass.get());
+            if (velocity)
+              shifted.add(quadratic.shift, velocity->get());
           }
         eigenpairs = Eigenpairs();
         if (prepare(pass > 0 ? shifted : K))
-          eigenpairs = nearest_eigenpairs(problem, n_computed, start);
+          eigenpairs =
+            (velocity ? nearest_eigenpairs(quadratic, n_computed, start)
+                      : nearest_eigenpairs(problem, n_computed, start));
 
         if (!eigenpairs.success)
           {
             if (linear.success || pass > 0 ||
                 linear.cause != FailureCause::singular_tangent)
               break;
-            problem.shift = -first_shift * largest_eigenvalue(K);
+            problem.shift    = -first_shift * largest_eigenvalue(K);
+            symmetric_matrix = symmetric_matrix && !velocity;
             continue;
           }
         double largest = 0, nearest = std::numeric_limits<double>::infinity();
         double greatest = 0;
         for (const Eigenpair &pair : eigenpairs.pairs)
           {
-            const double distance = std::abs(pair.value - problem.shift);
+            const double distance = std::abs(square(pair) - problem.shift);
             largest               = std::max(largest, distance);
             nearest               = std::min(nearest, distance);
-            greatest              = std::max(greatest, std::abs(pair.value));
+            greatest              = std::max(greatest, std::abs(square(pair)));
           }
         if (largest <= greatest_spread * nearest && -problem.shift <= greatest)
           break;
-        problem.shift = -good_shift * greatest;
+        problem.shift    = -good_shift * greatest;
+        symmetric_matrix = symmetric_matrix && !velocity;
       }
     if (!eigenpairs.success)
       {
@@ -263,14 +311,26 @@ namespace Biface
         constexpr double real = 1e-8;
         if (std::abs(pair.value.imag()) <= real * std::abs(pair.value))
           pair.value.imag(0);
-        if (is_zero(K, pair))
+        if (is_zero(K, square(pair), pair.vector))
           pair.value = 0;
       }
-    settle(eigenpairs.pairs, problem.multiply, fields);
-    result.symmetric = problem.symmetric;
+    if (velocity)
+      settle_phases(eigenpairs.pairs, problem.multiply, fields);
+    else
+      {
+        settle(eigenpairs.pairs, problem.multiply, fields);
+        for (Eigenpair &pair : eigenpairs.pairs)
+          {
+            const bool is_real = (pair.value.imag() == 0);
+            pair.value         = std::sqrt(pair.value);
+            if (is_real)
+              pair.value = std::conj(pair.value);
+          }
+      }
+    result.symmetric = problem.symmetric && !velocity;
     for (const Eigenpair &pair : eigenpairs.pairs)
       if (result.modes.size() < n)
-        result.modes.push_back(finish(pair));
+        result.modes.push_back(finish(pair, loads));
     result.success = true;
     return result;
   }
@@ -314,8 +374,8 @@ namespace Biface
     for (unsigned int i = 0, end = 0; i < quotients.size(); i = end)
       {
         end = i + 1;
-        while (end < quotients.size() &&
-               are_same(modes.modes[end - 1].square, modes.modes[end].square))
+        while (end < quotients.size() && are_same(modes.modes[end - 1].square(),
+                                                  modes.modes[end].square()))
           ++end;
         const double mean =
           std::accumulate(&quotients[i], &quotients[i] + (end - i), 0.) /

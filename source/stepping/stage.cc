@@ -266,7 +266,9 @@ namespace Biface
                       "of the loaded shell that are computed at the end of "
                       "the stage, the lowest ones. The foundation holds the "
                       "nodes in contact along its normal and, with friction, "
-                      "sideways. All plies need a 'Density'.",
+                      "sideways; on a wheel that rolls, friction follows from "
+                      "the slip velocity, and there are gyroscopic terms. All "
+                      "plies need a 'Density'.",
                       Patterns::Integer(0, 1000));
     prm.add_parameter("Buckling",
                       n_buckling,

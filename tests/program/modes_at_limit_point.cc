@@ -34,7 +34,7 @@ main(int argc, char *argv[])
                       "Stage 1/Modes=4"});
       const StepReport &report = reports.back();
       const auto       &modes  = report.modes->modes;
-      const double      square = modes[0].square.real();
+      const double      square = modes[0].square().real();
       std::cout << "deflection " << deflection << std::endl;
       check_true("  the square falls", deflection == 5 || square < last);
       check_true("  positive before the limit point",
@@ -43,7 +43,7 @@ main(int argc, char *argv[])
                  (modes[0].growth_rate() > 0) != (modes[0].frequency() > 0));
       const unsigned int n_negative =
         std::count_if(modes.begin(), modes.end(), [](const auto &mode) {
-          return mode.square.real() < 0;
+          return mode.square().real() < 0;
         });
       check_true("  as many as negative pivots",
                  n_negative == report.n_negative_pivots);

@@ -58,8 +58,8 @@ main(int argc, char *argv[])
   const double gas           = 2 * (p + ambient);
   const auto   open          = modes("open");
   const auto   close         = modes("sealed");
-  const double open_square   = breathing(open).square.real();
-  const double sealed_square = breathing(close).square.real();
+  const double open_square   = breathing(open).square().real();
+  const double sealed_square = breathing(close).square().real();
   check_small(
     "open", open_square - wall / (rho * t * R), 1e-3, wall / (rho * t * R));
   check_small(

@@ -25,10 +25,9 @@ namespace Biface
    *   \mathbf x'^{\,p}_q\cdot\delta\mathbf x'^{\,r}_q,
    * @f]
    * with the mass moments @f$m^{pr}@f$ of Laminate::mass_moments(), at the
-   * vertices q like the strains. The derivative
-   * @f$\mathbf x'^{\,p}=A_2(\zeta_2^p\mathbf e_2+\mathbf v^p_{,2}/A_2)@f$ is
-   * that of the components with the rotation of the frame, so that a ring that
-   * only expands has no error on any mesh. The tangent is symmetric.
+   * vertices q like the strains. The derivative is that of
+   * CircumferentialSlope, so that a ring that only expands has no error on any
+   * mesh. The tangent is symmetric.
    */
   class CentrifugalForces : public ForceTerm
   {

@@ -51,6 +51,8 @@ namespace Biface
       /** Minus those with respect to the positions of the neighbors along the
        * flow, behind and ahead. */
       std::array<dealii::Tensor<2, 3>, 2> stiffness_of_neighbors{};
+      /** The derivative with respect to the velocity of the particle. */
+      dealii::Tensor<2, 3> per_velocity;
       /** The derivative with respect to the angular velocity. */
       dealii::Tensor<1, 3> per_angular_velocity;
     };

@@ -14,13 +14,15 @@ namespace Biface
   /**
    * Both faces of the loaded shell with the displacements of a mode: one
    * quadrilateral per face of every locally owned cell.
+   *
+   * @param shape the displacements, or their real and imaginary parts.
    */
   class ModePatches : public VertexPatches<2>
   {
   public:
-    ModePatches(const ShellMesh  &mesh,
-                const LA::Vector &displacement,
-                const LA::Vector &shape);
+    ModePatches(const ShellMesh                       &mesh,
+                const LA::Vector                      &displacement,
+                const std::vector<const LA::Vector *> &shape);
   };
 
 
@@ -38,11 +40,11 @@ namespace Biface
               const ShellEquations &equations);
 
   protected:
-    /** Write shapes of a step. */
+    /** Write shapes of a step, each with its parts, see ModePatches. */
     void
-    write_shapes(const unsigned int                     step,
-                 const State                           &state,
-                 const std::vector<const LA::Vector *> &shapes);
+    write_shapes(const unsigned int                                  step,
+                 const State                                        &state,
+                 const std::vector<std::vector<const LA::Vector *>> &shapes);
 
   private:
     const std::string prefix;

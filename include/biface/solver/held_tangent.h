@@ -22,7 +22,10 @@ namespace Biface
    * The nodes in contact are held along the normal of the foundation by the
    * regularization of the contact condition, with the lumped multiplier mass,
    * so that contact never makes the tangent unsymmetric. With friction, they
-   * also stick to the foundation; see ContactInteraction::set_glued().
+   * also stick to the foundation; see ContactInteraction::set_glued(). While
+   * the shell rolls, the whole tangent of the contact is part of it instead:
+   * friction follows from the slip velocity, needs the lumped multiplier mass,
+   * and makes the tangent unsymmetric.
    */
   class HeldTangent
   {
@@ -32,12 +35,13 @@ namespace Biface
                 const ContactInteraction &contact,
                 dealii::TimerOutput      &timer);
 
-    /** The tangent of the shell without the foundation. The last assembly of
-     * the equations is lost. */
+    /** The tangent of the shell without the foundation, or with it if it rolls
+     * with friction. The last assembly of the equations is lost. */
     void
     assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
 
-    /** Add what holds the nodes in contact, if there is a foundation. */
+    /** Add what holds the nodes in contact, if there is a foundation, and if
+     * assemble() has not. */
     void
     hold(const State &state, const Loads &loads, LA::SparseMatrix &K) const;
 
@@ -67,11 +71,12 @@ namespace Biface
   LA::Vector
   arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed);
 
-  /** The shape of an eigenvector, with the entries of all nodes of this rank
-   * and those that constraints give; the largest displacement of a face is
-   * 1. */
-  LA::Vector
-  unit_shape(const ShellMesh &mesh, const LA::Vector &vector);
+  /** The shape of an eigenvector, or its real and imaginary parts, with the
+   * entries of all nodes of this rank and those that constraints give; the
+   * largest displacement of a face is 1, its square the sum of those of the
+   * parts. */
+  std::vector<LA::Vector>
+  unit_shapes(const ShellMesh &mesh, const std::vector<LA::Vector> &parts);
 } // namespace Biface
 
 #endif

@@ -28,24 +28,40 @@ namespace Biface
    * \Re(\boldsymbol\varphi\,e^{i\omega t})@f$. */
   struct VibrationMode
   {
-    /** @f$\omega^2@f$; not positive for modes in which the shell does not
-     * return, and complex only if the tangent is not symmetric. */
-    std::complex<double> square;
+    /** @f$\omega@f$, whose real part is not negative. Imaginary for modes in
+     * which the shell does not return, complex for those that grow or decay
+     * while they oscillate. */
+    std::complex<double> omega;
 
-    /** @f$\boldsymbol\varphi@f$ (its real part), with the entries of all nodes
-     * of this rank; the largest displacement of a face is 1. */
+    /** @f$\boldsymbol\varphi@f$, or its real part, with the entries of all
+     * nodes of this rank; the largest displacement of a face is 1. */
     LA::Vector shape;
 
-    /** @f$\boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$. Unit: mass. */
+    /** The imaginary part of @f$\boldsymbol\varphi@f$, a quarter of a period
+     * earlier, of a shell that rolls or spins; else empty. The largest
+     * displacement is then that of both parts together, with the sum of their
+     * squares. */
+    LA::Vector imaginary;
+
+    /** @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$. Unit: mass. */
     double mass = 0;
 
     /** The participation factors of the translations along x, y and z,
      * @f$\boldsymbol\varphi^T\mathbf M\mathbf r/
-     * \boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$. */
+     * \boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$, of complex shapes
+     * their magnitudes. */
     dealii::Tensor<1, 3> participation;
 
-    /** Of a shell that is a full turn. */
+    /** Of a shell that is a full turn; WaveNumbers::travel in the direction in
+     * which the wheel turns. */
     std::optional<WaveNumbers> waves;
+
+    /** @f$\omega^2@f$ */
+    std::complex<double>
+    square() const
+    {
+      return omega * omega;
+    }
 
     /** @f$\Re\omega/2\pi@f$. Unit: 1/time. */
     double
@@ -53,7 +69,8 @@ namespace Biface
 
     /** The rate at which the amplitude grows, @f$-\Im\omega@f$: zero in a
      * stable equilibrium with a symmetric tangent. Of a complex pair, one mode
-     * grows and the other decays. Unit: 1/time. */
+     * grows and the other decays; of a standing shell with imaginary
+     * @f$\omega@f$, the rate of the one that grows. Unit: 1/time. */
     double
     growth_rate() const;
 
@@ -72,12 +89,13 @@ namespace Biface
     bool success = false;
     /** The reason of a failure, as part of a sentence. */
     std::string message;
-    /** In ascending order of @f$\Re\omega^2@f$. */
+    /** In ascending order of @f$\Re\omega^2@f$, or of @f$|\omega|@f$ if the
+     * shell rolls or spins. */
     std::vector<VibrationMode> modes;
     /** Of the whole shell. */
     double total_mass = 0;
-    /** Whether the tangent is symmetric, so that frequencies are stationary in
-     * the shapes. */
+    /** Whether the shell stands and its tangent is symmetric, so that
+     * frequencies are stationary in the shapes. */
     bool symmetric = false;
   };
 
@@ -91,6 +109,12 @@ namespace Biface
    * loads that follow the shell and the gas sealed in it. It is not symmetric
    * if these are not conservative. The nodes in contact are held, see
    * HeldTangent.
+   *
+   * A shell that rolls or spins vibrates in the frame of its axle with
+   * @f$(\mathbf K+i\omega\mathbf G-\omega^2\mathbf M)
+   * \boldsymbol\varphi=\mathbf 0@f$, where @f$\mathbf G@f$ is the
+   * VelocityMatrix. Its nodes in contact are not held sideways: friction
+   * follows from the slip velocity.
    *
    * The eigenvalues closest to zero are computed by nearest_eigenpairs() with
    * the factors of the linear solver, if @f$\mathbf K@f$ is singular, as for a
@@ -130,15 +154,19 @@ namespace Biface
 
     /** Whether an eigenvalue is smaller than the round-off of @p K. */
     bool
-    is_zero(const LA::SparseMatrix &K, const Eigenpair &pair) const;
+    is_zero(const LA::SparseMatrix     &K,
+            const std::complex<double> &eigenvalue,
+            const LA::Vector           &vector) const;
 
+    /** @param pair with @f$\omega@f$ for the eigenvalue. */
     VibrationMode
-    finish(const Eigenpair &pair) const;
+    finish(const Eigenpair &pair, const Loads &loads) const;
 
-    ShellEquations  &equations;
-    LinearSolver    &linear_solver;
-    HeldTangent      tangent;
-    const MassMatrix mass;
+    ShellEquations           &equations;
+    const ContactInteraction &contact;
+    LinearSolver             &linear_solver;
+    HeldTangent               tangent;
+    const MassMatrix          mass;
 
     /** The inertia of the six rigid motions, then of arbitrary displacements,
      * each for a unit of @f$\mathbf r^T\mathbf M\mathbf r@f$. */

@@ -18,6 +18,9 @@ def modes(run):
         return LeftOut(name, "No stage asks for 'Modes'.")
     grows = (found["growth_rate"] != 0).any()
     turns = np.isfinite(found["circumferential_waves"]).any()
+    # traveling waves of wheels that roll or spin
+    travel = found.get("travel", np.zeros(len(found)))
+    travels = (np.nan_to_num(travel) != 0).any()
     rows = []
     for i in range(len(found)):
         row = [escape(found["stage"][i]), str(int(found["mode"][i])),
@@ -27,6 +30,8 @@ def modes(run):
         if turns:
             row += [str(int(found[column][i])) for column in
                     ("circumferential_waves", "meridional_half_waves")]
+        if travels:
+            row.append(plain_number(np.round(travel[i], 2)))
         total = found["total_mass"][i]
         row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f} %"
                 for axis in "xyz"]
@@ -34,11 +39,14 @@ def modes(run):
     heads = (["Stage", "Mode", "Frequency"] + (["Growth rate"] if grows else [])
              + (["Waves around", "Half waves along the meridian"]
                 if turns else [])
+             + (["Travel"] if travels else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
         "Natural frequencies [1/time] of the loaded shell at the end of each stage; "
         "effective masses of translations, of the mass of the shell, "
-        f"{plain_number(found['total_mass'][-1])}.")
+        f"{plain_number(found['total_mass'][-1])}."
+        + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
+           "those against it." if travels else ""))
     all_modes = table("Modes, from modes.csv", heads, rows)
     last = found.where(found["step"] == found["step"][-1])
     pictures = pictures_of(

@@ -25,26 +25,108 @@ namespace Biface
 
     struct Product
     {
-      const EigenvalueProblem &problem;
+      const Multiply &multiply;
 
       void
       vmult(LA::Vector &product, const LA::Vector &x) const
       {
-        problem.multiply(product, x);
+        multiply(product, x);
       }
     };
 
     struct Inverse
     {
-      const EigenvalueProblem &problem;
+      const std::function<bool(LA::Vector &x, const LA::Vector &b)> &solve;
 
       void
       vmult(LA::Vector &x, const LA::Vector &b) const
       {
-        if (!problem.solve(x, b))
+        if (!solve(x, b))
           throw NotSolved();
       }
     };
+
+
+    using Arpack = PArpackSolver<LA::Vector>;
+
+    /** What ARPACK is asked for. */
+    struct Task
+    {
+      Arpack::WhichEigenvalues which;
+      bool                     symmetric;
+      /** 1 for the eigenvalues of the product, 3 for those next to a shift. */
+      int    mode;
+      double shift;
+      double tolerance;
+    };
+
+
+    /** The eigenvalues found by ARPACK, both of a complex pair. */
+    Eigenpairs
+    run_arpack(const Task        &task,
+               const Product     &product,
+               const Inverse     &inverse,
+               const unsigned int n,
+               const LA::Vector  &start)
+    {
+      constexpr unsigned int max_restarts = 300;
+
+      Eigenpairs result;
+      // more basis vectors make restarts rare
+      const unsigned int n_basis = std::min<unsigned int>(
+        std::max(2 * n + 2, std::min(2 * n + 10, 3 * n + 6)), start.size() - 1);
+      if (n_basis < 2 * n + 2)
+        {
+          result.message = "the shell has too few unknowns for so many modes";
+          return result;
+        }
+
+      std::vector<std::complex<double>> values(n);
+      std::vector<LA::Vector>           vectors(n + 1, start);
+      try
+        {
+          SolverControl control(max_restarts, task.tolerance, false, false);
+          Arpack        solver(control,
+                        start.get_mpi_communicator(),
+                        Arpack::AdditionalData(
+                          n_basis, task.which, task.symmetric, task.mode));
+          solver.reinit(start);
+          solver.set_initial_vector(start);
+          solver.set_shift(task.shift);
+          solver.solve(product, product, inverse, values, vectors, n);
+        }
+      catch (const NotSolved &)
+        {
+          result.message = "the tangent is singular or nearly so";
+          return result;
+        }
+      catch (const ExceptionBase &)
+        {
+          result.message = "the eigenvalue solver ARPACK did not converge";
+          return result;
+        }
+
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          Eigenpair pair;
+          pair.value  = values[i];
+          pair.vector = vectors[i];
+          if (values[i].imag() == 0)
+            result.pairs.push_back(pair);
+          else if (i + 1 < n)
+            {
+              // the pair shares the two vectors
+              pair.imaginary = vectors[i + 1];
+              result.pairs.push_back(pair);
+              pair.value = std::conj(pair.value);
+              pair.imaginary *= -1;
+              result.pairs.push_back(pair);
+              ++i;
+            }
+        }
+      result.success = true;
+      return result;
+    }
 
 
     /** Make the products with a matrix of real vectors those of the unit
@@ -76,70 +158,135 @@ namespace Biface
                      const unsigned int       n,
                      const LA::Vector        &start)
   {
-    using Arpack = PArpackSolver<LA::Vector>;
+    const auto    which = (problem.wanted == EigenvalueProblem::Wanted::nearest
+                             ? Arpack::largest_magnitude
+                           : problem.symmetric ? Arpack::algebraically_largest
+                                               : Arpack::largest_real_part);
+    constexpr int shift_and_invert = 3;
+    return run_arpack({which,
+                       problem.symmetric,
+                       shift_and_invert,
+                       problem.shift,
+                       problem.tolerance},
+                      Product{problem.multiply},
+                      Inverse{problem.solve},
+                      n,
+                      start);
+  }
 
-    constexpr unsigned int max_restarts = 300;
 
+  namespace
+  {
+    /** Two vectors as one. */
+    LA::Vector
+    stacked(const LA::Vector &upper, const LA::Vector &lower)
+    {
+      const IndexSet &owned = upper.locally_owned_elements();
+      IndexSet        twice(2 * owned.size());
+      twice.add_indices(owned);
+      twice.add_indices(owned, owned.size());
+      twice.compress();
+      LA::Vector result(twice, upper.get_mpi_communicator());
+      std::copy(upper.begin(), upper.end(), result.begin());
+      std::copy(
+        lower.begin(), lower.end(), result.begin() + owned.n_elements());
+      return result;
+    }
+
+
+    /** Both parts of stacked(). */
+    void
+    split(const LA::Vector &both, LA::Vector &upper, LA::Vector &lower)
+    {
+      const auto middle =
+        both.begin() + upper.locally_owned_elements().n_elements();
+      std::copy(both.begin(), middle, upper.begin());
+      std::copy(middle, both.end(), lower.begin());
+    }
+  } // namespace
+
+
+  Eigenpairs
+  nearest_eigenpairs(const QuadraticEigenvalueProblem &problem,
+                     const unsigned int                n,
+                     const LA::Vector                 &start)
+  {
     Eigenpairs result;
-    // more basis vectors make restarts rare
-    const unsigned int n_basis = std::min<unsigned int>(
-      std::max(2 * n + 2, std::min(2 * n + 10, 3 * n + 6)), start.size() - 1);
-    if (n_basis < 2 * n + 2)
-      {
-        result.message = "the shell has too few unknowns for so many modes";
-        return result;
-      }
 
-    const auto which = (problem.wanted == EigenvalueProblem::Wanted::nearest
-                          ? Arpack::largest_magnitude
-                        : problem.symmetric ? Arpack::algebraically_largest
-                                            : Arpack::largest_real_part);
+    // the magnitude of the lowest eigenvalues, by inverse iterations
+    double reference = 1;
+    {
+      constexpr unsigned int n_iterations = 3;
+      LA::Vector             x(start), product(start);
+      for (unsigned int i = 0; i < n_iterations; ++i)
+        {
+          problem.multiply_mass(product, x);
+          const double before = product * x;
+          if (!problem.solve(x, product))
+            {
+              result.message = "the tangent is singular or nearly so";
+              return result;
+            }
+          problem.multiply_mass(product, x);
+          const double after = product * x;
+          if (before > 0 && after > 0)
+            reference = std::pow(before / after, 0.25);
+        }
+    }
 
-    std::vector<std::complex<double>> values(n);
-    std::vector<LA::Vector>           vectors(n + 1, start);
-    try
-      {
-        SolverControl control(max_restarts, problem.tolerance, false, false);
-        Arpack        solver(
-          control,
-          start.get_mpi_communicator(),
-          Arpack::AdditionalData(n_basis, which, problem.symmetric));
-        solver.reinit(start);
-        solver.set_initial_vector(start);
-        solver.set_shift(problem.shift);
-        const Product product{problem};
-        solver.solve(product, product, Inverse{problem}, values, vectors, n);
-      }
-    catch (const NotSolved &)
-      {
-        result.message = "the tangent is singular or nearly so";
-        return result;
-      }
-    catch (const ExceptionBase &)
-      {
-        result.message = "the eigenvalue solver ARPACK did not converge";
-        return result;
-      }
+    LA::Vector     x(start), w(start), force(start), part(start);
+    const Multiply multiply = [&](LA::Vector &product, const LA::Vector &both) {
+      split(both, x, w);
+      problem.multiply_velocity(force, x);
+      problem.multiply_mass(part, x);
+      force.sadd(-reference, -2 * problem.shift * reference, part);
+      problem.multiply_mass(part, w);
+      force.add(-reference * reference, part);
+      part = 0;
+      if (!problem.solve(part, force))
+        throw NotSolved();
+      std::copy(part.begin(), part.end(), product.begin());
+      std::copy(x.begin(),
+                x.end(),
+                product.begin() + x.locally_owned_elements().n_elements());
+    };
+    constexpr int as_it_is = 1;
+    Eigenpairs    found    = run_arpack(
+      {Arpack::largest_magnitude, false, as_it_is, 0, problem.tolerance},
+      Product{multiply},
+      Inverse{problem.solve},
+      2 * n,
+      stacked(start, start));
+    result.success = found.success;
+    result.message = found.message;
 
-    for (unsigned int i = 0; i < n; ++i)
+    constexpr double real = 1e-8;
+    for (const Eigenpair &pair : found.pairs)
       {
-        Eigenpair pair;
-        pair.value  = values[i];
-        pair.vector = vectors[i];
-        if (values[i].imag() == 0)
-          result.pairs.push_back(pair);
-        else if (i + 1 < n)
+        const std::complex<double> rate =
+          problem.shift + reference / pair.value;
+        const bool oscillates = (pair.imaginary.size() > 0);
+        Eigenpair  mode;
+        mode.value = {oscillates ? rate.imag() : 0., -rate.real()};
+        if (std::abs(mode.value.imag()) <= real * std::abs(mode.value))
+          mode.value.imag(0);
+        if (mode.value.real() < 0 ||
+            (!oscillates && problem.conservative && mode.value.imag() > 0))
+          continue;
+        mode.vector = start;
+        split(pair.vector, mode.vector, w);
+        if (oscillates)
           {
-            // the pair shares the two vectors
-            pair.imaginary = vectors[i + 1];
-            result.pairs.push_back(pair);
-            pair.value = std::conj(pair.value);
-            pair.imaginary *= -1;
-            result.pairs.push_back(pair);
-            ++i;
+            mode.imaginary = start;
+            split(pair.imaginary, mode.imaginary, w);
           }
+        result.pairs.push_back(mode);
       }
-    result.success = true;
+    std::stable_sort(result.pairs.begin(),
+                     result.pairs.end(),
+                     [](const auto &a, const auto &b) {
+                       return std::abs(a.value) < std::abs(b.value);
+                     });
     return result;
   }
 
@@ -242,6 +389,51 @@ namespace Biface
               vector.add(chosen[k][i], vectors[i]);
             if (is_complex)
               pairs[begin].imaginary *= chosen[k][k];
+          }
+      }
+  }
+
+
+  void
+  settle_phases(std::vector<Eigenpair>        &pairs,
+                const Multiply                &multiply,
+                const std::vector<LA::Vector> &fields)
+  {
+    // the part of a field that is not round-off
+    constexpr double significant = 1e-3;
+
+    for (Eigenpair &pair : pairs)
+      {
+        LA::Vector &a          = pair.vector;
+        LA::Vector &b          = pair.imaginary;
+        const bool  is_complex = (b.size() > 0);
+        LA::Vector  product(a);
+        multiply(product, a);
+        double square = product * a;
+        if (is_complex)
+          {
+            multiply(product, b);
+            square += product * b;
+          }
+        if (square <= 0)
+          continue;
+        std::complex<double> phase = 1;
+        for (const LA::Vector &field : fields)
+          {
+            const std::complex<double> content(field * a,
+                                               is_complex ? field * b : 0);
+            if (std::abs(content) < significant * std::sqrt(square))
+              continue;
+            phase = std::conj(content) / std::abs(content);
+            break;
+          }
+        phase /= std::sqrt(square);
+        const LA::Vector old_a(a);
+        a *= phase.real();
+        if (is_complex)
+          {
+            a.add(-phase.imag(), b);
+            b.sadd(phase.real(), phase.imag(), old_a);
           }
       }
   }

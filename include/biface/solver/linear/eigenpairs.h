@@ -59,6 +59,31 @@ namespace Biface
   };
 
 
+  /** The eigenvalue problem @f$(\mathbf K+i\omega\,\mathbf G-\omega^2\,\mathbf
+   * M)\mathbf x=\mathbf 0@f$ with real matrices, as operators. */
+  struct QuadraticEigenvalueProblem
+  {
+    /** Solve @f$(\mathbf K+\sigma\mathbf G+\sigma^2\mathbf M)\mathbf
+     * x=\mathbf b@f$.
+     * @return whether this succeeded, the same on all ranks. */
+    std::function<bool(LA::Vector &x, const LA::Vector &b)> solve;
+
+    /** The products with @f$\mathbf G@f$ and @f$\mathbf M@f$. */
+    std::function<void(LA::Vector &product, const LA::Vector &x)>
+      multiply_velocity, multiply_mass;
+
+    /** The shift @f$\sigma@f$ of @f$i\omega@f$. */
+    double shift = 0;
+
+    /** Whether @f$\mathbf K@f$ is symmetric and @f$\mathbf G@f$ skew: then
+     * @f$-\omega@f$ is an eigenvalue, too. */
+    bool conservative = true;
+
+    /** As of EigenvalueProblem. */
+    double tolerance = 1e-12;
+  };
+
+
   /** Whether two eigenvalues are the same up to round-off. */
   bool
   are_same(const std::complex<double> &a, const std::complex<double> &b);
@@ -86,6 +111,48 @@ namespace Biface
   nearest_eigenpairs(const EigenvalueProblem &problem,
                      const unsigned int       n,
                      const LA::Vector        &start);
+
+
+  /**
+   * The eigenvalues @f$\omega@f$ with @f$i\omega@f$ closest to the shift, by
+   * the method of Arnoldi of ARPACK, in ascending order of their magnitude.
+   * With @f$i\omega=\sigma+s@f$, @f$\mathbf x@f$ and
+   * @f$\mathbf w=(s/\omega_0)\mathbf x@f$ are an eigenvector of
+   * @f[
+   *   \frac{\omega_0}s\binom{\mathbf x}{\mathbf w}=
+   *   \binom{-(\mathbf K+\sigma\mathbf G+\sigma^2\mathbf M)^{-1}
+   *     \left(\omega_0(\mathbf G+2\sigma\mathbf M)\mathbf x+
+   *     \omega_0^2\mathbf M\mathbf w\right)}{\mathbf x},
+   * @f]
+   * see @cite TisseurMeerbergen2001, with a magnitude @f$\omega_0@f$ of the
+   * lowest eigenvalues, for which both parts are of the same size. Must be
+   * called on all ranks.
+   *
+   * Of @f$\omega@f$ and @f$-\bar\omega@f$, which are the same motion, the one
+   * with @f$\Re\omega>0@f$ is returned; of a conservative problem, without
+   * real part the one with @f$\Im\omega<0@f$, which grows.
+   *
+   * @param n the number of eigenvalues at least.
+   * @param start a vector that contains all eigenvectors.
+   */
+  Eigenpairs
+  nearest_eigenpairs(const QuadraticEigenvalueProblem &problem,
+                     const unsigned int                n,
+                     const LA::Vector                 &start);
+
+
+  /** Choose the phases of complex eigenvectors and the signs of real ones such
+   * that they do not depend on the order of summation: the product with the
+   * first field that is contained in a vector is real and positive. The vectors
+   * become unit vectors.
+   *
+   * @param multiply the product with a symmetric positive semidefinite matrix,
+   * for which they do. */
+  void
+  settle_phases(std::vector<Eigenpair>                         &pairs,
+                const std::function<void(LA::Vector       &product,
+                                         const LA::Vector &x)> &multiply,
+                const std::vector<LA::Vector>                  &fields);
 
 
   /**

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Of a wheel that rolls with friction on a plane or on a drum, the damping for
+// a velocity of the whole wheel is the derivative of the residual by the
+// velocity of the ground; the gyroscopic terms are skew.
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+#include <biface/model/rigid_motions.h>
+#include <biface/model/velocity_matrix.h>
+
+#include "coarse_torus.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  void
+  test(const std::string &name, const RigidFoundation::Parameters::Shape shape)
+  {
+    const auto mesh = [](const double density) {
+      auto material       = cord_ply();
+      material[0].density = density;
+      return coarse_torus(
+        Layup(Layup::Parameters(), material), StrainSampling::vertices, true);
+    };
+    ContactInteraction::Parameters parameters;
+    parameters.condition.regularization   = 1;
+    parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
+    parameters.friction.critical_velocity = 20;
+    parameters.foundation.line.direction  = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.foundation.shape           = shape;
+    parameters.foundation.drum.radius     = 300;
+    parameters.foundation.drum.axis       = Tensor<1, 3>({-0.2, 1, 0.3});
+
+    const auto               light = mesh(0);
+    const ContactInteraction contact(*light, parameters);
+    ShellEquations equations(*light, make_force_terms(*light, contact));
+    State          state =
+      at(equations, State(*light), some_displacement(*light, 0.2, 1));
+    Loads loads;
+    loads.foundation = contact.foundation(contact.touching_travel(state) + 15);
+    loads.rolling    = Rolling{5};
+    loads.rolling->ground =
+      GroundMotion::under_wheel(*loads.foundation, 1005, 0.02);
+    loads.friction = contact.friction("", "", false);
+    contact.settle(state, loads);
+    const unsigned int n_active = contact.count_active(state);
+
+    const VelocityMatrix damping(contact, state, loads);
+    double               deviation = 0, scale = 0;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double step = 1e-3;
+        LA::Vector   motion(light->owned_vector()), product(motion);
+        const auto   entries = rigid_motions(*light)[d];
+        std::copy(entries.begin(), entries.end(), motion.begin());
+        damping.vmult(product, motion);
+        scale = std::max(scale, product.l2_norm());
+        for (const double sign : {-1., 1.})
+          {
+            Loads moved = loads;
+            moved.rolling->ground.velocity[d] -= sign * step;
+            equations.assemble(state, moved);
+            product.add(sign / (2 * step), equations.residual());
+          }
+        deviation = std::max(deviation, product.l2_norm());
+      }
+
+    const auto               heavy = mesh(1e-4);
+    const ContactInteraction no_friction(*heavy, parameters);
+    loads.friction.reset();
+    const VelocityMatrix gyroscopic(no_friction, State(*heavy), loads);
+    const LA::Vector     x = some_displacement(*heavy, 1, 4),
+                     y     = some_displacement(*heavy, 1, 9);
+    LA::Vector Gx(heavy->owned_vector()), Gy(Gx);
+    gyroscopic.vmult(Gx, x);
+    gyroscopic.vmult(Gy, y);
+    const double work      = x * Gx;
+    const double sum       = x * Gy + y * Gx;
+    const double magnitude = x.l2_norm() * Gx.l2_norm();
+
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    std::cout << name << std::endl;
+    check_range("  nodes in contact", n_active, 4, 40);
+    check_small("  damping", deviation, 1e-8, scale);
+    check_range("  gyroscopic forces", magnitude, 1, 1e9);
+    check_small("  their power", work, 1e-14, magnitude);
+    check_small("  skew", sum, 1e-14, magnitude);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  using Shape = RigidFoundation::Parameters::Shape;
+  test("plane", Shape::plane);
+  test("drum", Shape::drum);
+}
