@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <biface/solver/linear/mumps_solver.h>
+#include <biface/solver/linear/nested_dissection.h>
 
 #include <smumps_c.h>
 
@@ -117,6 +118,14 @@ namespace Biface
       // ScaLAPACK is slower for the root front on few ranks
       if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
         icntl(13) = 1;
+
+      // MUMPS would let METIS order unknowns, with more fill-in
+      positions = nested_dissection(A);
+      for (int &position : positions)
+        ++position;
+      mumps.perm_in = positions.data();
+      if (!Utilities::MPI::broadcast(communicator, positions.empty()))
+        icntl(7) = 1;
 
       collect_pattern(A);
       mumps.n       = A.m();
@@ -334,6 +343,9 @@ namespace Biface
     const bool                     is_root;
     typename Mumps<number>::Struct mumps{};
 
+    /** Of the unknowns in the order of elimination, from 1, on the first rank.
+     */
+    std::vector<MUMPS_INT> positions;
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
     std::vector<number>    values;
