@@ -11,7 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from even_footprint import RANGES, SAMPLES, optimize, read
+import even_footprint as even
+from even_footprint import read
 
 PAGE = """<!-- Written by doc/design/design.py: cmake --build build --target design -->
 
@@ -97,26 +98,42 @@ larger radius of the profile lowers the maximum of the pressure.
 ## What should change?
 
 Which cord angle and which radius of the profile make the pressure of the footprint most
-even, at a force of {force} N? The unevenness is the standard deviation of the pressure,
-weighted by the force that it carries, relative to its mean: zero if all the ground that
-carries is under the same pressure. [even_footprint.py](design/even_footprint.py) is an
-optimizer outside of the program: it writes a study file, runs it, reads the table and
-the pressures, and lets SciPy choose the next samples. A study keeps all cores busy and
-starts each sample from its neighbor.
+even, at a force of {force} N, if the cords must not carry more than in the base design?
+The measure is `weighted_pressure` of [history.csv](output.md#historycsv), the mean of the
+pressure weighted by the force that it carries, $`\\int p^2/\\int p`$. At a given force it
+is lowest if all of the ground carries the same, on as large an area as possible. The limit
+is for `max_fiber_tension`, the largest force per width in a ply.
 
-![Unevenness of the samples over cord angle and radius, with the fitted polynomial](design/even.png)
+[even_footprint.py](design/even_footprint.py) is an optimizer outside of the program:
+SciPy's SLSQP, sequential quadratic programming, which obeys bounds and a nonlinear limit.
+A run takes seconds, so that starting the program costs nothing beside it, and the program
+need not contain an optimizer. SLSQP asks for the derivatives of both functions, which a
+run writes into [sensitivities.csv](output.md#sensitivitiescsv):
 
-*Dots: {samples} samples of the first study, and as many of the second one around the
-minimum of the first. Lines: the polynomial fitted to the first. Cross: the best
-design; ring: the base design.*
+    subsection Sensitivities
+      set Entries = angle: Laminate/Plies[2], -Laminate/Plies[4], \\
+                           Laminate/Plies[6], -Laminate/Plies[8]; \\
+                    radius: Surface/Circular arc/Radius
+      set Outputs = weighted_pressure, max_fiber_tension
+    end
+
+The force is controlled (`Stage 2/Control = foundation force`), so that these are
+derivatives at a given force. They agree with those of whole runs, by central differences:
+
+{check}
+
+![Weighted pressure over cord angle and radius, with the limit of the tension and the path of the optimizer](design/even.png)
+
+*Lines: the weighted pressure, MPa, a polynomial fitted to the samples of a study (dots).
+Dashed: the limit of the tension; it is met to the left. Ring: the base design. Red: the
+path of the optimizer, which knows nothing of the study; cross: the best design.*
 
 {best}
 
-The samples of the second study deviate from its polynomial by {deviation} (standard
-deviation), as nodes enter and leave the footprint one by one. Derivatives at a single
-design hold the nodes in contact fixed and cannot know of this; the optimizer, SciPy's
-L-BFGS-B, gets those of the polynomial instead, which averages over many samples. No
-derivatives by the program were used.
+The `variation` of the table, `pressure_variation`, is the standard deviation of the
+pressure relative to its mean, with the same weights. As an objective it is less smooth,
+since it is a small difference of large numbers: nodes enter and leave the footprint one by
+one, and derivatives, which hold the nodes in contact fixed, then differ from the trend.
 """
 
 
@@ -229,50 +246,75 @@ class Pages:
                 "on a machine of two cores that had other work, too.", 88)
 
     def even(self, plt, ranks):
-        """The map of the unevenness; returns the text on the best design, and the
-        deviation of samples from the polynomial."""
-        rounds, single = optimize(self.program, self.prm / "bias_tire.prm",
-                                  self.scratch, ranks)
-        fit = rounds[0][2]
+        """The map of the objective with the path of the optimizer; returns the
+        tables of derivatives and of designs."""
+        base = self.prm / "bias_tire.prm"
+        tires = {derivatives: even.Tire(
+            self.program, base, self.scratch / f"even_{derivatives}",
+            derivatives) for derivatives in (True, False)}
+        points = {key: even.optimize(tire) for key, tire in tires.items()}
+        runs = {key: len(tire.points) for key, tire in tires.items()}
+        seconds = {key: tire.seconds for key, tire in tires.items()}
+        check = [["derivative of", "by", "program", "whole runs"]] + [
+            [f"`{name}`", entry, f"{own:.6f}".replace("-", "−"),
+             f"{other:.6f}".replace("-", "−")]
+            for name, entry, own, other in even.check(tires[True], tires[False])]
+        self.draw_even(plt, tires[True].points, even.sample(
+            self.program, base, self.scratch / "even", ranks))
+
+        rows = [["Design", "angle", "radius, mm", "weighted pressure, MPa",
+                 "mean pressure, MPa", "variation", "tension, N/mm",
+                 "approach, mm"]]
+        results = []
+        for name, point in (("base", even.BASE.values()), ("best", points[True])):
+            angle, radius = point
+            results.append(tires[True](point)[0])
+            rows.append([name, f"{angle:.2f}°", f"{radius:.2f}"] + [
+                f"{results[-1][column]:.{digits}f}" for column, digits in
+                ((even.OBJECTIVE, 4), ("mean_pressure", 4),
+                 ("pressure_variation", 3), (even.LIMITED, 3), ("approach", 2))])
+        gains = [100 - 100 * results[1][name] / results[0][name]
+                 for name in (even.OBJECTIVE, "pressure_variation")]
+        on_bound = " and ".join(
+            name for name, value in zip(even.RANGES, points[True])
+            if min(abs(value - end) for end in even.RANGES[name]) < 1e-3)
+        apart = np.max(np.abs(points[True] - points[False])
+                       / np.diff(list(even.RANGES.values()))[:, 0])
+        text = (
+            f"The optimizer needs {runs[True]} runs ({seconds[True]:.0f} s on one "
+            f"rank) with derivatives by the program, and {runs[False]} runs "
+            f"({seconds[False]:.0f} s) with those by differences of whole runs; the "
+            f"designs differ by {apart:.0e} of the ranges.",
+            f"The weighted pressure falls by {gains[0]:.1f} %, and the variation of "
+            f"the pressure by {gains[1]:.0f} %, without more tension"
+            + (f"; the {on_bound} is on the bound of its range, which limits the "
+               "gain." if on_bound else "."))
+        return table(check), "\n\n".join(
+            (textwrap.fill(text[0], 88), table(rows), textwrap.fill(text[1], 88)))
+
+    def draw_even(self, plt, path, samples):
+        """The chart of the optimization."""
         figure, axes = plt.subplots(figsize=(6, 4.4))
-        x, y = (np.linspace(*RANGES[name], 60) for name in ("angle", "radius"))
-        z = [[fit((a, b)) for a in x] for b in y]
-        contours = axes.contour(x, y, z, 10, cmap="viridis", linewidths=1)
+        x, y = (np.linspace(*values, 60) for values in even.RANGES.values())
+        objective, limited = (even.Polynomial(samples, name)
+                              for name in (even.OBJECTIVE, even.LIMITED))
+        contours = axes.contour(x, y, [[objective((a, b)) for a in x] for b in y],
+                                10, cmap="viridis", linewidths=1)
         axes.clabel(contours, fontsize=8)
-        for _, lines, _, _ in rounds:
-            axes.scatter([float(line["angle"]) for line in lines],
-                         [float(line["radius"]) for line in lines], s=18,
-                         c=[line["unevenness"] for line in lines], cmap="viridis",
-                         vmin=np.min(z), vmax=np.max(z))
-        best = rounds[-1][3]
-        axes.plot(*best, "x", color="#c0392b", markersize=11, markeredgewidth=3,
-                  clip_on=False, zorder=5)
-        axes.plot(52, 50, "o", color="#c0392b", markersize=10, fillstyle="none",
+        axes.contour(x, y, [[limited((a, b)) for a in x] for b in y],
+                     [limited(list(even.BASE.values()))], colors="#555555",
+                     linestyles="--")
+        axes.scatter([float(line["angle"]) for line in samples],
+                     [float(line["radius"]) for line in samples], s=18,
+                     c=[float(line[even.OBJECTIVE]) for line in samples],
+                     cmap="viridis")
+        axes.plot(*zip(*path), ".-", color="#c0392b", linewidth=1)
+        axes.plot(*path[-1], "x", color="#c0392b", markersize=11,
+                  markeredgewidth=3, clip_on=False, zorder=5)
+        axes.plot(*path[0], "o", color="#c0392b", markersize=10, fillstyle="none",
                   markeredgewidth=2)
         axes.set(xlabel="cord angle, degrees", ylabel="radius of the profile, mm")
         self.save(figure, "even")
-        rows = [["Design", "angle", "radius, mm", "unevenness", "approach, mm",
-                 "mean pressure, MPa"]]
-        for name, line in single.items():
-            rows.append([name, f"{float(line['angle']):.1f}°",
-                         f"{float(line['radius']):.1f}",
-                         f"{line['unevenness']:.3f}",
-                         f"{float(line['approach']):.2f}",
-                         f"{float(line['mean_pressure']):.4f}"])
-        values = [f"{fit(best):.3f}" for _, _, fit, best in rounds]
-        text = (textwrap.fill(f"The polynomials have their minima, {values[0]} and {values[1]}, at "
-                + " and ".join("{:.1f}° and {:.1f} mm".format(*point)
-                               for _, _, _, point in rounds)
-                + ". Single runs of the base design and of the best one:", 88)
-                + "\n\n" + table(rows)
-                + "\n\n" + textwrap.fill("The unevenness falls by {:.0f} %.".format(
-                    100 - 100 * single["best"]["unevenness"]
-                    / single["base"]["unevenness"])
-                + (" The best design lies on the bounds of the ranges: it is they "
-                   "that limit the gain." if any(
-                       value in RANGES[name] for name, value in
-                       zip(RANGES, best)) else ""), 88))
-        return text, f"{rounds[-1][2].deviation:.3f}"
 
 
 def main():
@@ -299,11 +341,10 @@ def main():
     buckling = pages.buckling()
     pages.sensitivities(plt)
     study = pages.study(plt, ranks)
-    best, deviation = pages.even(plt, ranks)
+    check, best = pages.even(plt, ranks)
     (arguments.output / "design.md").write_text(PAGE.format(
         unloaded=lowest["unloaded"], inflated=lowest["inflated"], buckling=buckling,
-        study=study, force=1900, samples=SAMPLES, best=best, deviation=deviation),
-        encoding="utf-8")
+        study=study, force=even.FORCE, check=check, best=best), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -547,6 +548,33 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The mean of a function of the nodal pressures, weighted by the forces
+     * that they carry; zero if there are none. */
+    template <typename Function>
+    double
+    mean_by_force(const ShellMesh &mesh,
+                  const State     &state,
+                  const Function  &function)
+    {
+      double force = 0, integral = 0;
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (state.active[n])
+            {
+              const double pressure = state.contact_pressure(n);
+              const double part     = cell.geometry.weight / 4 * pressure;
+              force += part;
+              integral += part * function(pressure);
+            }
+      force    = Utilities::MPI::sum(force, mesh.communicator);
+      integral = Utilities::MPI::sum(integral, mesh.communicator);
+      return force > 0 ? integral / force : 0.;
+    }
+  } // namespace
+
+
   ContactSummary
   ContactInteraction::summarize(const State &state, const Loads &loads) const
   {
@@ -578,6 +606,16 @@ namespace Biface
     summary.n_nodes       = count_active(state);
     summary.n_slipping    = count_slipping(state, loads);
     summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
+    if (summary.n_nodes > 0)
+      {
+        const double mean =
+          mean_by_force(mesh, state, [](const double p) { return p; });
+        const double square = mean_by_force(
+          mesh, state, [&](const double p) { return (p - mean) * (p - mean); });
+        summary.weighted_pressure = mean;
+        if (mean > 0)
+          summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;
+      }
     return summary;
   }
 } // namespace Biface

@@ -120,7 +120,9 @@ namespace Biface
         "mean_pressure",
         "recovered_max_pressure",
         "load_ratio",
-        "slipping_area"},
+        "slipping_area",
+        "weighted_pressure",
+        "pressure_variation"},
        [](const Step &step) -> Values {
          const StepReport     &report    = step.report;
          const ContactSummary &contact   = report.contact;
@@ -131,7 +133,9 @@ namespace Biface
                  ratio(contact.force, footprint.area),
                  footprint.max_pressure,
                  ratio(contact.force, report.loads.pressure * footprint.area),
-                 contact.slipping_area};
+                 contact.slipping_area,
+                 contact.weighted_pressure,
+                 contact.pressure_variation};
        }});
     if (is_wheel(mesh))
       groups.push_back({{"loaded_radius"}, [](const Step &step) -> Values {

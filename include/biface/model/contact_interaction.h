@@ -33,6 +33,16 @@ namespace Biface
     /** Of these, the area of the nodes that slip. */
     double slipping_area = 0;
     double max_pressure  = 0;
+    /** The mean of the nodal pressures @f$p@f$, each weighted by the force
+     * @f$pA@f$ that it carries: @f$\sum p^2A/\sum pA@f$. For a given force it
+     * is lowest if the pressure is the same on as large an area as possible.
+     * Nodes that enter or leave do so without pressure and do not change it.
+     * Unit: force/area. */
+    double weighted_pressure = 0;
+    /** The standard deviation of the nodal pressures with the same weights, in
+     * parts of this mean: zero if all of the ground that carries is under the
+     * same pressure. No unit. */
+    double pressure_variation = 0;
   };
 
 

@@ -165,6 +165,10 @@ FOOTPRINT_ROWS = (
 PRESSURE_ROWS = (
     ("recovered_max_pressure", "Maximum pressure, recovered", "pressure",
      "with dual basis functions if the multiplier mass is lumped"),
+    ("weighted_pressure", "Mean contact pressure by force", "pressure",
+     "weighted by the force that it carries"),
+    ("pressure_variation", "Variation of the contact pressure", "",
+     "its standard deviation over this mean"),
     ("load_ratio", "Force over pressure times area", "",
      "1 if the gas carries all of the load"),
     ("loaded_radius", "Loaded radius", "length",
