@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include <biface/base/errors.h>
 #include <biface/model/forces_on_shell.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/buckling.h>
 
 namespace Biface
 {
@@ -72,16 +74,15 @@ namespace Biface
                                const ShellMesh                &mesh,
                                const FailureCriteria          &criteria,
                                const Point<3>                 &moment_center,
-                               const bool                      with_volume,
-                               const unsigned int              n_modes)
+                               const Known                    &known)
     : names(names)
     , criteria(criteria)
     , moment_center(moment_center)
-    , history(history_groups(criteria, mesh, with_volume))
+    , history(history_groups(criteria, mesh, known.volume))
   {
     for (const std::string &name : names)
       {
-        const std::optional<Source> source = find(name, mesh, n_modes);
+        const std::optional<Source> source = find(name, mesh, known);
         if (!source)
           {
             std::string columns;
@@ -94,8 +95,9 @@ namespace Biface
               name,
               "it must be one of " + columns +
                 ", 'POINT u_x' with a named point, 'BODY F_x' "
-                "with a body of forces.csv, or 'frequency 1' with the number "
-                "of a mode that 'Modes' asks for");
+                "with a body of forces.csv, 'frequency 1' or 'buckling factor "
+                "1' with the number of a mode that 'Modes' or 'Buckling' asks "
+                "for");
           }
         sources.push_back(*source);
       }
@@ -105,7 +107,7 @@ namespace Biface
   std::optional<ScalarResults::Source>
   ScalarResults::find(const std::string &name,
                       const ShellMesh   &mesh,
-                      const unsigned int n_modes) const
+                      const Known       &known) const
   {
     Source source;
     for (unsigned int g = 0; g < history.size(); ++g)
@@ -139,13 +141,17 @@ namespace Biface
             }
         return {};
       }
-    for (unsigned int m = 0; m < n_modes; ++m)
-      if (rest == "frequency" && last == std::to_string(m + 1))
-        {
-          source.kind     = Source::Kind::frequency;
-          source.position = m;
-          return source;
-        }
+    for (const auto &[words, n, kind] :
+         {std::make_tuple("frequency", known.n_modes, Source::Kind::frequency),
+          std::make_tuple(
+            "buckling factor", known.n_buckling, Source::Kind::buckling)})
+      for (unsigned int m = 0; m < n; ++m)
+        if (rest == words && last == std::to_string(m + 1))
+          {
+            source.kind     = kind;
+            source.position = m;
+            return source;
+          }
     if (const auto component = position_of(last, force_components))
       {
         source.kind      = Source::Kind::force;
@@ -226,6 +232,11 @@ namespace Biface
             case Source::Kind::frequency:
               if (report.modes && source.position < report.modes->modes.size())
                 value = report.modes->modes[source.position].frequency();
+              break;
+            case Source::Kind::buckling:
+              if (report.buckling &&
+                  source.position < report.buckling->loads.size())
+                value = report.buckling->loads[source.position].factor;
               break;
           }
         values.push_back(value);

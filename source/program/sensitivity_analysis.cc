@@ -12,7 +12,9 @@
 #include <biface/base/errors.h>
 #include <biface/model/footprint.h>
 #include <biface/program/sensitivity_analysis.h>
+#include <biface/solver/buckling_analysis.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/stage_start.h>
 
 namespace Biface
@@ -47,6 +49,7 @@ namespace Biface
     LoadLevel      level;
     Loads          loads;
     State          before;
+    LoadLevel      level_before;
   };
 
 
@@ -78,15 +81,45 @@ namespace Biface
     }
 
 
-    /** The number of modes known wherever derivatives are wanted. */
-    unsigned int
-    n_modes(const Parameters &parameters)
+    /** What is known wherever derivatives are wanted. */
+    ScalarResults::Known
+    known_results(const Parameters &parameters, const ShellModel &model)
     {
-      unsigned int n = numbers::invalid_unsigned_int;
+      ScalarResults::Known known{model.cavity() != nullptr,
+                                 numbers::invalid_unsigned_int,
+                                 numbers::invalid_unsigned_int};
       for (unsigned int s = 0; s < parameters.stages.size(); ++s)
         if (parameters.sensitivities.is_wanted(s, parameters.stages.size()))
-          n = std::min(n, parameters.stages[s].n_modes);
-      return n;
+          {
+            const Stage &stage = parameters.stages[s];
+            known.n_modes      = std::min(known.n_modes, stage.n_modes);
+            known.n_buckling   = std::min(known.n_buckling, stage.n_buckling);
+          }
+      return known;
+    }
+
+
+    /** Refuse derivatives of eigenvalues that are not stationary in the
+     * shapes.
+     * @param kind the first words of the names of such outputs. */
+    void
+    check_symmetric(const bool                   symmetric,
+                    const std::string           &kind,
+                    const SensitivityParameters &asked,
+                    const Stage                 &stage)
+    {
+      if (symmetric)
+        return;
+      const auto output = std::find_if(
+        asked.outputs.begin(), asked.outputs.end(), [&](const auto &name) {
+          return name.rfind(kind, 0) == 0;
+        });
+      throw InputError("Sensitivities/Outputs",
+                       output == asked.outputs.end() ? kind : *output,
+                       "in " + stage.name +
+                         " the shell rolls or spins, or the loads have no "
+                         "potential, so that its derivatives are not "
+                         "implemented");
     }
 
 
@@ -118,8 +151,7 @@ namespace Biface
               *model.mesh,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
-              model.cavity() != nullptr,
-              n_modes(parameters))
+              known_results(parameters, model))
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const Change &change : parameters.sensitivities.changes)
@@ -205,7 +237,11 @@ namespace Biface
   {
     // the next step reads the history of friction, and the displacements if
     // their change is controlled
-    return step.completes_stage || step.loads.friction || step.trial.equations;
+    const bool buckles =
+      results.have_buckling() &&
+      parameters.sensitivities.is_wanted(position, parameters.stages.size());
+    return step.completes_stage || step.loads.friction ||
+           step.trial.equations || buckles;
   }
 
 
@@ -315,7 +351,8 @@ namespace Biface
   LA::Vector
   SensitivityAnalysis::propose(const Step &step, Neighbor &neighbor) const
   {
-    neighbor.before = neighbor.state;
+    neighbor.before       = neighbor.state;
+    neighbor.level_before = neighbor.progress.reached;
 
     // the proposal of the run, from the start of the neighbor
     Control::Memory        memory = step.memory;
@@ -591,6 +628,9 @@ namespace Biface
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, neighbor, changed.loads);
+            if (report.buckling && results.have_buckling())
+              changed.buckling =
+                change_buckling(*report.buckling, neighbor, changed.loads);
             values[side] = evaluate(neighbor.model, changed, neighbor.state);
           }
         table->entries.push_back({change.name, change.value});
@@ -616,13 +656,8 @@ namespace Biface
                                     Neighbor             &neighbor,
                                     const Loads          &loads)
   {
-    if (!modes.symmetric)
-      throw InputError(
-        "Sensitivities/Outputs",
-        "frequency",
-        "the stage " + neighbor.stage.name +
-          " rolls, spins or has loads without a potential, for which "
-          "derivatives of frequencies are not implemented");
+    check_symmetric(
+      modes.symmetric, "frequency", parameters.sensitivities, neighbor.stage);
     const auto                gas     = sealed_in(neighbor);
     auto                      changed = std::make_shared<VibrationModes>(modes);
     const std::vector<double> squares =
@@ -637,6 +672,33 @@ namespace Biface
       changed->modes[m].omega =
         std::conj(std::sqrt(std::complex<double>(squares[m])));
     return changed;
+  }
+
+
+  std::shared_ptr<const Buckling>
+  SensitivityAnalysis::change_buckling(const Buckling &buckling,
+                                       Neighbor       &neighbor,
+                                       const Loads    &loads)
+  {
+    check_symmetric(buckling.symmetric,
+                    "buckling factor",
+                    parameters.sensitivities,
+                    neighbor.stage);
+    BucklingAnalysis analysis(
+      neighbor.model.equations, neighbor.model.contact, linear_solver, timer);
+    BucklingModes changed;
+    changed.modes      = buckling.modes;
+    changed.symmetric  = buckling.symmetric;
+    const Loads before = loads_on(neighbor, neighbor.level_before);
+    const std::vector<double> positions = analysis.quotients(
+      {neighbor.before, before}, {neighbor.state, loads}, changed.modes);
+    for (unsigned int m = 0; m < positions.size(); ++m)
+      changed.modes[m].position = positions[m];
+    return std::make_shared<const Buckling>(
+      buckling_from(changed,
+                    neighbor.progress.control.start,
+                    neighbor.level_before,
+                    neighbor.progress.reached));
   }
 
 

@@ -30,7 +30,8 @@ namespace Biface
                       "displacements of named points such as 'top u_x' or "
                       "'top inner u_x', forces of forces.csv such as 'alpha_1 "
                       "min F_x', frequencies of a stage with 'Modes' such as "
-                      "'frequency 1'.",
+                      "'frequency 1', factors of a stage with 'Buckling' such "
+                      "as 'buckling factor 1'.",
                       Patterns::List(Patterns::Anything()));
     prm.add_parameter("Stages",
                       stages,

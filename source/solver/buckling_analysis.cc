@@ -222,6 +222,7 @@ namespace Biface
     BucklingModes    result;
     Pencil           pencil;
     assemble(before, now, pencil);
+    result.symmetric                   = pencil.symmetric;
     const std::optional<double> lowest = estimate_lowest(pencil, result);
     if (!lowest)
       return result;
@@ -274,6 +275,35 @@ namespace Biface
           result.modes.push_back(finish(pair.vector, loads));
           result.modes.back().position = pair.value.real();
         }
+    return result;
+  }
+
+
+  std::vector<double>
+  BucklingAnalysis::quotients(const Equilibrium               &before,
+                              const Equilibrium               &now,
+                              const std::vector<BucklingMode> &modes)
+  {
+    Pencil pencil;
+    assemble(before, now, pencil);
+    const AffineConstraints<double> &constraints = equations.mesh.constraints;
+
+    std::vector<std::complex<double>> positions;
+    std::vector<double>               result;
+    for (const BucklingMode &mode : modes)
+      {
+        LA::Vector shape = owned_part(mode.shape);
+        for (const auto i : equations.mesh.locally_owned)
+          if (constraints.is_constrained(i))
+            shape(i) = 0;
+        LA::Vector product(shape);
+        pencil.K_0.vmult(product, shape);
+        const double stiffness = product * shape;
+        pencil.G.vmult(product, shape);
+        result.push_back(stiffness / (product * shape));
+        positions.push_back(mode.position);
+      }
+    average_same(positions, result);
     return result;
   }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include <biface/model/rigid_motions.h>
@@ -370,18 +369,10 @@ namespace Biface
         quotients.push_back(stiffness / (product * shape));
       }
 
-    // the shapes of the same frequency are arbitrary, but not their mean
-    for (unsigned int i = 0, end = 0; i < quotients.size(); i = end)
-      {
-        end = i + 1;
-        while (end < quotients.size() && are_same(modes.modes[end - 1].square(),
-                                                  modes.modes[end].square()))
-          ++end;
-        const double mean =
-          std::accumulate(&quotients[i], &quotients[i] + (end - i), 0.) /
-          (end - i);
-        std::fill(&quotients[i], &quotients[i] + (end - i), mean);
-      }
+    std::vector<std::complex<double>> squares;
+    for (const VibrationMode &mode : modes.modes)
+      squares.push_back(mode.square());
+    average_same(squares, quotients);
     return quotients;
   }
 } // namespace Biface

@@ -777,8 +777,8 @@ namespace Biface
             << " were not found: " << found.message << std::endl;
         return nullptr;
       }
-    auto buckling = std::make_shared<const Buckling>(buckling_from(
-      found.modes, run.progress.control.start, level_before, level));
+    auto buckling = std::make_shared<const Buckling>(
+      buckling_from(found, run.progress.control.start, level_before, level));
     if (buckling->modes.empty())
       {
         out << "  no buckling is predicted for this change of the loads"

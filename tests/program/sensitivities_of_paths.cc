@@ -4,7 +4,7 @@
 // differences, along every kind of path: where the foundation touches a shell
 // that depends on the entry, with friction, linear strain theory, a force or a
 // displacement that is controlled, a sealed gas, a prestress, and a stage that
-// starts from an earlier one; of frequencies, too.
+// starts from an earlier one; of frequencies and buckling factors, too.
 
 #include <deal.II/base/mpi.h>
 
@@ -164,6 +164,30 @@ main(int argc, char **argv)
         "Stage 1/Pressure; Material cord/E_L; Material cord/Density; "
         "Laminate/Plies[2]; Surface/Circular arc/Radius",
         "frequency 1, frequency 2, frequency 3");
+  // pairs of the same factor
+  check("buckling",
+        PRM_DIR "/laminated_cylinder.prm",
+        {"Mesh/Intervals alpha_1=0:510:12",
+         "Mesh/Intervals alpha_2=-180:180:24",
+         "Stage 1/Buckling=0",
+         "Stage 2/Load factor=0.04",
+         "Stage 2/Critical points=ignore",
+         "Stage 2/Steps=1",
+         "Stage 2/Buckling=4"},
+        "Material carbon/E_L; Material carbon/G_LT; Laminate/Plies[1]; "
+        "radius: Surface/Straight line/Begin[1], Surface/Straight line/End[1]; "
+        "Supports/alpha_1 max",
+        "buckling factor 1, buckling factor 2, buckling factor 3, buckling "
+        "factor 4");
+  check("buckling after steps",
+        tire,
+        with({"Stage 1/Pressure=-0.001",
+              "Stage 2/Pressure=0.1",
+              "Stage 2/Travel=10",
+              "Stage 2/Buckling=1"}),
+        "Stage 1/Pressure; Stage 2/Pressure; Material cord/E_L; "
+        "Laminate/Plies[2]; Surface/Circular arc/Radius",
+        "buckling factor 1, side u_x");
   check("gas",
         DATA_DIR "/gas_tube.prm",
         {"Named points=middle: 25 0", "Mesh/Intervals alpha_1=0:25:2, 25:50:2"},

@@ -23,22 +23,29 @@ namespace Biface
    * - a column of probes.csv at a named point, such as `top u_x`, of the middle
    *   surface unless the face is given, as in `top inner u_x`;
    * - a column of forces.csv of a body, such as `alpha_1 min F_x`;
-   * - the frequency of a mode, such as `frequency 1`.
+   * - the frequency of a mode, such as `frequency 1`;
+   * - the factor of buckling.csv of a shape, such as `buckling factor 1`.
    */
   class ScalarResults
   {
   public:
+    /** What is known besides the results of every run. */
+    struct Known
+    {
+      /** The volume of the cavity. */
+      bool volume = false;
+      /** The number of modes, and that of buckling shapes. */
+      unsigned int n_modes = 0, n_buckling = 0;
+    };
+
     /** Throws InputError if there is no such number.
-     * @param entry the entry that lists the names, for error messages.
-     * @param with_volume whether the volume of the cavity is known.
-     * @param n_modes the number of modes that are known. */
+     * @param entry the entry that lists the names, for error messages. */
     ScalarResults(const std::string              &entry,
                   const std::vector<std::string> &names,
                   const ShellMesh                &mesh,
                   const FailureCriteria          &criteria,
                   const dealii::Point<3>         &moment_center,
-                  const bool                      with_volume,
-                  const unsigned int              n_modes);
+                  const Known                    &known);
 
     const std::vector<std::string> &
     get_names() const
@@ -51,6 +58,13 @@ namespace Biface
     have_frequency() const
     {
       return have(Source::Kind::frequency);
+    }
+
+    /** Whether there is a buckling factor among them. */
+    bool
+    have_buckling() const
+    {
+      return have(Source::Kind::buckling);
     }
 
     /** Whether there is a force of a body among them. */
@@ -77,12 +91,13 @@ namespace Biface
         history,
         probe,
         force,
-        frequency
+        frequency,
+        buckling
       };
 
       Kind kind = Kind::history;
       /** That of the group of columns of history.csv, of the point, the body or
-       * the mode. */
+       * the shape. */
       unsigned int position = 0;
       /** Position in the group, or among the components of the last columns of
        * probes.csv or forces.csv. */
@@ -98,7 +113,7 @@ namespace Biface
     std::optional<Source>
     find(const std::string &name,
          const ShellMesh   &mesh,
-         const unsigned int n_modes) const;
+         const Known       &known) const;
 
     const std::vector<std::string>  names;
     const FailureCriteria           criteria;

@@ -81,7 +81,8 @@ namespace Biface
     using Change = SensitivityParameters::Change;
 
     /** Whether a step must be followed: if later steps read its state, or if
-     * derivatives are wanted. */
+     * derivatives are wanted, which those of buckling factors read from the
+     * last two. */
     bool
     is_read(const Step &step) const;
 
@@ -130,6 +131,12 @@ namespace Biface
     change_modes(const VibrationModes &modes,
                  Neighbor             &neighbor,
                  const Loads          &loads);
+
+    /** The buckling shapes of the run with the critical loads of a neighbor. */
+    std::shared_ptr<const Buckling>
+    change_buckling(const Buckling &buckling,
+                    Neighbor       &neighbor,
+                    const Loads    &loads);
 
     /** Warn once if something is not a smooth function of an entry: if the
      * value here deviates from the mean of those below and above by more than a

@@ -49,6 +49,9 @@ namespace Biface
     std::string message;
     /** In ascending order of the position. */
     std::vector<BucklingMode> modes;
+    /** Whether both tangents are symmetric, so that positions are stationary in
+     * the shapes. */
+    bool symmetric = false;
   };
 
 
@@ -97,6 +100,21 @@ namespace Biface
             const Equilibrium &now,
             const LoadRates   &rates,
             const unsigned int n);
+
+    /**
+     * The quotients @f$\boldsymbol\varphi^T\mathbf K_0\boldsymbol\varphi/
+     * \boldsymbol\varphi^T\mathbf G\boldsymbol\varphi@f$ for the shapes of a
+     * neighboring shell. They deviate from the positions of this one by terms
+     * of second order if both tangents are symmetric; modes of the same
+     * position have their mean. The last assembly of the equations is lost.
+     *
+     * @param before, now see compute().
+     * @param modes of the neighbor, whose degrees of freedom are the same.
+     */
+    std::vector<double>
+    quotients(const Equilibrium               &before,
+              const Equilibrium               &now,
+              const std::vector<BucklingMode> &modes);
 
     /** The number of negative pivots of the tangent, if it is symmetric and the
      * linear solver counts them. The last assembly of the equations is lost. */

@@ -179,8 +179,9 @@ namespace Biface
 
 
   /**
-   * Rayleigh's quotients @f$oldsymbolarphi^T\mathbf Koldsymbolarphi/
-   * oldsymbolarphi^T\mathbf Moldsymbolarphi@f$ of a shell for the
+   * Rayleigh's quotients
+   * @f$\boldsymbol\varphi^T\mathbf K\boldsymbol\varphi/
+   * \boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$ of a shell for the
    * shapes of a neighboring one. They deviate from its @f$\omega^2@f$ by terms
    * of second order if the tangent is symmetric; modes of the same frequency
    * have their mean. The last assembly of the equations is lost.

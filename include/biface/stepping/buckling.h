@@ -27,6 +27,8 @@ namespace Biface
     std::vector<BucklingMode> modes;
     /** For each of the modes. */
     std::vector<CriticalLoads> loads;
+    /** See BucklingModes. */
+    bool symmetric = false;
   };
 
 
@@ -35,10 +37,10 @@ namespace Biface
    * @param first, second those of the two equilibria of the analysis; the
    * second one is the end of the stage. */
   Buckling
-  buckling_from(const std::vector<BucklingMode> &modes,
-                const LoadLevel                 &start,
-                const LoadLevel                 &first,
-                const LoadLevel                 &second);
+  buckling_from(const BucklingModes &found,
+                const LoadLevel     &start,
+                const LoadLevel     &first,
+                const LoadLevel     &second);
 } // namespace Biface
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <biface/solver/linear/eigenpairs.h>
 
@@ -296,6 +297,26 @@ namespace Biface
   {
     constexpr double same = 1e-7;
     return std::abs(b - a) <= same * std::abs(b);
+  }
+
+
+  void
+  average_same(const std::vector<std::complex<double>> &eigenvalues,
+               std::vector<double>                     &quotients)
+  {
+    AssertDimension(eigenvalues.size(), quotients.size());
+    for (unsigned int begin = 0, end = 0; begin < quotients.size(); begin = end)
+      {
+        end = begin + 1;
+        while (end < quotients.size() &&
+               are_same(eigenvalues[end - 1], eigenvalues[end]))
+          ++end;
+        const double mean = std::accumulate(&quotients[begin],
+                                            &quotients[begin] + (end - begin),
+                                            0.) /
+                            (end - begin);
+        std::fill(&quotients[begin], &quotients[begin] + (end - begin), mean);
+      }
   }
 
 

@@ -88,6 +88,14 @@ namespace Biface
   bool
   are_same(const std::complex<double> &a, const std::complex<double> &b);
 
+  /** Replace the quotients that belong to the same eigenvalue by their mean:
+   * the vectors of such an eigenvalue are arbitrary, but not this mean.
+   * @param eigenvalues those of the problem of which the vectors are, in
+   * ascending order. */
+  void
+  average_same(const std::vector<std::complex<double>> &eigenvalues,
+               std::vector<double>                     &quotients);
+
 
   struct Eigenpairs
   {
