@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include <biface/output/csv.h>
@@ -13,17 +14,18 @@ namespace Biface
   RollingFile::RollingFile(const std::vector<Stage> &stages,
                            ResultsDirectory         &directory,
                            const ShellEquations     &equations)
-    : StepTable("rolling.csv",
-                "step,stage,angular_velocity,ground_velocity,slip_angle,"
-                "rolling_radius,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
-                "ground_power,friction_power,normal_power,mismatch" +
-                  std::string(equations.mesh.layup.has_loss()
-                                ? ",hysteresis_power,rolling_resistance"
-                                : ""),
-                1,
-                directory,
-                equations,
-                any_rolling(stages))
+    : StepTable(
+        "rolling.csv",
+        "step,stage,angular_velocity,ground_velocity,slip_angle,"
+        "rolling_radius,slip_ratio,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
+        "ground_power,friction_power,normal_power,mismatch" +
+          std::string(equations.mesh.layup.has_loss()
+                        ? ",hysteresis_power,rolling_resistance"
+                        : ""),
+        1,
+        directory,
+        equations,
+        any_rolling(stages))
   {}
 
 
@@ -43,10 +45,12 @@ namespace Biface
   RollingFile::write(const StepReport &report, const State & /*state*/)
   {
     const RollingSummary &rolling = *report.rolling;
-    std::vector<double>   values{report.level.angular_velocity,
-                               report.level.ground_velocity,
-                               report.level.slip_angle,
-                               rolling.rolling_radius};
+    std::vector<double>   values{
+      report.level.angular_velocity,
+      report.level.ground_velocity,
+      report.level.slip_angle,
+      rolling.rolling_radius,
+      report.slip_ratio.value_or(std::numeric_limits<double>::quiet_NaN())};
     for (const Tensor<1, 3> &vector : {rolling.force, rolling.moment})
       for (unsigned int i = 0; i < 3; ++i)
         values.push_back(vector[i]);

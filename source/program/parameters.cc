@@ -187,6 +187,12 @@ namespace Biface
         rolls.push_back(begins || (rolled && !stops));
         turned.push_back(stage.wheel_turn ? *stage.wheel_turn != 0
                                           : before && turned[*before]);
+        if (stage.wheel_turn.value_or(0) != 0 &&
+            surface.type != ReferenceSurface::Parameters::Type::revolution)
+          throw InputError(section + "/Wheel turn",
+                           number_to_string(*stage.wheel_turn),
+                           "it must be 0 unless 'Surface/Type = surface of "
+                           "revolution'");
         if (!begins && !rolled)
           continue;
 

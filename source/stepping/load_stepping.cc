@@ -696,8 +696,13 @@ namespace Biface
         progress.reaction = {progress.reached, now.force, now.moment};
         report.stiffness  = stiffness(run, reaction_before);
         if (report.loads.rolling)
-          report.rolling = summarize_rolling(
-            equations, contact, run.state, report.loads, *forces);
+          {
+            report.rolling = summarize_rolling(
+              equations, contact, run.state, report.loads, *forces);
+            if (progress.free_rolling_radius)
+              report.slip_ratio =
+                slip_ratio(progress.reached, *progress.free_rolling_radius);
+          }
         warn_of_pierced_nodes(run.state, report.loads);
       }
     report.iterations        = result.iterations;

@@ -3,6 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <limits>
 
 #include <biface/base/errors.h>
 #include <biface/contact/friction.h>
@@ -464,6 +465,15 @@ namespace Biface
   free_rolling_radius(const LoadLevel &level)
   {
     return forward_velocity(level) / level.angular_velocity;
+  }
+
+
+  double
+  slip_ratio(const LoadLevel &level, const double free_radius)
+  {
+    const double forward = forward_velocity(level);
+    return forward != 0 ? level.angular_velocity * free_radius / forward - 1
+                        : std::numeric_limits<double>::quiet_NaN();
   }
 
 

@@ -41,6 +41,10 @@ main(int argc, char *argv[])
                 0.98 * 1.5 * std::cos(2 * dealii::numbers::PI / 180) /
                   free.rolling_radius,
               1e-14);
+  check_small(
+    "slip ratio of the braked wheel", *braked.slip_ratio + 0.02, 1e-14);
+  check_small("of the locked one", *locked.slip_ratio + 1, 1e-14);
+  check_true("none before", !reports[3].slip_ratio);
   check_true("it brakes", braked.rolling->axle_moment < 0);
   check_true("locked", locked.level.angular_velocity == 0);
   check_small("still free", as_free.axle_moment, 1e-5, 250 * free.force[2]);

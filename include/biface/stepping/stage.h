@@ -212,6 +212,12 @@ namespace Biface
   double
   free_rolling_radius(const LoadLevel &level);
 
+  /** The slip ratio of ISO 8855, @f$(\Omega R-V\cos\alpha)/(V\cos\alpha)@f$;
+   * not a number if the wheel does not move forward.
+   * @param free_radius R, see free_rolling_radius(). */
+  double
+  slip_ratio(const LoadLevel &level, const double free_radius);
+
   /** The position of the stage from whose end that at @p position starts: the
    * previous one, or the one that it names. None for the first stage, which
    * starts from the unloaded shell. */

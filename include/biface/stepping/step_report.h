@@ -48,6 +48,8 @@ namespace Biface
     LoadLevel level;
     /** If the wheel rolls over the ground. */
     std::optional<RollingSummary> rolling;
+    /** Then, if free rolling has come before, see Biface::slip_ratio(). */
+    std::optional<double> slip_ratio;
     /** See Progress. */
     Work           work;
     ContactSummary contact;
