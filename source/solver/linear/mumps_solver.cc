@@ -119,13 +119,10 @@ namespace Biface
       if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
         icntl(13) = 1;
 
-      // MUMPS would let METIS order unknowns, with more fill-in
-      positions = nested_dissection(A);
-      for (int &position : positions)
-        ++position;
-      mumps.perm_in = positions.data();
-      if (!Utilities::MPI::broadcast(communicator, positions.empty()))
-        icntl(7) = 1;
+      // MUMPS would let METIS order unknowns: more fill-in, but in very thin
+      // shells, which need double precision, a smaller error of the solution
+      if (in_single_precision())
+        order_by_nodes(A);
 
       collect_pattern(A);
       mumps.n       = A.m();
@@ -293,6 +290,17 @@ namespace Biface
         for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
           if (!symmetric || column_ids[local_columns[k]] <= row_ids[row])
             action(row, local_columns[k], matrix_values[k]);
+    }
+
+    void
+    order_by_nodes(const LA::SparseMatrix &A)
+    {
+      positions = nested_dissection(A);
+      for (int &position : positions)
+        ++position;
+      mumps.perm_in = positions.data();
+      if (!Utilities::MPI::broadcast(communicator, positions.empty()))
+        icntl(7) = 1;
     }
 
     void
