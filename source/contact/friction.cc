@@ -55,18 +55,19 @@ namespace Biface
                            const double       regularization,
                            const double       critical_velocity)
     : critical_velocity(critical_velocity)
-    , coefficient(entry, coefficient, {"p", "s"})
+    , coefficient(std::make_shared<const Formula>(
+        entry, coefficient, std::vector<std::string>{"p", "s"}))
     , regularization(regularization)
   {
-    if (this->coefficient.used_names().empty())
+    if (this->coefficient->used_names().empty())
       {
-        constant = this->coefficient({0., 0.});
+        constant = (*this->coefficient)({0., 0.});
         check_not_negative(entry, *constant);
       }
     else
       for (const double pressure : {1e-3, 1e-2, 1e-1, 1., 1e1, 1e2, 1e3})
         for (const double speed : {0., 1e-3, 1., 1e2, 1e4})
-          this->coefficient({pressure, speed});
+          (*this->coefficient)({pressure, speed});
   }
 
 
@@ -79,7 +80,7 @@ namespace Biface
       return *constant * pressure;
     try
       {
-        return std::max(0., coefficient({pressure, speed})) * pressure;
+        return std::max(0., (*coefficient)({pressure, speed})) * pressure;
       }
     catch (const InputError &)
       {

@@ -344,17 +344,74 @@ namespace Biface
     announce(run, trial);
     const NewtonIteration iteration = newton.parameters.iteration;
     Attempt               attempt   = iterate(run, trial, iteration, true);
-    const NewtonResult   &result    = attempt.result;
-    if (result.converged || result.stopped ||
-        iteration != NewtonIteration::mixed)
-      return attempt;
+    if (attempt.result.failed() && iteration == NewtonIteration::mixed)
+      {
+        out << "  not converged: " << attempt.result.failure.message
+            << "; trying the substituted iteration" << std::endl;
+        const unsigned int spent = attempt.result.iterations;
+        // the secant may be misleading; the coarser mesh has a solution
+        attempt = iterate(run, trial, NewtonIteration::substituted, false);
+        attempt.result.iterations += spent;
+      }
+    // another branch may be found, so that halving comes first
+    if (attempt.result.failed() && run.rolls && run.friction &&
+        !run.control.can_cut())
+      return try_gentle_friction(run, trial, attempt);
+    return attempt;
+  }
 
-    out << "  not converged: " << result.failure.message
-        << "; trying the substituted iteration" << std::endl;
-    // the secant may be misleading; the coarser mesh has a solution
-    Attempt other = iterate(run, trial, NewtonIteration::substituted, false);
-    other.result.iterations += result.iterations;
-    return other;
+
+  LoadStepping::Attempt
+  LoadStepping::try_gentle_friction(const StageRun       &run,
+                                    const Control::Trial &trial,
+                                    const Attempt        &failed)
+  {
+    // of the speed: nearly viscous friction
+    constexpr double       gentle       = 0.25;
+    constexpr unsigned int max_attempts = 16;
+
+    out << "  not converged: " << failed.result.failure.message
+        << "; trying larger critical velocities" << std::endl;
+    StageRun     gentle_run = run;
+    Attempt      reached    = failed;
+    unsigned int iterations = failed.result.iterations;
+    reached.state           = run.state;
+    reached.mu              = trial.mu;
+
+    const double given    = run.friction->critical_velocity;
+    const double speed    = std::abs(trial.level(trial.mu).ground_velocity);
+    double       velocity = std::max(gentle * speed, 256 * given), ratio = 4;
+    std::optional<double> last;
+    for (unsigned int i = 0; i < max_attempts; ++i)
+      {
+        out << "  critical velocity " << velocity << std::endl;
+        gentle_run.friction = std::make_shared<const FrictionLaw>(
+          run.friction->with_critical_velocity(velocity));
+        Attempt attempt = converge(gentle_run,
+                                   trial,
+                                   reached.state,
+                                   reached.mu,
+                                   newton.parameters.iteration,
+                                   false);
+        iterations += attempt.result.iterations;
+        attempt.result.iterations = iterations;
+        if (attempt.result.stopped ||
+            (attempt.result.converged && velocity == given))
+          return attempt;
+        if (attempt.result.converged)
+          {
+            reached = attempt;
+            last    = velocity;
+          }
+        else if (last)
+          ratio = std::sqrt(ratio);
+        else
+          break;
+        velocity = std::max(given, *last / ratio);
+      }
+    reached                   = failed;
+    reached.result.iterations = iterations;
+    return reached;
   }
 
 

@@ -2,9 +2,10 @@
 
 // The rolling bias tire has the figures of an independent implementation: of
 // free rolling, at one degree of slip angle, and braked, with a critical
-// velocity of 0.01 of the speed, and of 0.001, which is reached by the growing
-// speed; and, without friction, the vertical force at 100 radians per second.
-// Braking, the powers balance within 0.5 %.
+// velocity of 0.01 of the speed, and of 0.001, where a step from standing to
+// rolling converges that cannot be halved; and, without friction, the
+// vertical force at 100 radians per second. Braking, the powers balance within
+// 0.5 %.
 
 #include <biface/model/rolling_summary.h>
 
@@ -20,6 +21,7 @@ main(int argc, char *argv[])
 
   const auto reports = run_bias_tire({"Contact/Multiplier mass=lumped",
                                       "Contact/Critical velocity=0.01",
+                                      "Step control/Maximum cuts=0",
                                       "Number of stages=7",
                                       "Stage 2/Steps=2",
                                       "Stage 3/Contact=true",
@@ -35,12 +37,11 @@ main(int argc, char *argv[])
                                       "Stage 5/Contact=true",
                                       "Stage 5/Friction=0.5",
                                       "Stage 5/Angular velocity=0.00414370",
-                                      "Stage 6/Start from=3",
+                                      "Stage 6/Start from=2",
                                       "Stage 6/Contact=true",
                                       "Stage 6/Friction=0.5",
                                       "Stage 6/Ground velocity=10",
                                       "Stage 6/Control=axle moment",
-                                      "Stage 6/Steps=3",
                                       "Stage 7/Contact=true",
                                       "Stage 7/Friction=0.5",
                                       "Stage 7/Slip angle=1",
@@ -61,12 +62,13 @@ main(int argc, char *argv[])
   check("braking force", -braked.force[0], 342.3, 0.01);
   check_small("powers of braking", braked.mismatch, 0.005, -braked.force[0]);
 
+  std::cout << "steps: " << reports.size() << std::endl;
   check("rolling radius at 0.001",
-        reports[11].rolling->rolling_radius,
+        reports[9].rolling->rolling_radius,
         238.646,
         1e-4);
   check("side force at 0.001 and 1 degree",
-        -reports[12].rolling->force[1],
+        -reports[10].rolling->force[1],
         676.96,
         0.005);
 

@@ -73,6 +73,13 @@ namespace Biface
                 const double       regularization,
                 const double       critical_velocity = 0);
 
+    /** The same law for another critical velocity. */
+    FrictionLaw
+    with_critical_velocity(const double velocity) const
+    {
+      return FrictionLaw(*this, velocity);
+    }
+
     /** Whether the coefficient is the number 0. */
     bool
     is_zero() const
@@ -136,13 +143,20 @@ namespace Biface
     const double critical_velocity;
 
   private:
+    FrictionLaw(const FrictionLaw &other, const double critical_velocity)
+      : critical_velocity(critical_velocity)
+      , coefficient(other.coefficient)
+      , constant(other.constant)
+      , regularization(other.regularization)
+    {}
+
     /** See limit(). */
     double
     value(const double pressure, const double speed) const;
 
-    Formula               coefficient;
-    std::optional<double> constant;
-    const double          regularization;
+    std::shared_ptr<const Formula> coefficient;
+    std::optional<double>          constant;
+    const double                   regularization;
   };
 
 

@@ -60,6 +60,13 @@ namespace Biface
      * if the linear solver counts them: the number of unstable directions of
      * this equilibrium, or of an iterate close to it. */
     std::optional<unsigned int> n_negative_pivots;
+
+    /** Whether another attempt may help. */
+    bool
+    failed() const
+    {
+      return !converged && !stopped;
+    }
   };
 
 

@@ -59,8 +59,9 @@ namespace Biface
    * Takes the shell through its stages in steps proposed by the Control of each
    * stage. A failed step is tried again from the restored state: after the
    * mixed iteration first with the substituted one, then with half the size.
-   * After a success the size doubles again, up to the remainder of the step of
-   * the stage, or beyond it with adaptive steps.
+   * The last attempt of a wheel that rolls with friction starts from larger
+   * critical velocities. After a success the size doubles again, up to the
+   * remainder of the step of the stage, or beyond it with adaptive steps.
    */
   class LoadStepping
   {
@@ -167,6 +168,15 @@ namespace Biface
     /** An attempt from the last converged state. */
     Attempt
     try_step(const StageRun &run, const Control::Trial &trial);
+
+    /** An attempt from the last converged state after all others failed: with
+     * larger critical velocities of friction, for which it is viscous and
+     * gentle, down to the given one.
+     * @param failed what is returned if this fails, too. */
+    Attempt
+    try_gentle_friction(const StageRun       &run,
+                        const Control::Trial &trial,
+                        const Attempt        &failed);
 
     /** Newton's method from the predicted state.
      * @param secant whether to use the secant predictor. */

@@ -148,6 +148,13 @@ namespace Biface
     virtual void
     accept(const Step &step) = 0;
 
+    /** Whether a failed step may be halved. */
+    bool
+    can_cut() const
+    {
+      return size.can_fail(parameters.max_cuts);
+    }
+
     /** Halve the failed step.
      * @return whether another attempt is allowed. */
     bool

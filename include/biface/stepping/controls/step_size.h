@@ -22,6 +22,13 @@ namespace Biface
     void
     succeeded(const double growth, const double maximum);
 
+    /** Whether a failed step may be halved. */
+    bool
+    can_fail(const unsigned int max_cuts) const
+    {
+      return n_cuts < max_cuts;
+    }
+
     /** @return whether another attempt is allowed. */
     bool
     failed(const unsigned int max_cuts);
