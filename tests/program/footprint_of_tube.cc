@@ -15,10 +15,6 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // one rank speaks for all
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-    std::cout.setstate(std::ios::failbit);
-
   const double radius = 100, width = 10, pressure = 0.1;
   for (const unsigned int n_cells : {60, 120, 240})
     {
