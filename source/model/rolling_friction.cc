@@ -41,15 +41,25 @@ namespace Biface
   }
 
 
+  Tensor<1, 3>
+  RollingFriction::slip_velocity(const State       &state,
+                                 const Loads       &loads,
+                                 const unsigned int node) const
+  {
+    const Tensor<1, 3> n =
+      loads.foundation->evaluate(position(state, node)).normal;
+    const Tensor<1, 3> v = relative_velocity(state, loads, node);
+    return v - (n * v) * n;
+  }
+
+
   bool
   RollingFriction::slips(const State       &state,
                          const Loads       &loads,
                          const unsigned int node) const
   {
-    const Tensor<1, 3> n =
-      loads.foundation->evaluate(position(state, node)).normal;
-    const Tensor<1, 3> v = relative_velocity(state, loads, node);
-    return SlipVelocityLaw(*loads.friction).slips(v - (n * v) * n);
+    return SlipVelocityLaw(*loads.friction)
+      .slips(slip_velocity(state, loads, node));
   }
 
 

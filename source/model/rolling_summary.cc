@@ -93,6 +93,11 @@ namespace Biface
         motion.spin;
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
+    result.slip_velocities.resize(mesh.nodes.size());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (state.active[n])
+        result.slip_velocities[n] =
+          contact.rolling_friction.slip_velocity(state, loads, n);
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())

@@ -10,7 +10,7 @@ namespace Biface
   namespace
   {
     std::vector<std::string>
-    dataset_names(const Layup &layup)
+    dataset_names(const Layup &layup, const bool rolls)
     {
       std::vector<std::string> names{"displacement",
                                      "displacement",
@@ -29,16 +29,20 @@ namespace Biface
                                      "friction",
                                      "friction"};
       if (layup.has_slack_cords())
-        names.push_back("slack_cords");
+        names.emplace_back("slack_cords");
+      if (rolls)
+        names.insert(names.end(), 3, "slip_velocity");
       return names;
     }
   } // namespace
 
 
-  FacePatches::FacePatches(const ShellEquations &equations,
-                           const State          &state,
-                           const Loads          &loads)
-    : VertexPatches<2>(dataset_names(equations.mesh.layup))
+  FacePatches::FacePatches(const ShellEquations            &equations,
+                           const State                     &state,
+                           const Loads                     &loads,
+                           const std::vector<Tensor<1, 3>> &slip_velocities)
+    : VertexPatches<2>(
+        dataset_names(equations.mesh.layup, !slip_velocities.empty()))
   {
     using namespace Resultants;
 
@@ -85,6 +89,10 @@ namespace Biface
                   patch.data(d++, v) = friction[i];
                 if (mesh.layup.has_slack_cords())
                   patch.data(d++, v) = slack[v];
+                if (!slip_velocities.empty())
+                  for (unsigned int i = 0; i < 3; ++i)
+                    patch.data(d++, v) =
+                      (face == outer ? slip_velocities[cell.nodes[v]][i] : 0.);
               }
             patches.push_back(patch);
           }
@@ -112,7 +120,11 @@ namespace Biface
   void
   ShellVtu::write(const StepReport &report, const State &state)
   {
-    FacePatches patches(equations, state, report.loads);
+    FacePatches patches(equations,
+                        state,
+                        report.loads,
+                        report.rolling ? report.rolling->slip_velocities
+                                       : std::vector<Tensor<1, 3>>());
     write_patches(patches, report.step);
   }
 } // namespace Biface

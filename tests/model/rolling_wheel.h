@@ -11,11 +11,11 @@
 #include <run_analysis.h>
 #include <tests.h>
 
-/** Run the bias tire on a coarse mesh, pressed by 12 mm, in a third stage
- * rolling freely over the ground in two steps.
- * @return the reports of all steps. */
-inline std::vector<Biface::StepReport>
-rolling_reports(const std::vector<Biface::Override> &changes)
+/** The bias tire on a coarse mesh, pressed by 12 mm, in a third stage rolling
+ * freely over the ground in two steps.
+ * @return the changes of bias_tire.prm. */
+inline std::vector<Biface::Override>
+rolling_overrides(const std::vector<Biface::Override> &changes)
 {
   std::vector<Biface::Override> overrides{
     "Contact/Multiplier mass=lumped",
@@ -31,7 +31,16 @@ rolling_reports(const std::vector<Biface::Override> &changes)
     "Stage 3/Control=axle moment",
     "Stage 3/Steps=2"};
   overrides.insert(overrides.end(), changes.begin(), changes.end());
-  return run_analysis(PRM_DIR "/bias_tire.prm", overrides);
+  return overrides;
+}
+
+
+/** Run the wheel of rolling_overrides().
+ * @return the reports of all steps. */
+inline std::vector<Biface::StepReport>
+rolling_reports(const std::vector<Biface::Override> &changes)
+{
+  return run_analysis(PRM_DIR "/bias_tire.prm", rolling_overrides(changes));
 }
 
 

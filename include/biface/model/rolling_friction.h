@@ -32,6 +32,13 @@ namespace Biface
                       const Loads       &loads,
                       const unsigned int node) const;
 
+    /** The velocity with which the particle at a node slips over the ground:
+     * its relative velocity without the part along the normal. */
+    dealii::Tensor<1, 3>
+    slip_velocity(const State       &state,
+                  const Loads       &loads,
+                  const unsigned int node) const;
+
     /** Whether the particle at a node slips, see SlipVelocityLaw::slips().
      * There must be friction. */
     bool

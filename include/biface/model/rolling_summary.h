@@ -6,6 +6,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <optional>
+#include <vector>
 
 #include <biface/model/hysteresis.h>
 #include <biface/model/shell_equations.h>
@@ -37,6 +38,11 @@ namespace Biface
      * mesh is half in contact; @p mismatch plus @p normal is the rest. */
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
+
+    /** The slip velocity at each node of this rank, see
+     * RollingFriction::slip_velocity(); zero at nodes that are not in contact.
+     * Unit: length/time. */
+    std::vector<dealii::Tensor<1, 3>> slip_velocities;
 
     /** If any ply has a loss factor. */
     std::optional<Hysteresis> hysteresis;

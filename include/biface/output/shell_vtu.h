@@ -4,6 +4,9 @@
 #define biface_output_shell_vtu_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
 
 #include <biface/output/vtu_series.h>
 
@@ -12,14 +15,18 @@ namespace Biface
   /**
    * Both faces of the deformed shell: one quadrilateral per face of every
    * locally owned cell. Data: the displacement, the contact pressure, the
-   * active set, the face, and the resultants.
+   * active set, the face, the resultants, friction, and, if the shell rolls,
+   * the slip velocity.
    */
   class FacePatches : public VertexPatches<2>
   {
   public:
-    FacePatches(const ShellEquations &equations,
-                const State          &state,
-                const Loads          &loads = Loads());
+    /** @param slip_velocities see RollingSummary; empty unless the shell
+     * rolls. */
+    FacePatches(const ShellEquations                    &equations,
+                const State                             &state,
+                const Loads                             &loads = Loads(),
+                const std::vector<dealii::Tensor<1, 3>> &slip_velocities = {});
   };
 
 
