@@ -37,7 +37,7 @@ namespace Biface
                          record.parameters,
                          before.files,
                          record.files,
-                         before.progress);
+                         before.run.progress);
       return checkpoint;
     }
 
@@ -166,6 +166,8 @@ namespace Biface
     record.parameters = print_parameters(prm);
     record.files      = parameters.named_pairs();
     record.stages     = parameters.stages;
+    for (const auto &change : parameters.sensitivities.changes)
+      record.differences.push_back(change.step);
     const auto checkpoint =
       find_checkpoint(parameters, record, options.restart, communicator);
 
@@ -183,7 +185,7 @@ namespace Biface
       }
     if (checkpoint)
       {
-        simulation.restore(*checkpoint, checkpoint->get_record().stages);
+        simulation.restore(*checkpoint);
         const Progress &progress = simulation.get_progress();
         if (progress.at_end_of(parameters.stages))
           {

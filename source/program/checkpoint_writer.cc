@@ -75,16 +75,12 @@ namespace Biface
 
     // a restart finds at least the files of the checkpoint
     results.sync();
-    record.progress = progress;
-    record.ends.clear();
-    for (const auto &[position, end] : simulation.get_stage_ends())
-      record.ends[position] = end.progress;
     record.written = results.get_written();
     write_checkpoint(directory,
                      record,
-                     simulation.get_equations(),
-                     simulation.get_state(),
-                     simulation.get_stage_ends());
+                     simulation.get_equations().mesh,
+                     simulation.get_restore_points(),
+                     simulation.get_neighbors());
     any_written = true;
     last_step   = progress.n_steps;
     since_last.restart();

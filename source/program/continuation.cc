@@ -77,9 +77,12 @@ namespace Biface
     }
 
 
-    /** Whether an entry may change when a run is continued. */
+    /** Whether an entry may change when a run is continued.
+     * @param with_derivatives whether the run carries them along. */
     bool
-    may_change(const std::string &entry, const Progress &progress)
+    may_change(const std::string &entry,
+               const Progress    &progress,
+               const bool         with_derivatives)
     {
       // the contents of the files are compared
       if (entry == "Surface/Spline/File" || entry == "Laminate/Tables")
@@ -122,7 +125,9 @@ namespace Biface
                                                "Critical points",
                                                "Branch amplitude",
                                                "Adaptive steps"};
-      return !progress.stage_begun || free_entries.count(match[2]) > 0;
+      // those of the neighbors are not known to a restart
+      return !progress.stage_begun ||
+             (!with_derivatives && free_entries.count(match[2]) > 0);
     }
 
 
@@ -145,6 +150,9 @@ namespace Biface
     std::map<std::string, std::string> values;
     for (const auto &entry : entries_of(before))
       values.insert(entry);
+    const auto derivatives = values.find("Sensitivities/Entries");
+    const bool with_derivatives =
+      derivatives != values.end() && !derivatives->second.empty();
     for (const auto &entry : entries_of(now))
       {
         const auto old = values.find(entry.first);
@@ -154,7 +162,7 @@ namespace Biface
                            entry.second,
                            "the run to be continued has reached stage " +
                              std::to_string(progress.stage + 1));
-        if (may_change(entry.first, progress))
+        if (may_change(entry.first, progress, with_derivatives))
           continue;
         if (old == values.end())
           throw InputError("the entry " + in_quotes(entry.first) + " is " +

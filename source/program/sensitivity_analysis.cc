@@ -31,12 +31,25 @@ namespace Biface
       , state(*model.mesh)
     {}
 
+    RestorePoint
+    restore_point() const
+    {
+      return {state, model.equations.internal_forces().get_history(), progress};
+    }
+
+    void
+    restore(const RestorePoint &point)
+    {
+      state    = point.state;
+      progress = point.progress;
+      model.equations.internal_forces().restore(point.history);
+    }
+
     const std::shared_ptr<const Parameters> parameters;
     ShellModel                              model;
     State                                   state;
     Progress                                progress;
-    /** Those of all stages so far. */
-    StageEnds ends;
+    StageEnds                               ends;
 
     /** Of the current stage. */
     Stage                              stage;
@@ -187,30 +200,79 @@ namespace Biface
   }
 
 
+  std::vector<RestorePoints>
+  SensitivityAnalysis::get_restore_points() const
+  {
+    std::vector<RestorePoints> points;
+    for (const auto &neighbor : neighbors)
+      {
+        points.push_back({neighbor->restore_point(), neighbor->ends});
+        // zeros are not written; they follow from the displacements
+        for (Modes::Vector &resultants : points.back().last.state.resultants)
+          resultants = 0;
+      }
+    return points;
+  }
+
+
+  void
+  SensitivityAnalysis::restore(const std::vector<RestorePoints> &points)
+  {
+    AssertDimension(points.size(), neighbors.size());
+    for (unsigned int i = 0; i < neighbors.size(); ++i)
+      {
+        Neighbor &neighbor = *neighbors[i];
+        neighbor.restore(points[i].last);
+        neighbor.model.equations.internal_forces().settle_resultants(
+          neighbor.state);
+        neighbor.ends = points[i].ends;
+        if (neighbor.progress.stage_begun)
+          enter_stage(neighbor);
+      }
+  }
+
+
+  void
+  SensitivityAnalysis::enter_stage(Neighbor &neighbor) const
+  {
+    const Progress    &progress = neighbor.progress;
+    const unsigned int position = progress.stage;
+    neighbor.stage =
+      progress.with_angular_velocity(neighbor.parameters->stages[position]);
+    neighbor.friction = neighbor.model.contact.friction(
+      "Stage " + std::to_string(position + 1) + "/Friction",
+      neighbor.stage.friction,
+      neighbor.stage.glued);
+    neighbor.rolls = neighbor.stage.rolls(
+      progress.stage_begun ? progress.control.start : progress.reached);
+    neighbor.control =
+      make_control(neighbor.stage, neighbor.parameters->load_stepping.control);
+  }
+
+
   void
   SensitivityAnalysis::start_stage(const std::optional<unsigned int> &before,
                                    const unsigned int                 stage)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
-    position = stage;
     for (const auto &item : neighbors)
       {
         Neighbor &neighbor = *item;
-        if (before && *before + 1 != stage)
+        if (before)
           {
-            const RestorePoint &end = neighbor.ends.at(*before);
-            neighbor.state          = end.state;
-            neighbor.progress       = end.progress;
-            neighbor.model.equations.internal_forces().restore(end.history);
+            const unsigned int last = neighbor.progress.stage;
+            if (is_branched_from(parameters.stages, last))
+              {
+                RestorePoint end     = neighbor.restore_point();
+                end.progress.control = Control::Memory();
+                neighbor.ends.insert_or_assign(last, std::move(end));
+              }
+            if (*before != last)
+              neighbor.restore(neighbor.ends.at(*before));
           }
+        neighbor.progress.stage       = stage;
         neighbor.progress.stage_begun = false;
-        neighbor.stage                = neighbor.progress.with_angular_velocity(
-          neighbor.parameters->stages[stage]);
-        neighbor.friction = neighbor.model.contact.friction(
-          "Stage " + std::to_string(stage + 1) + "/Friction",
-          neighbor.stage.friction,
-          neighbor.stage.glued);
-        neighbor.rolls = neighbor.stage.rolls(neighbor.progress.reached);
+        enter_stage(neighbor);
         Biface::start_stage(neighbor.stage,
                             neighbor.rolls,
                             neighbor.model.equations,
@@ -218,8 +280,6 @@ namespace Biface
                             neighbor.model.gas.get(),
                             neighbor.progress,
                             neighbor.state);
-        neighbor.control = make_control(
-          neighbor.stage, neighbor.parameters->load_stepping.control);
         neighbor.control->begin(
           {neighbor.model.equations,
            neighbor.model.contact,
@@ -227,7 +287,8 @@ namespace Biface
            neighbor.progress.reached,
            neighbor.progress.last_change,
            [&](const LoadLevel &level) { return loads_on(neighbor, level); }});
-        neighbor.progress.control = neighbor.control->get_memory();
+        neighbor.progress.control     = neighbor.control->get_memory();
+        neighbor.progress.stage_begun = true;
       }
   }
 
@@ -237,9 +298,7 @@ namespace Biface
   {
     // the next step reads the history of friction, and the displacements if
     // their change is controlled
-    const bool buckles =
-      results.have_buckling() &&
-      parameters.sensitivities.is_wanted(position, parameters.stages.size());
+    const bool buckles = results.have_buckling() && step.stage.n_buckling > 0;
     return step.completes_stage || step.loads.friction ||
            step.trial.equations || buckles;
   }
@@ -574,20 +633,10 @@ namespace Biface
   SensitivityAnalysis::end_stage(const StepReport &report, const State &state)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
-    const auto        &stages = parameters.stages;
     for (const auto &neighbor : neighbors)
       neighbor->progress.end_stage(neighbor->stage);
-    for (const auto &neighbor : neighbors)
-      if (is_branched_from(stages, position))
-        neighbor->ends.insert_or_assign(
-          position,
-          RestorePoint{
-            neighbor->state,
-            neighbor->model.equations.internal_forces().get_history(),
-            neighbor->progress});
-
     const SensitivityParameters &asked = parameters.sensitivities;
-    if (!asked.is_wanted(position, stages.size()))
+    if (!asked.is_wanted(report.instant.stage, parameters.stages.size()))
       return nullptr;
 
     const auto evaluate = [&](const ShellModel &model,

@@ -159,11 +159,44 @@ namespace Biface
   }
 
 
-  void
-  Simulation::restore(const Checkpoint         &checkpoint,
-                      const std::vector<Stage> &stages_before)
+  RestorePoints
+  Simulation::get_restore_points() const
   {
-    checkpoint.restore(equations, state, progress, ends);
+    return {{state, equations.internal_forces().get_history(), progress}, ends};
+  }
+
+
+  std::vector<RestorePoints>
+  Simulation::get_neighbors() const
+  {
+    return sensitivities ? sensitivities->get_restore_points()
+                         : std::vector<RestorePoints>();
+  }
+
+
+  void
+  Simulation::restore(const Checkpoint &checkpoint)
+  {
+    const RunRecord &record = checkpoint.get_record();
+    for (unsigned int i = 0; i < record.differences.size(); ++i)
+      {
+        const auto &change = parameters.sensitivities.changes.at(i);
+        if (change.step != record.differences[i])
+          throw InputError("Sensitivities/Entries",
+                           change.name,
+                           "the run to be continued has taken derivatives by "
+                           "a difference of " +
+                             number_to_string(record.differences[i]) +
+                             " of its value, not " +
+                             number_to_string(change.step));
+      }
+    const RestorePoints points = checkpoint.run(*mesh);
+    state                      = points.last.state;
+    progress                   = points.last.progress;
+    ends                       = points.ends;
+    equations.internal_forces().restore(points.last.history);
+    if (sensitivities)
+      sensitivities->restore(checkpoint.neighbors(*mesh));
     for (unsigned int next = progress.stage + 1;
          next < parameters.stages.size();
          ++next)
@@ -176,7 +209,7 @@ namespace Biface
                            "that stage, since no later stage started from it");
       }
     if (progress.stage_begun)
-      progress.change_stage(stages_before.at(progress.stage),
+      progress.change_stage(record.stages.at(progress.stage),
                             parameters.stages.at(progress.stage));
   }
 
@@ -186,11 +219,6 @@ namespace Biface
                   const Newton::Stop           &stop,
                   const NestedPredictor        *predictor)
   {
-    if (sensitivities && progress.n_steps > 0)
-      throw InputError("Sensitivities/Entries",
-                       parameters.sensitivities.entries,
-                       "derivatives are carried along from the start of a "
-                       "run, so that none can be continued with them");
     const std::unique_ptr<const NestedPredictor> nested =
       (predictor ? nullptr : run_coarser(stop));
     if (nested)

@@ -51,23 +51,29 @@ namespace Biface
     }
 
 
-    /** The prefix of the names of tables of the end of a stage. */
+    /** The prefixes of the names of tables: of the end of a stage, and of a
+     * run with a changed entry. */
     std::string
     prefix_of_end(const unsigned int position)
     {
       return "end of stage " + std::to_string(position + 1) + ": ";
     }
 
+    std::string
+    prefix_of_neighbor(const unsigned int number)
+    {
+      return "neighbor " + std::to_string(number + 1) + ": ";
+    }
+
 
     /** Add the distributed part of a restore point, by name after a prefix. */
     void
     add_tables(const std::string                  &prefix,
-               const State                        &state,
-               const InternalForces::History      &history,
-               const Progress                     &progress,
+               const RestorePoint                 &point,
                const ShellMesh                    &mesh,
                std::vector<CheckpointFile::Table> &tables)
     {
+      const auto &[state, history, progress] = point;
       const auto add = [&](const std::string &name, const auto &values) {
         tables.emplace_back(prefix + name, rows_of(values, mesh));
       };
@@ -102,36 +108,48 @@ namespace Biface
       for (const auto &vector : progress.control.vectors)
         add("control: " + vector.first, vector.second);
     }
+
+
+    /** Likewise for all points of a run.
+     * @return their numbers. */
+    RunRecord::Points
+    add_tables(const std::string                  &prefix,
+               const RestorePoints                &points,
+               const ShellMesh                    &mesh,
+               std::vector<CheckpointFile::Table> &tables)
+    {
+      RunRecord::Points numbers;
+      numbers.progress = points.last.progress;
+      add_tables(prefix, points.last, mesh, tables);
+      for (const auto &[position, end] : points.ends)
+        {
+          numbers.ends[position] = end.progress;
+          add_tables(prefix + prefix_of_end(position), end, mesh, tables);
+        }
+      return numbers;
+    }
   } // namespace
 
 
   void
-  write_checkpoint(const std::string    &directory,
-                   const RunRecord      &record,
-                   const ShellEquations &equations,
-                   const State          &state,
-                   const StageEnds      &ends)
+  write_checkpoint(const std::string                &directory,
+                   RunRecord                        &record,
+                   const ShellMesh                  &mesh,
+                   const RestorePoints              &run,
+                   const std::vector<RestorePoints> &neighbors)
   {
-    const std::vector<char>            header = Utilities::pack(record, false);
     std::vector<CheckpointFile::Table> tables;
-    add_tables("",
-               state,
-               equations.internal_forces().get_history(),
-               record.progress,
-               equations.mesh,
-               tables);
-    for (const auto &[position, end] : ends)
-      add_tables(prefix_of_end(position),
-                 end.state,
-                 end.history,
-                 end.progress,
-                 equations.mesh,
-                 tables);
+    record.run = add_tables("", run, mesh, tables);
+    record.neighbors.clear();
+    for (unsigned int i = 0; i < neighbors.size(); ++i)
+      record.neighbors.push_back(
+        add_tables(prefix_of_neighbor(i), neighbors[i], mesh, tables));
+    const std::vector<char> header = Utilities::pack(record, false);
     CheckpointFile::write(newest(directory),
                           previous(directory),
                           std::string(header.begin(), header.end()),
                           tables,
-                          equations.mesh.communicator);
+                          mesh.communicator);
   }
 
 
@@ -255,20 +273,33 @@ namespace Biface
   }
 
 
-  void
-  Checkpoint::restore(ShellEquations &equations,
-                      State          &state,
-                      Progress       &progress,
-                      StageEnds      &ends) const
+  RestorePoints
+  Checkpoint::read_points(const std::string       &prefix,
+                          const RunRecord::Points &numbers,
+                          const ShellMesh         &mesh) const
   {
-    const ShellMesh   &mesh = equations.mesh;
-    const RestorePoint last = read_point("", record.progress, mesh);
-    state                   = last.state;
-    progress                = last.progress;
-    equations.internal_forces().restore(last.history);
+    RestorePoints points{read_point(prefix, numbers.progress, mesh), {}};
+    for (const auto &[position, end] : numbers.ends)
+      points.ends.emplace(
+        position, read_point(prefix + prefix_of_end(position), end, mesh));
+    return points;
+  }
 
-    ends.clear();
-    for (const auto &[position, at_end] : record.ends)
-      ends.emplace(position, read_point(prefix_of_end(position), at_end, mesh));
+
+  RestorePoints
+  Checkpoint::run(const ShellMesh &mesh) const
+  {
+    return read_points("", record.run, mesh);
+  }
+
+
+  std::vector<RestorePoints>
+  Checkpoint::neighbors(const ShellMesh &mesh) const
+  {
+    std::vector<RestorePoints> result;
+    for (unsigned int i = 0; i < record.neighbors.size(); ++i)
+      result.push_back(
+        read_points(prefix_of_neighbor(i), record.neighbors[i], mesh));
+    return result;
   }
 } // namespace Biface

@@ -116,6 +116,28 @@ namespace Biface
                       ordered.begin() + (numbers[i] - begin) * rows.width);
         return ordered;
       }
+
+
+      /** The number of rows of each table in the file: none if all of its
+       * values are zero. */
+      std::vector<std::uint64_t>
+      n_written_rows(const std::vector<Table> &tables,
+                     const MPI_Comm            communicator)
+      {
+        std::vector<unsigned int> any(tables.size());
+        for (unsigned int t = 0; t < tables.size(); ++t)
+          for (const double value : tables[t].second.values)
+            if (value != 0)
+              {
+                any[t] = 1;
+                break;
+              }
+        Utilities::MPI::max(any, communicator, any);
+        std::vector<std::uint64_t> n_rows;
+        for (unsigned int t = 0; t < tables.size(); ++t)
+          n_rows.push_back(any[t] ? tables[t].second.n_rows : 0);
+        return n_rows;
+      }
     } // namespace
 
 
@@ -127,6 +149,8 @@ namespace Biface
           const MPI_Comm            communicator)
     {
       const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
+      const std::vector<std::uint64_t> n_rows =
+        n_written_rows(tables, communicator);
       std::unique_ptr<Sink> sink;
       if (is_root)
         {
@@ -136,17 +160,17 @@ namespace Biface
           sink->put_number(byte_order);
           sink->put_text(header);
           sink->put_number<std::uint64_t>(tables.size());
-          for (const Table &table : tables)
+          for (unsigned int t = 0; t < tables.size(); ++t)
             {
-              sink->put_text(table.first);
-              sink->put_number<std::uint64_t>(table.second.width);
-              sink->put_number(table.second.n_rows);
+              sink->put_text(tables[t].first);
+              sink->put_number<std::uint64_t>(tables[t].second.width);
+              sink->put_number(n_rows[t]);
             }
         }
 
-      for (const Table &table : tables)
+      for (unsigned int t = 0; t < tables.size(); ++t)
         {
-          const NumberedRows      &rows = table.second;
+          const NumberedRows      &rows = tables[t].second;
           std::vector<std::size_t> order(rows.numbers.size());
           std::iota(order.begin(), order.end(), 0);
           std::sort(
@@ -154,12 +178,12 @@ namespace Biface
               return rows.numbers[a] < rows.numbers[b];
             });
           const std::uint64_t step = piece / rows.width;
-          for (std::uint64_t begin = 0; begin < rows.n_rows; begin += step)
+          for (std::uint64_t begin = 0; begin < n_rows[t]; begin += step)
             {
               const auto values = gather(rows,
                                          order,
                                          begin,
-                                         std::min(begin + step, rows.n_rows),
+                                         std::min(begin + step, n_rows[t]),
                                          communicator);
               if (is_root)
                 sink->put(values.data(), values.size() * sizeof(double));
@@ -316,8 +340,10 @@ namespace Biface
     Reader::rows(const std::string                &name,
                  const std::vector<std::uint64_t> &numbers) const
     {
-      const Entry             &entry = tables.at(name);
-      std::vector<double>      values(numbers.size() * entry.width);
+      const Entry        &entry = tables.at(name);
+      std::vector<double> values(numbers.size() * entry.width);
+      if (entry.n_rows == 0)
+        return values;
       std::vector<std::size_t> order(numbers.size());
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {

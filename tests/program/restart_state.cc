@@ -3,7 +3,7 @@
 // A checkpoint gives back the whole state: displacements, resultants, the
 // active set and all components of the multipliers, at all nodes of each rank,
 // and what earlier stages have left in the internal forces; also those at the
-// end of an earlier stage from which others start.
+// end of an earlier stage from which others start, and those of neighbors.
 
 #include <filesystem>
 
@@ -46,21 +46,22 @@ main(int argc, char *argv[])
     std::filesystem::create_directories(directory);
   MPI_Barrier(MPI_COMM_WORLD);
   RunRecord record;
-  record.ends[1].n_steps = 7;
+  Progress  end_progress;
+  end_progress.n_steps = 7;
   const State end =
     at(equations, State(*mesh), some_displacement(*mesh, 0.1, 5));
+  const RestorePoint at_end{end, initial_history, end_progress};
   write_checkpoint(directory,
                    record,
-                   equations,
-                   state,
-                   {{1, {end, initial_history, record.ends[1]}}});
+                   *mesh,
+                   {{state, internal.get_history(), Progress()}, {{1, at_end}}},
+                   {{at_end, {}}, {at_end, {{1, at_end}}}});
 
-  ShellEquations other_equations(*mesh);
-  State          other(*mesh);
-  Progress       progress;
-  StageEnds      ends;
-  Checkpoint(directory, MPI_COMM_WORLD)
-    .restore(other_equations, other, progress, ends);
+  const Checkpoint    checkpoint(directory, MPI_COMM_WORLD);
+  const RestorePoints points    = checkpoint.run(*mesh);
+  const auto          neighbors = checkpoint.neighbors(*mesh);
+  const State        &other     = points.last.state;
+  const StageEnds    &ends      = points.ends;
 
   bool same = true;
   for (const auto dof : mesh->locally_relevant)
@@ -68,15 +69,14 @@ main(int argc, char *argv[])
   bool same_end = ends.size() == 1 && ends.count(1) == 1;
   for (const auto dof : mesh->locally_relevant)
     same_end =
-      same_end && ends[1].state.displacement(dof) == end.displacement(dof);
+      same_end && ends.at(1).state.displacement(dof) == end.displacement(dof);
   const auto all = [](const bool on_this_rank) {
     return Utilities::MPI::min(static_cast<int>(on_this_rank),
                                MPI_COMM_WORLD) == 1;
   };
-  const InternalForces::History &before = internal.get_history();
-  const InternalForces::History &after =
-    other_equations.internal_forces().get_history();
-  LA::Vector difference = before.balancing_forces;
+  const InternalForces::History &before     = internal.get_history();
+  const InternalForces::History &after      = points.last.history;
+  LA::Vector                     difference = before.balancing_forces;
   difference -= after.balancing_forces;
   const bool found[] = {
     all(same),
@@ -89,12 +89,16 @@ main(int argc, char *argv[])
         after.linearization_point->resultants ==
           before.linearization_point->resultants),
     difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0,
-    all(same_end && ends[1].state.resultants == end.resultants &&
-        ends[1].history.initial_resultants ==
+    all(same_end && ends.at(1).state.resultants == end.resultants &&
+        ends.at(1).history.initial_resultants ==
           initial_history.initial_resultants &&
-        !ends[1].history.linearization_point &&
-        ends[1].history.balancing_forces.size() == 0 &&
-        ends[1].progress.n_steps == 7)};
+        !ends.at(1).history.linearization_point &&
+        ends.at(1).history.balancing_forces.size() == 0 &&
+        ends.at(1).progress.n_steps == 7),
+    all(neighbors.size() == 2 && neighbors[0].ends.empty() &&
+        neighbors[1].last.state.resultants == end.resultants &&
+        neighbors[1].ends.at(1).state.resultants == end.resultants &&
+        neighbors[1].last.progress.n_steps == 7)};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("displacements", found[0]);
@@ -105,4 +109,5 @@ main(int argc, char *argv[])
   check_true("linearization point", found[5]);
   check_true("balancing forces", found[6]);
   check_true("end of an earlier stage", found[7]);
+  check_true("neighbors", found[8]);
 }

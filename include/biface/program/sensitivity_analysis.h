@@ -54,6 +54,14 @@ namespace Biface
 
     ~SensitivityAnalysis() override;
 
+    /** Where the neighbors are, with resultants of zero. */
+    std::vector<RestorePoints>
+    get_restore_points() const;
+
+    /** Continue from there. */
+    void
+    restore(const std::vector<RestorePoints> &points);
+
     void
     start_stage(const std::optional<unsigned int> &before,
                 const unsigned int                 position) override;
@@ -79,6 +87,10 @@ namespace Biface
     };
 
     using Change = SensitivityParameters::Change;
+
+    /** Set what belongs to the current stage of a neighbor. */
+    void
+    enter_stage(Neighbor &neighbor) const;
 
     /** Whether a step must be followed: if later steps read its state, or if
      * derivatives are wanted, which those of buckling factors read from the
@@ -162,7 +174,6 @@ namespace Biface
 
     /** Two of each entry, below and above. */
     std::vector<std::unique_ptr<Neighbor>> neighbors;
-    unsigned int                           position = 0;
     std::vector<std::string>               warned;
   };
 } // namespace Biface

@@ -90,19 +90,20 @@ namespace Biface
       return progress;
     }
 
-    /** The ends of completed stages from which later ones start. */
-    const StageEnds &
-    get_stage_ends() const
-    {
-      return ends;
-    }
+    /** The last converged step and the ends of completed stages from which
+     * later ones start. */
+    RestorePoints
+    get_restore_points() const;
 
-    /** Continue another run of the same shell. Throws InputError if a stage
-     * starts from an end that this run has not kept.
-     * @param stages_before the stages of that run, see check_continuation(). */
+    /** The same of the runs with changed entries, see SensitivityAnalysis. */
+    std::vector<RestorePoints>
+    get_neighbors() const;
+
+    /** Continue another run of the same shell, see check_continuation(). Throws
+     * InputError if a stage starts from an end that this run has not kept, or
+     * if derivatives would be taken by other differences. */
     void
-    restore(const Checkpoint         &checkpoint,
-            const std::vector<Stage> &stages_before);
+    restore(const Checkpoint &checkpoint);
 
     /** Times of the parts of the run. */
     dealii::TimerOutput &

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/shell_mesh.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>
@@ -32,10 +31,29 @@ namespace Biface
     /** The pairs in other files that were read, by entry. */
     std::map<std::string, std::vector<dealii::Point<2>>> files;
 
-    Progress progress;
-    /** At the ends of stages, see StageEnds. */
-    std::map<unsigned int, Progress> ends;
-    ResultsWriter::Written           written;
+    /** The differences of entries by which derivatives are taken, see
+     * SensitivityParameters. */
+    std::vector<double> differences;
+
+    /** The numbers of RestorePoints. */
+    struct Points
+    {
+      Progress progress;
+      /** At the ends of stages, see StageEnds. */
+      std::map<unsigned int, Progress> ends;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &progress &ends;
+      }
+    };
+
+    Points run;
+    /** Those of the runs with changed entries, see SensitivityAnalysis. */
+    std::vector<Points>    neighbors;
+    ResultsWriter::Written written;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
 
@@ -43,23 +61,23 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &stages &files;
-      archive &progress &ends &written     &summary;
+      archive &version &parameters &stages &files &differences;
+      archive &run &neighbors &written            &summary;
     }
   };
 
 
   /** Write a checkpoint into a directory, keeping the previous one. Must be
    * called on all ranks. Throws OutputError.
-   * @param equations, state the state of the run, together with
-   * record.progress.
-   * @param ends those of record.ends. */
+   * @param record without the numbers of the points, which are set.
+   * @param mesh of the run, whose nodes and cells are those of neighbors.
+   * @param neighbors the runs with changed entries. */
   void
-  write_checkpoint(const std::string    &directory,
-                   const RunRecord      &record,
-                   const ShellEquations &equations,
-                   const State          &state,
-                   const StageEnds      &ends);
+  write_checkpoint(const std::string                &directory,
+                   RunRecord                        &record,
+                   const ShellMesh                  &mesh,
+                   const RestorePoints              &run,
+                   const std::vector<RestorePoints> &neighbors = {});
 
   /** Remove the checkpoints of a directory, before another run starts
    * there. */
@@ -96,13 +114,13 @@ namespace Biface
       return record;
     }
 
-    /** Restore the equations, the state and the progress of the load stepping,
-     * and the ends of stages, for the same shell. */
-    void
-    restore(ShellEquations &equations,
-            State          &state,
-            Progress       &progress,
-            StageEnds      &ends) const;
+    /** The run, on the same shell. */
+    RestorePoints
+    run(const ShellMesh &mesh) const;
+
+    /** The runs with changed entries. */
+    std::vector<RestorePoints>
+    neighbors(const ShellMesh &mesh) const;
 
   private:
     /** What was written after a step.
@@ -111,6 +129,12 @@ namespace Biface
     read_point(const std::string &prefix,
                const Progress    &progress,
                const ShellMesh   &mesh) const;
+
+    /** @param prefix see read_point(). */
+    RestorePoints
+    read_points(const std::string       &prefix,
+                const RunRecord::Points &numbers,
+                const ShellMesh         &mesh) const;
 
     const std::string                       directory;
     std::unique_ptr<CheckpointFile::Reader> reader;

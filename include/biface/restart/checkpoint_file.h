@@ -19,14 +19,15 @@ namespace Biface
    * The format of checkpoints: a binary file with an arbitrary header, tables
    * with rows by node or cell number, and a checksum (CRC-64) of the whole
    * file. It does not depend on the number of ranks. The first rank writes and
-   * reads it in pieces, so that it never stores a whole table.
+   * reads it in pieces, so that it never stores a whole table. A table of zeros
+   * has no rows in the file.
    *
    * Numbers are binary; machines with another byte order refuse the file.
    */
   namespace CheckpointFile
   {
     /** Version of the format; files of other versions are refused. */
-    constexpr std::uint32_t format = 8;
+    constexpr std::uint32_t format = 9;
 
     using Table = std::pair<std::string, NumberedRows>;
 

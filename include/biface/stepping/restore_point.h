@@ -24,6 +24,14 @@ namespace Biface
    * is_branched_from(), by the position of the stage; without what belongs to
    * the steps of the stage alone, its control and predictor. */
   using StageEnds = std::map<unsigned int, RestorePoint>;
+
+  /** The last step of a run with the ends of its stages: all that a restart
+   * needs. */
+  struct RestorePoints
+  {
+    RestorePoint last;
+    StageEnds    ends;
+  };
 } // namespace Biface
 
 #endif
