@@ -138,11 +138,12 @@ namespace Biface
                  contact.pressure_variation};
        }});
     if (is_wheel(mesh))
-      groups.push_back({{"loaded_radius"}, [](const Step &step) -> Values {
-                          const auto &foundation = step.report.loads.foundation;
-                          return {foundation ? foundation->clearance(Point<3>())
-                                             : 0.};
-                        }});
+      groups.push_back(
+        {{"loaded_radius", "wheel_turn"}, [](const Step &step) -> Values {
+           const auto &foundation = step.report.loads.foundation;
+           return {foundation ? foundation->clearance(Point<3>()) : 0.,
+                   step.report.level.wheel_turn};
+         }});
     const TensionMembers members(mesh.layup);
     if (members.exist())
       {
