@@ -103,10 +103,9 @@ namespace Biface
     if (mesh.layup.has_loss())
       {
         result.hysteresis       = find_hysteresis(equations, state);
-        result.hysteresis_power = result.hysteresis->energy() *
-                                  std::abs(rolling.angular_velocity) /
-                                  (2 * numbers::PI);
-        const double speed = motion.velocity.norm();
+        result.hysteresis_power = Hysteresis::power(result.hysteresis->energy(),
+                                                    rolling.angular_velocity);
+        const double speed      = motion.velocity.norm();
         result.rolling_resistance =
           (speed > 0 ? result.hysteresis_power / speed
                      : std::numeric_limits<double>::quiet_NaN());

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <biface/output/csv.h>
@@ -31,18 +28,18 @@ namespace Biface
   HysteresisFile::write(const StepReport &report, const State & /*state*/)
   {
     const std::vector<PlyDescription> &plies = equations.mesh.layup.get_plies();
-    const double                       turns =
-      std::abs(report.loads.rolling->angular_velocity) / (2 * numbers::PI);
-    std::string lines;
+    const double angular_velocity = report.loads.rolling->angular_velocity;
+    std::string  lines;
     for (unsigned int p = 0; p < plies.size(); ++p)
       {
         const Hysteresis::OfPly &of_ply = report.rolling->hysteresis->plies[p];
         lines += std::to_string(report.step) + ',' + report.stage + ',' +
                  std::to_string(p + 1) + ',' + plies[p].material;
-        for (const double value : {plies[p].loss_factor,
-                                   of_ply.energy,
-                                   of_ply.energy * turns,
-                                   of_ply.of_first_harmonics})
+        for (const double value :
+             {plies[p].loss_factor,
+              of_ply.energy,
+              Hysteresis::power(of_ply.energy, angular_velocity),
+              of_ply.of_first_harmonics})
           lines += ',' + csv_number(value);
         lines += '\n';
       }

@@ -3,6 +3,9 @@
 #ifndef biface_model_hysteresis_h
 #define biface_model_hysteresis_h
 
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
 #include <vector>
 
 #include <biface/model/shell_equations.h>
@@ -31,6 +34,13 @@ namespace Biface
 
     /** By the plies of the layup. */
     std::vector<OfPly> plies;
+
+    /** The power of an energy per turn. Unit: force times length per time. */
+    static double
+    power(const double energy, const double angular_velocity)
+    {
+      return energy * std::abs(angular_velocity) / (2 * dealii::numbers::PI);
+    }
 
     /** The sum over all plies. */
     double

@@ -25,15 +25,25 @@ namespace Biface
     }
 
 
+    /** @param controlled the resultants that are prescribed. */
+    template <std::shared_ptr<const ControlledResultant> (*...controlled)()>
+    std::unique_ptr<Control>
+    prescribe(const Stage &stage, const Control::Parameters &parameters)
+    {
+      return std::make_unique<ResultantControl>(
+        stage, parameters, ResultantControl::Resultants{controlled()...});
+    }
+
+
     /** All controls, by their names in parameter files. */
     const std::vector<std::pair<std::string, decltype(&make<LoadControl>)>>
-      controls{
-        {"load", &make<LoadControl>},
-        {"displacement", &make<DisplacementControl>},
-        {"arc length", &make<ArcLengthControl>},
-        {"foundation force", &make<ForceControl>},
-        {"axle moment", &make<AxleMomentControl>},
-        {"foundation force and axle moment", &make<ForceAndAxleMomentControl>}};
+      controls{{"load", &make<LoadControl>},
+               {"displacement", &make<DisplacementControl>},
+               {"arc length", &make<ArcLengthControl>},
+               {"foundation force", &prescribe<controlled_force>},
+               {"axle moment", &prescribe<controlled_axle_moment>},
+               {"foundation force and axle moment",
+                &prescribe<controlled_force, controlled_axle_moment>}};
   } // namespace
 
 

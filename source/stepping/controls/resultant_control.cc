@@ -417,23 +417,16 @@ namespace Biface
   }
 
 
-  ForceControl::ForceControl(const Stage &stage, const Parameters &parameters)
-    : ResultantControl(stage, parameters, {std::make_shared<ControlledForce>()})
-  {}
+  std::shared_ptr<const ControlledResultant>
+  controlled_force()
+  {
+    return std::make_shared<ControlledForce>();
+  }
 
 
-  AxleMomentControl::AxleMomentControl(const Stage      &stage,
-                                       const Parameters &parameters)
-    : ResultantControl(
-        stage, parameters, {std::make_shared<ControlledAxleMoment>()})
-  {}
-
-
-  ForceAndAxleMomentControl::ForceAndAxleMomentControl(
-    const Stage &stage, const Parameters &parameters)
-    : ResultantControl(stage,
-                       parameters,
-                       {std::make_shared<ControlledForce>(),
-                        std::make_shared<ControlledAxleMoment>()})
-  {}
+  std::shared_ptr<const ControlledResultant>
+  controlled_axle_moment()
+  {
+    return std::make_shared<ControlledAxleMoment>();
+  }
 } // namespace Biface

@@ -118,28 +118,14 @@ namespace Biface
 
 
   /** The force on the foundation is prescribed, its travel is unknown. */
-  class ForceControl : public ResultantControl
-  {
-  public:
-    ForceControl(const Stage &stage, const Parameters &parameters);
-  };
+  std::shared_ptr<const ControlledResultant>
+  controlled_force();
 
 
   /** The moment of the axle on a rolling wheel is prescribed, zero for free
    * rolling; the angular velocity is unknown. */
-  class AxleMomentControl : public ResultantControl
-  {
-  public:
-    AxleMomentControl(const Stage &stage, const Parameters &parameters);
-  };
-
-
-  /** Both. */
-  class ForceAndAxleMomentControl : public ResultantControl
-  {
-  public:
-    ForceAndAxleMomentControl(const Stage &stage, const Parameters &parameters);
-  };
+  std::shared_ptr<const ControlledResultant>
+  controlled_axle_moment();
 } // namespace Biface
 
 #endif
