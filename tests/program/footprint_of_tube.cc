@@ -15,7 +15,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const double radius = 100, width = 10, pressure = 0.1;
+  const double                     radius = 100, width = 10, pressure = 0.1;
   for (const unsigned int n_cells : {60, 120, 240})
     {
       const double cell    = numbers::PI * radius / n_cells;
