@@ -67,6 +67,14 @@ program adds the derivative of each result by each number, for one linear system
 number with the factors at hand, see section 11 of [theory.md](theory.md). The whole
 loading follows: the plane touches the inflated tire elsewhere if the profile changes.
 
+Each number has its own linear system, the direct way. The adjoint way, one transposed
+system per result, would not pay: with twenty numbers and two results of the bias tire the
+forty solutions of both stages take 6 % of the time of the derivatives, and the adjoint
+way would save at most those of the last stage, since the stage before must be followed in
+any case. The rest goes to the residuals of the neighbors, to their models, and to the
+factorization that both ways need. For ten numbers and six results with six steps of the
+loading, the derivatives take about a fifth of the run.
+
     build/biface my_tire.prm
     build/biface-report output
 

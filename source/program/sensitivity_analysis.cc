@@ -710,7 +710,7 @@ namespace Biface
     const auto                gas     = sealed_in(neighbor);
     auto                      changed = std::make_shared<VibrationModes>(modes);
     const std::vector<double> squares =
-      rayleigh_quotients(neighbor.model.equations,
+      squares_for_shapes(neighbor.model.equations,
                          neighbor.model.contact,
                          timer,
                          neighbor.state,
@@ -718,8 +718,7 @@ namespace Biface
                          gas ? &*gas : nullptr,
                          modes);
     for (unsigned int m = 0; m < squares.size(); ++m)
-      changed->modes[m].omega =
-        std::conj(std::sqrt(std::complex<double>(squares[m])));
+      changed->modes[m].omega = omega_of(squares[m]);
     return changed;
   }
 

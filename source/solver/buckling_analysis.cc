@@ -286,25 +286,23 @@ namespace Biface
   {
     Pencil pencil;
     assemble(before, now, pencil);
-    const AffineConstraints<double> &constraints = equations.mesh.constraints;
-
+    std::vector<LA::Vector>           shapes;
     std::vector<std::complex<double>> positions;
-    std::vector<double>               result;
     for (const BucklingMode &mode : modes)
       {
-        LA::Vector shape = owned_part(mode.shape);
-        for (const auto i : equations.mesh.locally_owned)
-          if (constraints.is_constrained(i))
-            shape(i) = 0;
-        LA::Vector product(shape);
-        pencil.K_0.vmult(product, shape);
-        const double stiffness = product * shape;
-        pencil.G.vmult(product, shape);
-        result.push_back(stiffness / (product * shape));
+        shapes.push_back(owned_part(mode.shape));
+        equations.mesh.constraints.set_zero(shapes.back());
         positions.push_back(mode.position);
       }
-    average_same(positions, result);
-    return result;
+    return rayleigh_quotients(
+      [&](LA::Vector &product, const LA::Vector &x) {
+        pencil.K_0.vmult(product, x);
+      },
+      [&](LA::Vector &product, const LA::Vector &x) {
+        pencil.G.vmult(product, x);
+      },
+      shapes,
+      positions);
   }
 
 

@@ -24,6 +24,14 @@ namespace Biface
   }
 
 
+  std::complex<double>
+  omega_of(const std::complex<double> &square)
+  {
+    const std::complex<double> omega = std::sqrt(square);
+    return square.imag() == 0 ? std::conj(omega) : omega;
+  }
+
+
   double
   VibrationMode::growth_rate() const
   {
@@ -319,12 +327,7 @@ namespace Biface
       {
         settle(eigenpairs.pairs, problem.multiply, fields);
         for (Eigenpair &pair : eigenpairs.pairs)
-          {
-            const bool is_real = (pair.value.imag() == 0);
-            pair.value         = std::sqrt(pair.value);
-            if (is_real)
-              pair.value = std::conj(pair.value);
-          }
+          pair.value = omega_of(pair.value);
       }
     result.symmetric = problem.symmetric && !velocity;
     for (const Eigenpair &pair : eigenpairs.pairs)
@@ -336,7 +339,7 @@ namespace Biface
 
 
   std::vector<double>
-  rayleigh_quotients(ShellEquations           &equations,
+  squares_for_shapes(ShellEquations           &equations,
                      const ContactInteraction &contact,
                      TimerOutput              &timer,
                      const State              &state,
@@ -353,26 +356,22 @@ namespace Biface
       (gas ? gas_term(equations, state, loads, *gas) : GasTerm());
     const MassMatrix mass(mesh);
 
-    std::vector<double> quotients;
-    for (const VibrationMode &mode : modes.modes)
-      {
-        LA::Vector shape = owned_part(mode.shape);
-        for (const auto i : mesh.locally_owned)
-          if (mesh.constraints.is_constrained(i))
-            shape(i) = 0;
-        LA::Vector product(shape);
-        K.vmult(product, shape);
-        double stiffness = product * shape;
-        if (gas)
-          stiffness -= (term.forces * shape) * (term.gradient * shape);
-        mass.vmult(product, shape);
-        quotients.push_back(stiffness / (product * shape));
-      }
-
+    std::vector<LA::Vector>           shapes;
     std::vector<std::complex<double>> squares;
     for (const VibrationMode &mode : modes.modes)
-      squares.push_back(mode.square());
-    average_same(squares, quotients);
-    return quotients;
+      {
+        shapes.push_back(owned_part(mode.shape));
+        mesh.constraints.set_zero(shapes.back());
+        squares.push_back(mode.square());
+      }
+    return rayleigh_quotients(
+      [&](LA::Vector &product, const LA::Vector &x) {
+        K.vmult(product, x);
+        if (gas)
+          product.add(-(term.gradient * x), term.forces);
+      },
+      [&](LA::Vector &product, const LA::Vector &x) { mass.vmult(product, x); },
+      shapes,
+      squares);
   }
 } // namespace Biface

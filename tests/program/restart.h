@@ -81,15 +81,18 @@ run(const std::vector<std::string> &words,
 }
 
 
-/** The error messages of a run, without the folder of shipped files. */
+/** The error messages of a run, without the folders of shipped files. */
 inline std::string
 said(const Ended &ended)
 {
-  const std::string folder = std::string(PRM_DIR) + "/";
-  const auto        at     = ended.err.find(folder);
-  return at == std::string::npos
-           ? ended.err
-           : ended.err.substr(0, at) + ended.err.substr(at + folder.size());
+  std::string text = ended.err;
+  for (const std::string folder : {PRM_DIR "/", DATA_DIR "/"})
+    {
+      const auto at = text.find(folder);
+      if (at != std::string::npos)
+        text.erase(at, folder.size());
+    }
+  return text;
 }
 
 
@@ -258,9 +261,8 @@ check_restart(const std::string              &name,
       if (std::filesystem::exists(whole + "/probes.csv"))
         check_small("  probes", difference("probes.csv", whole, cut), 1e-9);
       if (std::filesystem::exists(whole + "/sensitivities.csv"))
-        check_small("  derivatives",
-                    difference("sensitivities.csv", whole, cut),
-                    1e-9);
+        check_small(
+          "  derivatives", difference("sensitivities.csv", whole, cut), 1e-9);
     }
 }
 

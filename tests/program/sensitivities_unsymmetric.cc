@@ -11,42 +11,23 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  std::ofstream("panel.prm") << "subsection Surface\n"
-                                "  set Type = plane\n"
-                                "end\n"
-                                "subsection Mesh\n"
-                                "  set Intervals alpha_1 = 0:10:4\n"
-                                "  set Intervals alpha_2 = 0:10:4\n"
-                                "  set Closed in alpha_2 = false\n"
-                                "end\n"
-                                "subsection Material cord\n"
-                                "  set E       = 1000\n"
-                                "  set Density = 1e-9\n"
-                                "end\n"
-                                "subsection Supports\n"
-                                "  set alpha_1 min = fixed\n"
-                                "  set alpha_1 max = v_1 both = -0.001\n"
-                                "end\n"
-                                "subsection Stage 1\n"
-                                "  set Pressure    = 0.001\n"
-                                "  set Load factor = 1\n"
-                                "  set Modes       = 1\n"
-                                "  set Buckling    = 1\n"
-                                "end\n"
-                                "subsection Sensitivities\n"
-                                "  set Entries = Material cord/E\n"
-                                "end\n";
+  const std::vector<std::string> panel =
+    with({DATA_DIR "/panel_with_free_edges.prm"},
+         {"Supports/alpha_1 max=v_1 both = -0.001",
+          "Stage 1/Pressure=0.001",
+          "Stage 1/Load factor=1",
+          "Stage 1/Modes=1",
+          "Stage 1/Buckling=1",
+          "Sensitivities/Entries=Material cord/E"});
   for (const std::string type : {"follower", "dead"})
     for (const std::string output : {"frequency 1", "buckling factor 1"})
       {
-        const Ended ended = run({"panel.prm",
-                                 "--set",
-                                 "Loads/Pressure type=" + type,
-                                 "--set",
-                                 "Sensitivities/Outputs=" + output},
+        const Ended ended = run(with(panel,
+                                     {"Loads/Pressure type=" + type,
+                                      "Sensitivities/Outputs=" + output}),
                                 "results",
                                 MPI_COMM_SELF);
         std::cout << type << ", " << output << ": exit code " << ended.code
-                  << ended.err << std::endl;
+                  << said(ended) << std::endl;
       }
 }

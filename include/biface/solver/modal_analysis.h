@@ -82,6 +82,11 @@ namespace Biface
     }
   };
 
+  /** @f$\omega@f$ of a mode by @f$\omega^2@f$: with a real part that is not
+   * negative, or if there is none, that of the mode that grows. */
+  std::complex<double>
+  omega_of(const std::complex<double> &square);
+
 
   /** The result of a modal analysis. */
   struct VibrationModes
@@ -190,7 +195,7 @@ namespace Biface
    * @param gas the gas sealed in; null for none.
    */
   std::vector<double>
-  rayleigh_quotients(ShellEquations           &equations,
+  squares_for_shapes(ShellEquations           &equations,
                      const ContactInteraction &contact,
                      dealii::TimerOutput      &timer,
                      const State              &state,

@@ -300,11 +300,22 @@ namespace Biface
   }
 
 
-  void
-  average_same(const std::vector<std::complex<double>> &eigenvalues,
-               std::vector<double>                     &quotients)
+  std::vector<double>
+  rayleigh_quotients(const Multiply                          &multiply_a,
+                     const Multiply                          &multiply_b,
+                     const std::vector<LA::Vector>           &vectors,
+                     const std::vector<std::complex<double>> &eigenvalues)
   {
-    AssertDimension(eigenvalues.size(), quotients.size());
+    AssertDimension(eigenvalues.size(), vectors.size());
+    std::vector<double> quotients;
+    for (const LA::Vector &x : vectors)
+      {
+        LA::Vector product(x);
+        multiply_a(product, x);
+        const double form = product * x;
+        multiply_b(product, x);
+        quotients.push_back(form / (product * x));
+      }
     for (unsigned int begin = 0, end = 0; begin < quotients.size(); begin = end)
       {
         end = begin + 1;
@@ -317,6 +328,7 @@ namespace Biface
                             (end - begin);
         std::fill(&quotients[begin], &quotients[begin] + (end - begin), mean);
       }
+    return quotients;
   }
 
 

@@ -88,13 +88,21 @@ namespace Biface
   bool
   are_same(const std::complex<double> &a, const std::complex<double> &b);
 
-  /** Replace the quotients that belong to the same eigenvalue by their mean:
-   * the vectors of such an eigenvalue are arbitrary, but not this mean.
-   * @param eigenvalues those of the problem of which the vectors are, in
-   * ascending order. */
-  void
-  average_same(const std::vector<std::complex<double>> &eigenvalues,
-               std::vector<double>                     &quotients);
+  /** Rayleigh's quotients @f$\mathbf x^T\mathbf A\mathbf x/\mathbf
+   * x^T\mathbf B\mathbf x@f$ for the eigenvectors of a neighboring problem.
+   * Those of the same eigenvalue are replaced by their mean: the vectors of
+   * such an eigenvalue are arbitrary, but not this mean.
+   *
+   * @param multiply_a, multiply_b the products with both matrices.
+   * @param eigenvalues those of the neighboring problem, in ascending order. */
+  std::vector<double>
+  rayleigh_quotients(
+    const std::function<void(LA::Vector &product, const LA::Vector &x)>
+      &multiply_a,
+    const std::function<void(LA::Vector &product, const LA::Vector &x)>
+                                            &multiply_b,
+    const std::vector<LA::Vector>           &vectors,
+    const std::vector<std::complex<double>> &eigenvalues);
 
 
   struct Eigenpairs
