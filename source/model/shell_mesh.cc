@@ -29,27 +29,29 @@ namespace Biface
                        const ReferenceSurface &surface,
                        const ChartGrid        &grid)
     {
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
       if (grid.distribution == MeshDistribution::shared)
         {
           auto shared = std::make_unique<parallel::shared::Triangulation<2, 3>>(
             communicator,
             Triangulation<2, 3>::none,
             true,
-            parallel::shared::Triangulation<2, 3>::partition_metis);
+            parallel::shared::Triangulation<2, 3>::partition_custom_signal);
+          shared->signals.create.connect([&, whole = shared.get()] {
+            partition_triangulation(surface, grid, n_ranks, *whole);
+          });
           create_triangulation(surface, grid, *shared);
           return shared;
         }
 
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
       const auto description = TriangulationDescription::Utilities::
         create_description_from_triangulation_in_groups<2, 3>(
           [&](Triangulation<2, 3> &whole) {
             create_triangulation(surface, grid, whole);
           },
           [&](Triangulation<2, 3> &whole, const MPI_Comm &, unsigned int) {
-            GridTools::partition_triangulation(
-              n_ranks, whole, SparsityTools::Partitioner::metis);
+            partition_triangulation(surface, grid, n_ranks, whole);
           },
           communicator,
           n_ranks);

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/numbers.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -226,5 +228,53 @@ namespace Biface
     triangulation.set_manifold(0, surface);
     triangulation.create_triangulation(vertices, cells, edges);
     triangulation.set_all_manifold_ids(0);
+  }
+
+
+  unsigned int
+  short_coordinate(const ReferenceSurface &surface, const ChartGrid &grid)
+  {
+    std::array<double, 2> ratios{};
+    for (unsigned int j = 0; j < grid.n_cells(1); ++j)
+      for (unsigned int i = 0; i < grid.n_cells(0); ++i)
+        {
+          const GridIndex       cell{{i, j}};
+          Point<2>              middle;
+          std::array<double, 2> lengths;
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              const double *line = &grid.lines[a][cell[a]];
+              middle[a]          = (line[0] + line[1]) / 2;
+              lengths[a]         = line[1] - line[0];
+            }
+          const auto   lame  = surface.evaluate(middle).lame;
+          const double ratio = lengths[1] * lame[1] / (lengths[0] * lame[0]);
+          ratios[0]          = std::max(ratios[0], ratio);
+          ratios[1]          = std::max(ratios[1], 1 / ratio);
+        }
+    return ratios[0] >= ratios[1] ? 0 : 1;
+  }
+
+
+  void
+  partition_triangulation(const ReferenceSurface &surface,
+                          const ChartGrid        &grid,
+                          const unsigned int      n_ranks,
+                          Triangulation<2, 3>    &triangulation)
+  {
+    const unsigned int across  = 1 - short_coordinate(surface, grid);
+    const unsigned int n_lines = grid.n_cells(across);
+    if (n_lines < n_ranks)
+      {
+        GridTools::partition_triangulation(
+          n_ranks, triangulation, SparsityTools::Partitioner::metis);
+        return;
+      }
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        const GridIndex index =
+          grid.cell_index(cell->id().get_coarse_cell_id());
+        cell->set_subdomain_id(index[across] * n_ranks / n_lines);
+      }
   }
 } // namespace Biface

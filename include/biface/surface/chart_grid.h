@@ -173,6 +173,11 @@ namespace Biface
              const std::string &name);
 
 
+  /** The coordinate along the short sides of the most elongated cell. */
+  unsigned int
+  short_coordinate(const ReferenceSurface &surface, const ChartGrid &grid);
+
+
   /**
    * Create a triangulation of the grid on the surface. The first reference
    * coordinate of each cell is along @f$\alpha_1@f$, the second along
@@ -187,6 +192,18 @@ namespace Biface
   create_triangulation(const ReferenceSurface      &surface,
                        const ChartGrid             &grid,
                        dealii::Triangulation<2, 3> &triangulation);
+
+
+  /**
+   * Distribute the cells of a triangulation created by create_triangulation()
+   * among ranks: whole grid lines along short_coordinate(), which elimination
+   * along lines needs; by METIS if there are fewer lines than @p n_ranks.
+   */
+  void
+  partition_triangulation(const ReferenceSurface      &surface,
+                          const ChartGrid             &grid,
+                          const unsigned int           n_ranks,
+                          dealii::Triangulation<2, 3> &triangulation);
 } // namespace Biface
 
 #endif

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <sstream>
+#include <utility>
 
 #include <biface/model/rigid_motions.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
-#include <Teuchos_ParameterList.hpp>
-#include <ml_MultiLevelPreconditioner.h>
+#include <ml_epetra_utils.h>
 
 namespace Biface
 {
@@ -29,58 +31,234 @@ namespace Biface
                       "Number of iterations after which GMRES restarts; each "
                       "needs the memory of a vector.",
                       Patterns::Integer(10));
-    prm.add_parameter("Smoother sweeps",
-                      sweeps,
-                      "Sweeps of symmetric Gauss-Seidel on each level, "
-                      "before and after the coarser level.",
-                      Patterns::Integer(1, 20));
+    prm.add_parameter("Coarsest unknowns",
+                      coarsest_unknowns,
+                      "Every second line is left out until there are at most "
+                      "so many unknowns, for which a direct solver is used.",
+                      Patterns::Integer(1));
   }
 
 
   MultigridSolver::MultigridSolver(const Parameters &parameters,
                                    const ShellMesh  &mesh,
                                    TimerOutput      &timer)
-    : parameters(parameters), timer(timer)
+    : parameters(parameters)
+    , timer(timer)
+    , no_output(std::cout, false)
+    , coarse_timer(no_output, TimerOutput::never, TimerOutput::wall_times)
   {
-    for (const std::vector<double> &motion : rigid_motions(mesh))
-      near_null_space.insert(
-        near_null_space.end(), motion.begin(), motion.end());
+    LinearSolver::Parameters direct;
+    direct.single_precision = false;
+    coarsest                = make_linear_solver(direct, mesh, coarse_timer);
+
+    NestedSpaces spaces =
+      make_nested_spaces(mesh, parameters.coarsest_unknowns);
+    GridLineNodes nodes = std::move(spaces.nodes);
+    for (CoarseSpace &space : spaces.coarse)
+      {
+        Level &level = levels.emplace_back(std::move(space.interpolation));
+        level.nodes  = std::exchange(nodes, std::move(space.nodes));
+        level.residual.reinit(level.interpolation.locally_owned_range_indices(),
+                              mesh.communicator);
+        level.correction = level.residual;
+        level.coarse_residual.reinit(
+          level.interpolation.locally_owned_domain_indices(),
+          mesh.communicator);
+        level.coarse_correction = level.coarse_residual;
+      }
+
+    const auto motions = rigid_motions(mesh);
+    for (unsigned int i = 0; i < translations.size(); ++i)
+      {
+        translations[i] = mesh.owned_vector();
+        std::copy(
+          motions[i].begin(), motions[i].end(), translations[i].begin());
+      }
   }
 
 
   LinearSolverResult
   MultigridSolver::factorize(const LA::SparseMatrix &A,
-                             const bool /*symmetric*/,
-                             const bool /*similar*/)
+                             const bool              symmetric,
+                             const bool              similar)
+  {
+    matrix              = &A;
+    matrix_is_symmetric = symmetric;
+    if (levels.empty())
+      return coarsest->factorize(A, symmetric, similar);
+
+    coarse_matrices_are_kept = similar && coarse_matrices_exist;
+    if (!coarse_matrices_are_kept)
+      return set_up();
+
+    TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
+    LinearSolverResult result;
+    result.success = initialize_smoother(levels.front(), A);
+    return result;
+  }
+
+
+  LinearSolverResult
+  MultigridSolver::set_up()
   {
     TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
-    preconditioner.clear();
-    matrix = &A;
-
-    Teuchos::ParameterList list;
-    ML_Epetra::SetDefaults("SA", list);
-    list.set("ML output", 0);
-    list.set("PDE equations", 6);
-    list.set("smoother: type", "symmetric Gauss-Seidel");
-    list.set("smoother: sweeps", static_cast<int>(parameters.sweeps));
-    list.set("coarse: type", "Amesos-KLU");
-    list.set("coarse: max size", 3000);
-    list.set("null space: type", "pre-computed");
-    list.set("null space: dimension", 6);
-    list.set("null space: vectors", near_null_space.data());
+    coarse_matrices_exist    = false;
+    coarse_matrices_are_kept = false;
 
     LinearSolverResult result;
-    try
+    result.message = "the multigrid preconditioner could not be set up: the "
+                     "tangent may be singular";
+
+    const LA::SparseMatrix *on_level = matrix;
+    for (Level &level : levels)
       {
-        preconditioner.initialize(A, list);
-        result.success = true;
+        if (!initialize_smoother(level, *on_level))
+          return result;
+        if (&level == &levels.front())
+          truncate_prolongation();
+
+        // deal.II's products take longer
+        Epetra_CrsMatrix *product = nullptr;
+        if (ML_Epetra::ML_Epetra_PtAP(on_level->trilinos_matrix(),
+                                      level.prolongation().trilinos_matrix(),
+                                      product) != 0)
+          return result;
+        const std::unique_ptr<const Epetra_CrsMatrix> owner(product);
+        level.coarse_matrix = std::make_unique<LA::SparseMatrix>();
+        level.coarse_matrix->reinit(*product);
+        on_level = level.coarse_matrix.get();
       }
-    catch (const ExceptionBase &)
-      {
-        result.message = "the multigrid preconditioner could not be set up: "
-                         "the tangent may be singular";
-      }
+
+    result                = coarsest->factorize(*on_level, matrix_is_symmetric);
+    coarse_matrices_exist = result.success;
+    // these are not pivots of the tangent
+    result.n_negative_pivots.reset();
     return result;
+  }
+
+
+  bool
+  MultigridSolver::initialize_smoother(Level &level, const LA::SparseMatrix &A)
+  {
+    const bool regular = level.smoother.initialize(A, level.nodes);
+    return Utilities::MPI::min(static_cast<int>(regular),
+                               A.get_mpi_communicator()) == 1;
+  }
+
+
+  void
+  MultigridSolver::truncate_prolongation()
+  {
+    // an elastic shell exerts forces of the order of round-off
+    constexpr double held = 0.5;
+    // the rest keeps the coarse matrix regular where all nodes are held
+    constexpr double truncated = 0.99;
+
+    Level &level = levels.front();
+    level.truncated.reset();
+
+    // the largest force on each node by a translation, if the node is held
+    struct HeldNode
+    {
+      unsigned int          n;
+      std::array<double, 6> force;
+    };
+    std::vector<HeldNode>     nodes;
+    std::array<LA::Vector, 3> forces;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        forces[i].reinit(level.residual);
+        matrix->vmult(forces[i], translations[i]);
+      }
+    for (unsigned int n = 0; n < level.nodes.n_nodes(); ++n)
+      {
+        const int *rows = &level.nodes.rows[level.nodes.begin[n]];
+        HeldNode   node{n, {}};
+        double     largest = 0;
+        for (const LA::Vector &force : forces)
+          {
+            std::array<double, 6> f;
+            double                square = 0;
+            for (unsigned int d = 0; d < 6; ++d)
+              {
+                f[d] = force.begin()[rows[d]];
+                square += f[d] * f[d];
+              }
+            if (square > largest)
+              {
+                largest    = square;
+                node.force = f;
+              }
+          }
+        if (std::sqrt(largest) > held * level.smoother.largest_diagonal(n))
+          nodes.push_back(node);
+      }
+    if (Utilities::MPI::sum(nodes.size(), matrix->get_mpi_communicator()) == 0)
+      return;
+
+    // a projection along the displacement by which the node alone yields to
+    // the force with the least energy
+    const IndexSet         rows = matrix->locally_owned_range_indices();
+    DynamicSparsityPattern pattern(rows.size(), rows.size(), rows);
+    const auto             global = [&](const unsigned int n,
+                            const unsigned int i) -> types::global_dof_index {
+      return rows.nth_index_in_set(level.nodes.rows[level.nodes.begin[n] + i]);
+    };
+    for (const auto row : rows)
+      pattern.add(row, row);
+    for (const HeldNode &node : nodes)
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < 6; ++j)
+          pattern.add(global(node.n, i), global(node.n, j));
+    LA::SparseMatrix projection;
+    projection.reinit(rows, rows, pattern, matrix->get_mpi_communicator());
+    for (const auto row : rows)
+      projection.set(row, row, 1.);
+    projection.compress(VectorOperation::insert);
+    for (const HeldNode &node : nodes)
+      {
+        const auto yielding = level.smoother.solve_node(node.n, node.force);
+        double     work     = 0;
+        for (unsigned int i = 0; i < 6; ++i)
+          work += yielding[i] * node.force[i];
+        for (unsigned int i = 0; i < 6; ++i)
+          for (unsigned int j = 0; j < 6; ++j)
+            projection.add(global(node.n, i),
+                           global(node.n, j),
+                           -truncated * yielding[i] * node.force[j] / work);
+      }
+    projection.compress(VectorOperation::add);
+    level.truncated = std::make_unique<LA::SparseMatrix>();
+    projection.mmult(*level.truncated, level.interpolation);
+  }
+
+
+  void
+  MultigridSolver::cycle(const unsigned int l,
+                         LA::Vector        &x,
+                         const LA::Vector  &b) const
+  {
+    if (l == levels.size())
+      {
+        coarsest->solve(x, b, 0);
+        return;
+      }
+
+    const Level            &level = levels[l];
+    const LA::SparseMatrix &P     = level.prolongation();
+    level.smoother.forward_from_zero(x, level.residual, b);
+    P.Tvmult(level.coarse_residual, level.residual);
+    cycle(l + 1, level.coarse_correction, level.coarse_residual);
+    P.vmult(level.correction, level.coarse_correction);
+    x += level.correction;
+    level.smoother.backward(x, b);
+  }
+
+
+  void
+  MultigridSolver::vmult(LA::Vector &x, const LA::Vector &b) const
+  {
+    cycle(0, x, b);
   }
 
 
@@ -89,21 +267,46 @@ namespace Biface
                          const LA::Vector &b,
                          const double      tolerance)
   {
+    Assert(matrix != nullptr, ExcNotInitialized());
+    if (levels.empty())
+      return coarsest->solve(x, b, tolerance);
+
+    // where the coarse matrices are those of another matrix, new ones take the
+    // time of about so many iterations
+    constexpr unsigned int worth_a_set_up = 15;
+    if (coarse_matrices_are_kept)
+      {
+        const LinearSolverResult result =
+          iterate(x, b, tolerance, worth_a_set_up);
+        if (result.success)
+          return result;
+        const LinearSolverResult new_set_up = set_up();
+        if (!new_set_up.success)
+          return new_set_up;
+      }
+    return iterate(x, b, tolerance, parameters.max_iterations);
+  }
+
+
+  LinearSolverResult
+  MultigridSolver::iterate(LA::Vector        &x,
+                           const LA::Vector  &b,
+                           const double       tolerance,
+                           const unsigned int max_iterations)
+  {
     TimerOutput::Scope scope(timer, "Linear solver: multigrid iterations");
 
-    Assert(matrix != nullptr, ExcNotInitialized());
     x = 0;
 
     // left preconditioning, so that the tolerance refers to the preconditioned
     // residual
     LinearSolverResult result;
-    ReductionControl   control(parameters.max_iterations, 0, tolerance);
+    ReductionControl   control(max_iterations, 0, tolerance);
     const SolverGMRES<LA::Vector>::AdditionalData vectors(
       parameters.restart_length + 2);
     try
       {
-        SolverGMRES<LA::Vector>(control, vectors)
-          .solve(*matrix, x, b, preconditioner);
+        SolverGMRES<LA::Vector>(control, vectors).solve(*matrix, x, b, *this);
         result.success = true;
       }
     catch (const SolverControl::NoConvergence &)

@@ -58,9 +58,9 @@ namespace Biface
       /** See MultigridSolver. */
       struct Multigrid
       {
-        unsigned int max_iterations = 1000;
-        unsigned int restart_length = 500;
-        unsigned int sweeps         = 2;
+        unsigned int max_iterations    = 300;
+        unsigned int restart_length    = 100;
+        unsigned int coarsest_unknowns = 12000;
 
         void
         add_parameters(dealii::ParameterHandler &prm);

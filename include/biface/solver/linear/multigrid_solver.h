@@ -3,33 +3,39 @@
 #ifndef biface_solver_linear_multigrid_solver_h
 #define biface_solver_linear_multigrid_solver_h
 
+#include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/lac/trilinos_precondition.h>
 
+#include <array>
+#include <deque>
 #include <memory>
-#include <vector>
+#include <utility>
 
+#include <biface/model/coarse_spaces.h>
 #include <biface/model/shell_mesh.h>
+#include <biface/solver/linear/line_gauss_seidel.h>
 #include <biface/solver/linear/linear_solver.h>
 
 namespace Biface
 {
   /**
-   * GMRES with algebraic multigrid by smoothed aggregation (Trilinos ML). GMRES
-   * is also used for symmetric matrices: on fine meshes, the tangent of a shell
-   * in contact has negative eigenvalues, and conjugate gradients fail.
+   * GMRES with multigrid: V-cycles on the mesh and on those of every second
+   * line, with Galerkin's matrices @f$P^TAP@f$ and a direct solver on the
+   * coarsest one. GMRES is also used for symmetric matrices: on fine meshes,
+   * the tangent of a shell in contact has negative eigenvalues, and conjugate
+   * gradients fail. The smoother solves along grid lines, since cells far from
+   * the contact may be much longer than wide.
    *
    * The tolerance refers to the preconditioned residual, which is close to the
    * error. In the residual itself, the stiffness of the contact and of the
    * thickness dominate.
    *
-   * The unknowns of a node are the mean and half the difference of the
-   * displacements of the faces, see MixedElement::Part; the smoother alone
-   * handles the stiff difference. The six rigid motions, in the frames of the
-   * nodes, are the near null space.
+   * Functions of the coarser meshes do not move nodes against the foundation
+   * that holds them, like the truncated functions of monotone multigrid
+   * @cite Kornhuber1994. Such nodes are found by the forces that a rigid
+   * translation of the shell exerts on them.
    *
-   * It needs less memory than a factorization, but more time if the
-   * factorization fits into memory. Failure to converge is an ordinary result.
+   * Failure to converge is an ordinary result.
    */
   class MultigridSolver : public LinearSolver
   {
@@ -41,6 +47,8 @@ namespace Biface
                     const ShellMesh     &mesh,
                     dealii::TimerOutput &timer);
 
+    /** For a similar matrix, those of the coarser meshes are kept as long as a
+     * few iterations are sufficient. */
     LinearSolverResult
     factorize(const LA::SparseMatrix &A,
               const bool              symmetric,
@@ -49,14 +57,76 @@ namespace Biface
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
+    /** The preconditioner: one V-cycle. */
+    void
+    vmult(LA::Vector &x, const LA::Vector &b) const;
+
   private:
+    /** All but the coarsest one. */
+    struct Level
+    {
+      Level(LA::SparseMatrix &&interpolation)
+        : interpolation(std::move(interpolation))
+      {}
+
+      GridLineNodes   nodes;
+      LineGaussSeidel smoother;
+      /** From the next coarser level. */
+      LA::SparseMatrix interpolation;
+      /** Its part that does not move nodes against the foundation; null if that
+       * is all of it. */
+      std::unique_ptr<LA::SparseMatrix> truncated;
+      std::unique_ptr<LA::SparseMatrix> coarse_matrix;
+      /** For cycle(). */
+      mutable LA::Vector residual, correction;
+      mutable LA::Vector coarse_residual, coarse_correction;
+
+      const LA::SparseMatrix &
+      prolongation() const
+      {
+        return truncated ? *truncated : interpolation;
+      }
+    };
+
+    /** Compute all matrices anew. */
+    LinearSolverResult
+    set_up();
+
+    /** @return whether it is regular on all ranks. */
+    bool
+    initialize_smoother(Level &level, const LA::SparseMatrix &A);
+
+    LinearSolverResult
+    iterate(LA::Vector        &x,
+            const LA::Vector  &b,
+            const double       tolerance,
+            const unsigned int max_iterations);
+
+    /** Solve approximately on a level. */
+    void
+    cycle(const unsigned int level, LA::Vector &x, const LA::Vector &b) const;
+
+    /** Find Level::truncated for the finest level. */
+    void
+    truncate_prolongation();
+
     const Parameters     parameters;
     dealii::TimerOutput &timer;
 
-    const LA::SparseMatrix                   *matrix = nullptr;
-    dealii::TrilinosWrappers::PreconditionAMG preconditioner;
-    /** The rigid motions, one after the other. */
-    std::vector<double> near_null_space;
+    /** Of the coarsest level, which is part of the set-up. */
+    dealii::ConditionalOStream    no_output;
+    dealii::TimerOutput           coarse_timer;
+    std::unique_ptr<LinearSolver> coarsest;
+
+    /** From the finest one on. */
+    std::deque<Level> levels;
+    bool              coarse_matrices_exist = false;
+    /** Whether they are those of a similar matrix. */
+    bool coarse_matrices_are_kept = false;
+    /** The rigid translations of the mesh. */
+    std::array<LA::Vector, 3> translations;
+    const LA::SparseMatrix   *matrix              = nullptr;
+    bool                      matrix_is_symmetric = false;
   };
 } // namespace Biface
 

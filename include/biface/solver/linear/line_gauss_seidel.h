@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_linear_line_gauss_seidel_h
+#define biface_solver_linear_line_gauss_seidel_h
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/coarse_spaces.h>
+
+namespace Biface
+{
+  /**
+   * Gauss-Seidel iterations that solve for all unknowns of a grid line at once,
+   * by elimination of its nodes one after the other: the smoothers before and
+   * after the coarser levels of multigrid. Lines along the short sides of the
+   * cells make them independent of the aspect ratio, see make_coarse_spaces().
+   * Between ranks they are Jacobi iterations.
+   *
+   * The matrix is copied in single precision, in the order in which it is
+   * needed, since the time is that of reading it.
+   */
+  class LineGaussSeidel
+  {
+  public:
+    /** @param A,nodes kept by reference.
+     * @return whether no line has a singular matrix. */
+    bool
+    initialize(const LA::SparseMatrix &A, const GridLineNodes &nodes);
+
+    /** A sweep from the first line to the last one that starts from zero.
+     * @param residual @f$b-Ax@f$ after it. */
+    void
+    forward_from_zero(LA::Vector       &x,
+                      LA::Vector       &residual,
+                      const LA::Vector &b) const;
+
+    /** A sweep from the last line to the first one. */
+    void
+    backward(LA::Vector &x, const LA::Vector &b) const;
+
+    /** Solve for the unknowns of the node @p n alone. */
+    std::array<double, 6>
+    solve_node(const unsigned int n, const std::array<double, 6> &b) const;
+
+    /** The largest diagonal entry of the matrix of the node @p n. */
+    double
+    largest_diagonal(const unsigned int n) const
+    {
+      return largest_diagonals[n];
+    }
+
+  private:
+    /** By columns; nodes with fewer unknowns have zeros. */
+    using Block = std::array<float, 36>;
+
+    /** Solve for the unknowns of a line, whose right hand side is replaced.
+     * @param values six for each node. */
+    void
+    solve_line(const unsigned int  line,
+               std::vector<float> &right_hand_side,
+               std::vector<float> &values) const;
+
+    /** Subtract the product with the unknowns of other ranks.
+     * @param rest six values for each node. */
+    void
+    subtract_others(const LA::Vector &x, std::vector<float> &rest) const;
+
+    /** The entries of a vector, six for each node. */
+    std::vector<float>
+    by_nodes(const LA::Vector &x) const;
+
+    void
+    from_nodes(const std::vector<float> &values, LA::Vector &x) const;
+
+    const LA::SparseMatrix *matrix = nullptr;
+    const GridLineNodes    *nodes  = nullptr;
+
+    /** What couples a node of this rank with others than its neighbors on the
+     * line. The blocks of the node @p n with earlier lines start at
+     * @p lower[n], all others at @p upper[n]. */
+    std::vector<Block>        blocks;
+    std::vector<unsigned int> columns;
+    std::vector<std::size_t>  lower, upper;
+
+    /** Of the elimination along each line: the inverse after the nodes before
+     * are eliminated, the block with the node before, and the product of the
+     * inverse of that node with the block the other way. */
+    struct Factors
+    {
+      Block inverse, before, back;
+    };
+    std::vector<Factors> factors;
+
+    /** Of the matrices of the nodes. */
+    std::vector<Block>  inverses;
+    std::vector<double> largest_diagonals;
+  };
+} // namespace Biface
+
+#endif
