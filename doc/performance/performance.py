@@ -51,6 +51,7 @@ CASES = [
     Case(1, 1, 1, "iterative", ITERATIVE),
     Case(2, 1, 1, "iterative", ITERATIVE),
     Case(4, 1, 1, "iterative", ITERATIVE),
+    Case(4, 1, 2, "iterative", ITERATIVE),
 ]
 
 # The sections of the timing table that belong to the linear solver

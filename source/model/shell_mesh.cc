@@ -18,6 +18,8 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/shell_mesh.h>
 
+#include <boost/signals2/connection.hpp>
+
 namespace Biface
 {
   using namespace dealii;
@@ -38,9 +40,10 @@ namespace Biface
             Triangulation<2, 3>::none,
             true,
             parallel::shared::Triangulation<2, 3>::partition_custom_signal);
-          shared->signals.create.connect([&, whole = shared.get()] {
-            partition_triangulation(surface, grid, n_ranks, *whole);
-          });
+          const boost::signals2::scoped_connection partition =
+            shared->signals.create.connect([&, whole = shared.get()] {
+              partition_triangulation(surface, grid, n_ranks, *whole);
+            });
           create_triangulation(surface, grid, *shared);
           return shared;
         }

@@ -27,8 +27,9 @@ namespace Biface
       "'direct' (MUMPS: LDL^T if the tangent is symmetric, LU otherwise), "
       "'Amesos' (the direct solvers UMFPACK or KLU on the first rank: "
       "slower; also used for 'direct' if the program was built without "
-      "MUMPS) or 'iterative' (GMRES with algebraic multigrid: less memory, "
-      "more time).");
+      "MUMPS) or 'iterative' (GMRES with multigrid, which halves the number of "
+      "grid lines again and again: less memory, and on fine meshes less "
+      "time).");
     prm.add_parameter(
       "Single precision",
       single_precision,
