@@ -134,9 +134,11 @@ namespace Biface
         blocks.resize(columns.size(), Block());
         lower.push_back(columns.size());
 
-        const bool follows = (n > 0 && on_line(n - 1) && size(n - 1) > 0);
-        const bool goes_on =
-          (n + 1 < n_nodes && on_line(n + 1) && size(n + 1) > 0);
+        const auto couples = [&](const unsigned int m) {
+          return m < n_nodes && on_line(m) && size(m) > 0 && size(n) > 0;
+        };
+        const bool         follows = (n > 0 && couples(n - 1));
+        const bool         goes_on = couples(n + 1);
         FullMatrix<double> own(size(n), size(n)),
           before(follows ? size(n) : 0, follows ? size(n - 1) : 0),
           next(goes_on ? size(n) : 0, goes_on ? size(n + 1) : 0);
