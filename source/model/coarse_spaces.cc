@@ -262,17 +262,24 @@ namespace Biface
       }
 
 
+      /** @param line of the finest mesh, see thickness_of_lines(). */
+      Site
+      site(const SurfacePoint &surface, const unsigned int line) const
+      {
+        return {surface,
+                surface.position + thickness[line][1] * surface.frame[2],
+                thickness[line][0]};
+      }
+
+
       Site
       site(const Point<2> &alpha) const
       {
         const auto        &lines = mesh.grid.lines[0];
-        const unsigned int i =
+        const unsigned int line =
           std::distance(lines.begin(),
                         std::lower_bound(lines.begin(), lines.end(), alpha[0]));
-        const SurfacePoint surface = mesh.get_surface().evaluate(alpha);
-        return {surface,
-                surface.position + thickness[i][1] * surface.frame[2],
-                thickness[i][0]};
+        return site(mesh.get_surface().evaluate(alpha), line);
       }
 
 
@@ -296,7 +303,7 @@ namespace Biface
           {
             const Point<2>  &alpha = node->alpha;
             const GridIndex &index = node_index;
-            const Site       here  = site(alpha);
+            const Site       here  = site(node->surface, node->grid_index[0]);
 
             // the lines on both sides, and the weight of the second one
             std::array<unsigned int, 2> low;

@@ -262,6 +262,8 @@ namespace Biface
                           const unsigned int      n_ranks,
                           Triangulation<2, 3>    &triangulation)
   {
+    if (n_ranks == 1)
+      return;
     const unsigned int across  = 1 - short_coordinate(surface, grid);
     const unsigned int n_lines = grid.n_cells(across);
     if (n_lines < n_ranks)

@@ -16,7 +16,7 @@ namespace Biface
    * Gauss-Seidel iterations that solve for all unknowns of a grid line at once,
    * by elimination of its nodes one after the other: the smoothers before and
    * after the coarser levels of multigrid. Lines along the short sides of the
-   * cells make them independent of the aspect ratio, see make_coarse_spaces().
+   * cells make them independent of the aspect ratio, see make_nested_spaces().
    * Between ranks they are Jacobi iterations.
    *
    * The matrix is copied in single precision, in the order in which it is
