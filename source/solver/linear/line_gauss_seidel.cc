@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/full_matrix.h>
-
 #include <Epetra_Import.h>
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include <biface/solver/linear/line_gauss_seidel.h>
 
@@ -19,16 +17,21 @@ namespace Biface
 
     using Block = std::array<float, n_max * n_max>;
 
+    constexpr unsigned int not_a_neighbor = numbers::invalid_unsigned_int;
 
+
+    /** y = block x */
     inline void
-    add_product(const Block &block, const float *x, float *y)
+    product(const Block &block, const float *x, float *y)
     {
+      std::fill_n(y, n_max, 0.f);
       for (unsigned int j = 0; j < n_max; ++j)
         for (unsigned int i = 0; i < n_max; ++i)
           y[i] += block[n_max * j + i] * x[j];
     }
 
 
+    /** y -= block x */
     inline void
     subtract_product(const Block &block, const float *x, float *y)
     {
@@ -59,145 +62,124 @@ namespace Biface
 
     const unsigned int n_nodes = nodes.n_nodes();
     factors.assign(n_nodes, Factors());
-    inverses.resize(n_nodes);
-    largest_diagonals.assign(n_nodes, 0);
     blocks.clear();
     columns.clear();
     lower.assign(1, 0);
     upper.clear();
 
-    // local columns start with the local rows, in the same order
-    struct Place
-    {
-      unsigned int node, unknown;
-    };
-    std::vector<Place>        places(nodes.rows.size());
-    std::vector<unsigned int> line_of(n_nodes);
-    for (unsigned int l = 0; l + 1 < nodes.line_begin.size(); ++l)
-      for (unsigned int n = nodes.line_begin[l]; n < nodes.line_begin[l + 1];
-           ++n)
-        {
-          line_of[n] = l;
-          for (unsigned int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k)
-            places[nodes.rows[k]] = {n, k - nodes.begin[n]};
-        }
-
-    const Epetra_CrsMatrix   &epetra = A.trilinos_matrix();
-    constexpr unsigned int    none   = std::numeric_limits<unsigned int>::max();
-    std::vector<unsigned int> neighbors, position(n_nodes, none);
-    // of the node before, after elimination
-    FullMatrix<double> inverse_before, next_from_before;
+    std::vector<Place> places(nodes.rows.size());
     for (unsigned int n = 0; n < n_nodes; ++n)
+      for (unsigned int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k)
+        places[nodes.rows[k]] = {n, k - nodes.begin[n]};
+
+    std::vector<unsigned int> position(n_nodes, not_a_neighbor);
+    try
       {
-        const auto size = [&](const unsigned int m) {
-          return nodes.begin[m + 1] - nodes.begin[m];
-        };
-        AssertIndexRange(size(n), n_max + 1);
-        const auto on_line = [&](const unsigned int m) {
-          return line_of[m] == line_of[n] &&
-                 (m == n || m + 1 == n || m == n + 1);
-        };
-        const auto for_each_entry = [&](const auto &action) {
-          for (unsigned int i = 0; i < size(n); ++i)
-            {
-              int     n_entries;
-              double *values;
-              int    *local;
-              epetra.ExtractMyRowView(
-                nodes.rows[nodes.begin[n] + i], n_entries, values, local);
-              for (int k = 0; k < n_entries; ++k)
-                if (static_cast<std::size_t>(local[k]) < places.size())
-                  action(i, places[local[k]], values[k]);
-            }
-        };
-
-        neighbors.clear();
-        for_each_entry([&](const unsigned int, const Place &place, double) {
-          if (!on_line(place.node) && position[place.node] == none)
-            {
-              position[place.node] = 0;
-              neighbors.push_back(place.node);
-            }
-        });
-        std::sort(neighbors.begin(), neighbors.end());
-        std::stable_partition(
-          neighbors.begin(), neighbors.end(), [&](const unsigned int m) {
-            return line_of[m] < line_of[n];
-          });
-        upper.push_back(lower.back());
-        for (const unsigned int m : neighbors)
+        for (unsigned int l = 0; l + 1 < nodes.line_begin.size(); ++l)
           {
-            upper.back() += (line_of[m] < line_of[n]);
-            position[m] = columns.size();
-            columns.push_back(m);
-          }
-        blocks.resize(columns.size(), Block());
-        lower.push_back(columns.size());
-
-        const auto couples = [&](const unsigned int m) {
-          return m < n_nodes && on_line(m) && size(m) > 0 && size(n) > 0;
-        };
-        const bool         follows = (n > 0 && couples(n - 1));
-        const bool         goes_on = couples(n + 1);
-        FullMatrix<double> own(size(n), size(n)),
-          before(follows ? size(n) : 0, follows ? size(n - 1) : 0),
-          next(goes_on ? size(n) : 0, goes_on ? size(n + 1) : 0);
-        for_each_entry(
-          [&](const unsigned int i, const Place &place, const double value) {
-            if (place.node == n)
-              own(i, place.unknown) = value;
-            else if (!on_line(place.node))
-              blocks[position[place.node]][n_max * place.unknown + i] = value;
-            else if (place.node < n)
-              before(i, place.unknown) = value;
-            else
-              next(i, place.unknown) = value;
-          });
-        for (const unsigned int m : neighbors)
-          position[m] = none;
-        for (unsigned int i = 0; i < size(n); ++i)
-          largest_diagonals[n] = std::max(largest_diagonals[n], own(i, i));
-
-        try
-          {
-            FullMatrix<double> inverse(own);
-            if (size(n) > 0)
-              inverse.gauss_jordan();
-            inverses[n] = in_single_precision(inverse);
-            if (follows)
+            const unsigned int begin = nodes.line_begin[l],
+                               end   = nodes.line_begin[l + 1];
+            // of the node before, after elimination
+            FullMatrix<double> inverse, next;
+            for (unsigned int n = begin; n < end; ++n)
               {
-                FullMatrix<double> back(size(n - 1), size(n));
-                inverse_before.mmult(back, next_from_before);
-                factors[n].back   = in_single_precision(back);
-                factors[n].before = in_single_precision(before);
-                FullMatrix<double> change(size(n), size(n));
-                before.mmult(change, back);
-                own.add(-1, change);
+                Coupling coupling =
+                  copy_blocks(n, begin, end, places, position);
+                if (!coupling.before.empty())
+                  {
+                    FullMatrix<double> back(next.m(), next.n());
+                    inverse.mmult(back, next);
+                    factors[n].back   = in_single_precision(back);
+                    factors[n].before = in_single_precision(coupling.before);
+                    FullMatrix<double> change(coupling.own.m(),
+                                              coupling.own.n());
+                    coupling.before.mmult(change, back);
+                    coupling.own.add(-1, change);
+                  }
+                if (!coupling.own.empty())
+                  coupling.own.gauss_jordan();
+                factors[n].inverse = in_single_precision(coupling.own);
+                inverse            = std::move(coupling.own);
+                next               = std::move(coupling.next);
               }
-            if (size(n) > 0)
-              own.gauss_jordan();
           }
-        catch (const ExceptionBase &)
-          {
-            return false;
-          }
-        factors[n].inverse = in_single_precision(own);
-        inverse_before     = own;
-        next_from_before   = next;
+      }
+    catch (const ExceptionBase &)
+      {
+        return false;
       }
     return true;
   }
 
 
-  std::array<double, 6>
-  LineGaussSeidel::solve_node(const unsigned int           n,
-                              const std::array<double, 6> &b) const
+  LineGaussSeidel::Coupling
+  LineGaussSeidel::copy_blocks(const unsigned int         n,
+                               const unsigned int         begin,
+                               const unsigned int         end,
+                               const std::vector<Place>  &places,
+                               std::vector<unsigned int> &position)
   {
-    std::array<double, 6> x{};
-    for (unsigned int i = 0; i < n_max; ++i)
-      for (unsigned int j = 0; j < n_max; ++j)
-        x[i] += inverses[n][n_max * j + i] * b[j];
-    return x;
+    const auto size = [&](const unsigned int m) {
+      return nodes->begin[m + 1] - nodes->begin[m];
+    };
+    const auto on_line = [&](const unsigned int m) {
+      return m >= begin && m < end && (m == n || m + 1 == n || m == n + 1);
+    };
+    const Epetra_CrsMatrix &A              = matrix->trilinos_matrix();
+    const auto              for_each_entry = [&](const auto &action) {
+      for (unsigned int i = 0; i < size(n); ++i)
+        {
+          int     n_entries;
+          double *values;
+          int    *local;
+          A.ExtractMyRowView(
+            nodes->rows[nodes->begin[n] + i], n_entries, values, local);
+          // local columns start with the local rows, in the same order
+          for (int k = 0; k < n_entries; ++k)
+            if (static_cast<std::size_t>(local[k]) < places.size())
+              action(i, places[local[k]], values[k]);
+        }
+    };
+    AssertIndexRange(size(n), n_max + 1);
+
+    for_each_entry([&](const unsigned int, const Place &place, double) {
+      if (!on_line(place.node) && position[place.node] == not_a_neighbor)
+        {
+          position[place.node] = 0;
+          columns.push_back(place.node);
+        }
+    });
+    const auto first = columns.begin() + lower.back();
+    std::sort(first, columns.end());
+    upper.push_back(std::lower_bound(first, columns.end(), begin) -
+                    columns.begin());
+    for (std::size_t k = lower.back(); k < columns.size(); ++k)
+      position[columns[k]] = k;
+    lower.push_back(columns.size());
+    blocks.resize(columns.size(), Block());
+
+    const auto coupling_with = [&](const unsigned int m, const bool exists) {
+      return exists && size(m) > 0 && size(n) > 0
+               ? FullMatrix<double>(size(n), size(m))
+               : FullMatrix<double>();
+    };
+    Coupling coupling{coupling_with(n, true),
+                      coupling_with(n - 1, n > begin),
+                      coupling_with(n + 1, n + 1 < end)};
+    for_each_entry(
+      [&](const unsigned int i, const Place &place, const double value) {
+        if (place.node == n)
+          coupling.own(i, place.unknown) = value;
+        else if (!on_line(place.node))
+          blocks[position[place.node]][n_max * place.unknown + i] = value;
+        else if (place.node < n)
+          coupling.before(i, place.unknown) = value;
+        else
+          coupling.next(i, place.unknown) = value;
+      });
+    for (std::size_t k = lower[n]; k < lower[n + 1]; ++k)
+      position[columns[k]] = not_a_neighbor;
+    return coupling;
   }
 
 
@@ -213,12 +195,24 @@ namespace Biface
         float *x = &values[n_max * n], *r = &right_hand_side[n_max * n];
         if (n > begin)
           subtract_product(factors[n].before, x - n_max, r);
-        std::fill_n(x, n_max, 0.f);
-        add_product(factors[n].inverse, r, x);
+        product(factors[n].inverse, r, x);
       }
     for (unsigned int n = end; n-- > begin + 1;)
       subtract_product(
         factors[n].back, &values[n_max * n], &values[n_max * (n - 1)]);
+  }
+
+
+  void
+  LineGaussSeidel::subtract_blocks(const unsigned int        n,
+                                   const std::size_t         first,
+                                   const std::size_t         last,
+                                   const std::vector<float> &values,
+                                   std::vector<float>       &rest) const
+  {
+    for (std::size_t k = first; k < last; ++k)
+      subtract_product(
+        blocks[k], &values[n_max * columns[k]], &rest[n_max * n]);
   }
 
 
@@ -234,9 +228,7 @@ namespace Biface
         for (unsigned int n = nodes->line_begin[l];
              n < nodes->line_begin[l + 1];
              ++n)
-          for (std::size_t k = lower[n]; k < upper[n]; ++k)
-            subtract_product(
-              blocks[k], &values[n_max * columns[k]], &rest[n_max * n]);
+          subtract_blocks(n, lower[n], upper[n], values, rest);
         solve_line(l, rest, values);
       }
     from_nodes(values, x);
@@ -244,9 +236,7 @@ namespace Biface
     // at each node, what later lines have added since
     std::fill(rest.begin(), rest.end(), 0.f);
     for (unsigned int n = 0; n < n_nodes; ++n)
-      for (std::size_t k = upper[n]; k < lower[n + 1]; ++k)
-        subtract_product(
-          blocks[k], &values[n_max * columns[k]], &rest[n_max * n]);
+      subtract_blocks(n, upper[n], lower[n + 1], values, rest);
     subtract_others(x, rest);
     from_nodes(rest, residual);
   }
@@ -262,9 +252,7 @@ namespace Biface
         for (unsigned int n = nodes->line_begin[l];
              n < nodes->line_begin[l + 1];
              ++n)
-          for (std::size_t k = lower[n]; k < lower[n + 1]; ++k)
-            subtract_product(
-              blocks[k], &values[n_max * columns[k]], &rest[n_max * n]);
+          subtract_blocks(n, lower[n], lower[n + 1], values, rest);
         solve_line(l, rest, values);
       }
     from_nodes(values, x);

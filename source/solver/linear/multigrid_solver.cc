@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
@@ -17,6 +18,18 @@
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** Whether something holds on all ranks that share a matrix. */
+    bool
+    on_all_ranks(const bool condition, const LA::SparseMatrix &A)
+    {
+      return Utilities::MPI::min(static_cast<int>(condition),
+                                 A.get_mpi_communicator()) == 1;
+    }
+  } // namespace
+
 
   void
   LinearSolver::Parameters::Multigrid::add_parameters(ParameterHandler &prm)
@@ -114,8 +127,8 @@ namespace Biface
       {
         if (!initialize_smoother(level, *on_level))
           return result;
-        if (&level == &levels.front())
-          truncate_prolongation();
+        if (&level == &levels.front() && !truncate_prolongation())
+          return result;
 
         // deal.II's products take longer
         Epetra_CrsMatrix *product = nullptr;
@@ -140,13 +153,11 @@ namespace Biface
   bool
   MultigridSolver::initialize_smoother(Level &level, const LA::SparseMatrix &A)
   {
-    const bool regular = level.smoother.initialize(A, level.nodes);
-    return Utilities::MPI::min(static_cast<int>(regular),
-                               A.get_mpi_communicator()) == 1;
+    return on_all_ranks(level.smoother.initialize(A, level.nodes), A);
   }
 
 
-  void
+  bool
   MultigridSolver::truncate_prolongation()
   {
     // an elastic shell exerts forces of the order of round-off
@@ -157,13 +168,14 @@ namespace Biface
     Level &level = levels.front();
     level.truncated.reset();
 
-    // the largest force on each node by a translation, if the node is held
     struct HeldNode
     {
-      unsigned int          n;
-      std::array<double, 6> force;
+      std::array<types::global_dof_index, 6> rows;
+      /** The largest one by a translation. */
+      Vector<double> force;
     };
-    std::vector<HeldNode>     nodes;
+    std::vector<HeldNode>     held_nodes;
+    const IndexSet            rows = matrix->locally_owned_range_indices();
     std::array<LA::Vector, 3> forces;
     for (unsigned int i = 0; i < 3; ++i)
       {
@@ -172,64 +184,74 @@ namespace Biface
       }
     for (unsigned int n = 0; n < level.nodes.n_nodes(); ++n)
       {
-        const int *rows = &level.nodes.rows[level.nodes.begin[n]];
-        HeldNode   node{n, {}};
-        double     largest = 0;
-        for (const LA::Vector &force : forces)
+        HeldNode       node{{}, Vector<double>(6)};
+        Vector<double> force(6);
+        double         diagonal = 0;
+        const int     *local    = &level.nodes.rows[level.nodes.begin[n]];
+        for (unsigned int d = 0; d < 6; ++d)
           {
-            std::array<double, 6> f;
-            double                square = 0;
-            for (unsigned int d = 0; d < 6; ++d)
-              {
-                f[d] = force.begin()[rows[d]];
-                square += f[d] * f[d];
-              }
-            if (square > largest)
-              {
-                largest    = square;
-                node.force = f;
-              }
+            node.rows[d] = rows.nth_index_in_set(local[d]);
+            diagonal = std::max(diagonal, matrix->diag_element(node.rows[d]));
           }
-        if (std::sqrt(largest) > held * level.smoother.largest_diagonal(n))
-          nodes.push_back(node);
+        for (const LA::Vector &f : forces)
+          {
+            for (unsigned int d = 0; d < 6; ++d)
+              force[d] = f.begin()[local[d]];
+            if (force.norm_sqr() > node.force.norm_sqr())
+              node.force = force;
+          }
+        if (node.force.l2_norm() > held * diagonal)
+          held_nodes.push_back(node);
       }
-    if (Utilities::MPI::sum(nodes.size(), matrix->get_mpi_communicator()) == 0)
-      return;
+    if (Utilities::MPI::sum(held_nodes.size(),
+                            matrix->get_mpi_communicator()) == 0)
+      return true;
 
     // a projection along the displacement by which the node alone yields to
     // the force with the least energy
-    const IndexSet         rows = matrix->locally_owned_range_indices();
     DynamicSparsityPattern pattern(rows.size(), rows.size(), rows);
-    const auto             global = [&](const unsigned int n,
-                            const unsigned int i) -> types::global_dof_index {
-      return rows.nth_index_in_set(level.nodes.rows[level.nodes.begin[n] + i]);
-    };
     for (const auto row : rows)
       pattern.add(row, row);
-    for (const HeldNode &node : nodes)
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = 0; j < 6; ++j)
-          pattern.add(global(node.n, i), global(node.n, j));
+    for (const HeldNode &node : held_nodes)
+      for (const auto row : node.rows)
+        for (const auto column : node.rows)
+          pattern.add(row, column);
     LA::SparseMatrix projection;
     projection.reinit(rows, rows, pattern, matrix->get_mpi_communicator());
     for (const auto row : rows)
       projection.set(row, row, 1.);
     projection.compress(VectorOperation::insert);
-    for (const HeldNode &node : nodes)
+    bool regular = true;
+    for (const HeldNode &node : held_nodes)
       {
-        const auto yielding = level.smoother.solve_node(node.n, node.force);
-        double     work     = 0;
-        for (unsigned int i = 0; i < 6; ++i)
-          work += yielding[i] * node.force[i];
+        FullMatrix<double> inverse(6, 6);
         for (unsigned int i = 0; i < 6; ++i)
           for (unsigned int j = 0; j < 6; ++j)
-            projection.add(global(node.n, i),
-                           global(node.n, j),
+            inverse(i, j) = matrix->el(node.rows[i], node.rows[j]);
+        try
+          {
+            inverse.gauss_jordan();
+          }
+        catch (const ExceptionBase &)
+          {
+            regular = false;
+            break;
+          }
+        Vector<double> yielding(6);
+        inverse.vmult(yielding, node.force);
+        const double work = yielding * node.force;
+        for (unsigned int i = 0; i < 6; ++i)
+          for (unsigned int j = 0; j < 6; ++j)
+            projection.add(node.rows[i],
+                           node.rows[j],
                            -truncated * yielding[i] * node.force[j] / work);
       }
+    if (!on_all_ranks(regular, *matrix))
+      return false;
     projection.compress(VectorOperation::add);
     level.truncated = std::make_unique<LA::SparseMatrix>();
     projection.mmult(*level.truncated, level.interpolation);
+    return true;
   }
 
 

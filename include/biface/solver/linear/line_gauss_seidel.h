@@ -3,6 +3,8 @@
 #ifndef biface_solver_linear_line_gauss_seidel_h
 #define biface_solver_linear_line_gauss_seidel_h
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -41,20 +43,44 @@ namespace Biface
     void
     backward(LA::Vector &x, const LA::Vector &b) const;
 
-    /** Solve for the unknowns of the node @p n alone. */
-    std::array<double, 6>
-    solve_node(const unsigned int n, const std::array<double, 6> &b) const;
-
-    /** The largest diagonal entry of the matrix of the node @p n. */
-    double
-    largest_diagonal(const unsigned int n) const
-    {
-      return largest_diagonals[n];
-    }
-
   private:
     /** By columns; nodes with fewer unknowns have zeros. */
     using Block = std::array<float, 36>;
+
+    /** Where an unknown is among those of its node. */
+    struct Place
+    {
+      unsigned int node, unknown;
+    };
+
+    /** The matrices that couple a node with itself and its neighbors on the
+     * line; empty where there is no neighbor. */
+    struct Coupling
+    {
+      dealii::FullMatrix<double> own, before, next;
+    };
+
+    /** Append the blocks of the node @p n, which belongs to the line from
+     * @p begin to @p end.
+     * @param places of all rows of this rank.
+     * @param position for each node, of its block among those of @p n; for the
+     * time of this function. */
+    Coupling
+    copy_blocks(const unsigned int         n,
+                const unsigned int         begin,
+                const unsigned int         end,
+                const std::vector<Place>  &places,
+                std::vector<unsigned int> &position);
+
+    /** Subtract the products of the blocks from @p first to @p last of the node
+     * @p n.
+     * @param values,rest six for each node. */
+    void
+    subtract_blocks(const unsigned int        n,
+                    const std::size_t         first,
+                    const std::size_t         last,
+                    const std::vector<float> &values,
+                    std::vector<float>       &rest) const;
 
     /** Solve for the unknowns of a line, whose right hand side is replaced.
      * @param values six for each node. */
@@ -93,10 +119,6 @@ namespace Biface
       Block inverse, before, back;
     };
     std::vector<Factors> factors;
-
-    /** Of the matrices of the nodes. */
-    std::vector<Block>  inverses;
-    std::vector<double> largest_diagonals;
   };
 } // namespace Biface
 

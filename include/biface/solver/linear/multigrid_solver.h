@@ -106,8 +106,10 @@ namespace Biface
     void
     cycle(const unsigned int level, LA::Vector &x, const LA::Vector &b) const;
 
-    /** Find Level::truncated for the finest level. */
-    void
+    /** Find Level::truncated for the finest level.
+     * @return whether no node held by the foundation has a singular matrix, on
+     * all ranks. */
+    bool
     truncate_prolongation();
 
     const Parameters     parameters;
