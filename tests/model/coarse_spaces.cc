@@ -12,11 +12,8 @@
 
 #include <biface/model/coarse_spaces.h>
 #include <biface/model/rigid_motions.h>
-#include <biface/surface/plane.h>
-#include <biface/surface/straight_line.h>
-#include <biface/surface/surface_of_revolution.h>
 
-#include <cord_ply.h>
+#include "cord_shells.h"
 #include <tests.h>
 
 using namespace dealii;
@@ -88,27 +85,19 @@ namespace
             const std::array<std::string, 2> &intervals,
             const bool                        closed)
   {
-    ChartGrid::Parameters parameters;
-    for (unsigned int a = 0; a < 2; ++a)
-      parameters.intervals[a] = parse_intervals("intervals", intervals[a]);
-    parameters.closed = closed;
-    const ChartGrid   grid(parameters, *surface);
-    Layup::Parameters layup_parameters;
-    layup_parameters.plies = parse_plies("plies", "cord: 0.2 @ 0");
-    const Layup     layup(layup_parameters, cord_ply());
-    const ShellMesh mesh(
-      MPI_COMM_WORLD, std::move(surface), grid, layup, Supports());
-
-    NestedSpaces spaces = make_nested_spaces(mesh, 1);
+    const auto mesh = cord_shell(
+      std::move(surface), intervals, closed, "cord: 0.2 @ 0", "middle");
+    NestedSpaces spaces = make_nested_spaces(*mesh, 1);
     while (spaces.coarse.size() > 2)
       spaces.coarse.pop_back();
     Normal normal(spaces, MPI_COMM_WORLD);
 
     std::array<double, 2> result{};
-    const auto            motions = rigid_motions(mesh);
+    const auto            motions = rigid_motions(*mesh);
     for (unsigned int m = 0; m < motions.size(); ++m)
       {
-        LA::Vector motion = mesh.owned_vector(), nearest = mesh.owned_vector();
+        LA::Vector motion  = mesh->owned_vector(),
+                   nearest = mesh->owned_vector();
         std::copy(motions[m].begin(), motions[m].end(), motion.begin());
         LA::Vector right_hand_side(normal.coarsest), x(normal.coarsest);
         normal.restrict_to(right_hand_side, motion);

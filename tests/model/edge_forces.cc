@@ -7,7 +7,7 @@
 #include <biface/base/errors.h>
 #include <biface/model/dead_loads.h>
 
-#include "free_shells.h"
+#include "cord_shells.h"
 #include <tests.h>
 
 using namespace dealii;

@@ -6,7 +6,7 @@
 
 #include <biface/model/shell_equations.h>
 
-#include "free_shells.h"
+#include "cord_shells.h"
 #include <tests.h>
 
 using namespace dealii;

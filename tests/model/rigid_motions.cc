@@ -7,12 +7,9 @@
 #include <iostream>
 
 #include <biface/model/rigid_motions.h>
-#include <biface/surface/circular_arc.h>
-#include <biface/surface/plane.h>
-#include <biface/surface/surface_of_revolution.h>
 
-#include "../tests.h"
-#include <cord_ply.h>
+#include "cord_shells.h"
+#include <tests.h>
 
 using namespace dealii;
 using namespace Biface;
@@ -27,12 +24,7 @@ namespace
         const std::string                &points  = "",
         const std::string                &support = "")
   {
-    ChartGrid::Parameters parameters;
-    for (unsigned int a = 0; a < 2; ++a)
-      parameters.intervals[a] = parse_intervals("intervals", intervals[a]);
-    parameters.closed = false;
-    const ChartGrid grid(parameters, *surface);
-    NamedPoints     named;
+    NamedPoints named;
     named.list        = parse_points("points", points);
     const auto parsed = named.on(*surface);
     Supports   supports;
@@ -40,14 +32,14 @@ namespace
       supports.edges[e] = parse_support("edge", edges[e], e / 2);
     supports.points = parse_point_supports("points", support);
 
-    Layup::Parameters layup_parameters;
-    layup_parameters.plies = parse_plies("plies", "cord: 0.2 @ 0");
-    layup_parameters.reference =
-      parse_thickness_position("reference", "middle");
-    const Layup     layup(layup_parameters, cord_ply());
-    const ShellMesh mesh(
-      MPI_COMM_WORLD, std::move(surface), grid, layup, supports, parsed);
-    const auto motions = free_rigid_motions(mesh);
+    const auto mesh    = cord_shell(std::move(surface),
+                                 intervals,
+                                 false,
+                                 "cord: 0.2 @ 0",
+                                 "middle",
+                                 supports,
+                                 parsed);
+    const auto motions = free_rigid_motions(*mesh);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         std::cout << what << ':' << std::endl;

@@ -8,7 +8,7 @@
 
 #include <biface/model/contact_interaction.h>
 
-#include "free_shells.h"
+#include "cord_shells.h"
 #include <tests.h>
 
 using namespace dealii;

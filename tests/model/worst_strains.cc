@@ -5,7 +5,7 @@
 
 #include <biface/model/worst_strains.h>
 
-#include "free_shells.h"
+#include "cord_shells.h"
 #include <tests.h>
 
 using namespace dealii;

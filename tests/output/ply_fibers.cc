@@ -14,7 +14,7 @@
 #include <biface/model/shell_equations.h>
 #include <biface/output/plies_vtu.h>
 
-#include "../model/free_shells.h"
+#include "../model/cord_shells.h"
 #include "../tests.h"
 
 using namespace dealii;

@@ -9,7 +9,7 @@
 
 #include <biface/solver/newton.h>
 
-#include "../model/free_shells.h"
+#include "../model/cord_shells.h"
 #include "idle_solver.h"
 #include <tests.h>
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_tests_model_free_shells_h
-#define biface_tests_model_free_shells_h
+#ifndef biface_tests_model_cord_shells_h
+#define biface_tests_model_cord_shells_h
 
 #include <deal.II/base/mpi.h>
 
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <biface/model/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
@@ -17,13 +19,16 @@
 
 #include <cord_ply.h>
 
-/** A shell without supports, so that all nodal forces remain. With the default
- * plies, the inner face is at -0.5 and the outer one at 1. */
+/** A shell of cord_ply().
+ * @param points on the surface, for supports. */
 inline std::unique_ptr<Biface::ShellMesh>
-free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
+cord_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
            const std::array<std::string, 2>         &intervals,
-           const bool                                closed = false,
-           const std::string                        &plies  = "cord: 1.5 @ 30")
+           const bool                                closed,
+           const std::string                        &plies,
+           const std::string                        &reference,
+           const Biface::Supports                   &supports = {},
+           const std::vector<Biface::NamedPoint>    &points   = {})
 {
   using namespace Biface;
 
@@ -34,12 +39,25 @@ free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
   const ChartGrid   grid(parameters, *surface);
   Layup::Parameters layup;
   layup.plies     = parse_plies("plies", plies);
-  layup.reference = parse_thickness_position("reference", "0.5");
+  layup.reference = parse_thickness_position("reference", reference);
   return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
                                      std::move(surface),
                                      grid,
                                      Layup(layup, cord_ply()),
-                                     Supports());
+                                     supports,
+                                     points);
+}
+
+
+/** A shell without supports, so that all nodal forces remain. With the default
+ * plies, the inner face is at -0.5 and the outer one at 1. */
+inline std::unique_ptr<Biface::ShellMesh>
+free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
+           const std::array<std::string, 2>         &intervals,
+           const bool                                closed = false,
+           const std::string                        &plies  = "cord: 1.5 @ 30")
+{
+  return cord_shell(std::move(surface), intervals, closed, plies, "0.5");
 }
 
 
