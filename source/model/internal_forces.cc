@@ -204,6 +204,21 @@ namespace Biface
   }
 
 
+  State
+  InternalForces::in_shape_of_tangent(const State &state) const
+  {
+    State result = state;
+    if (!history.linearization_point)
+      return result;
+    result.displacement = history.linearization_point->displacement;
+    result.predicted_strains.clear();
+    if (mesh.layup.has_slack_cords())
+      for (const Cell &cell : mesh.cells)
+        result.predicted_strains.push_back(strains(state, cell));
+    return result;
+  }
+
+
   void
   InternalForces::take_as_prestress(State &state)
   {

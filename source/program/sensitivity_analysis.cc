@@ -735,18 +735,26 @@ namespace Biface
     BucklingAnalysis analysis(
       neighbor.model.equations, neighbor.model.contact, linear_solver, timer);
     BucklingModes changed;
-    changed.modes      = buckling.modes;
-    changed.symmetric  = buckling.symmetric;
-    const Loads before = loads_on(neighbor, neighbor.level_before);
-    const std::vector<double> positions = analysis.quotients(
-      {neighbor.before, before}, {neighbor.state, loads}, changed.modes);
+    changed.modes             = buckling.modes;
+    changed.symmetric         = buckling.symmetric;
+    const LoadLevel    &start = neighbor.progress.control.start;
+    const BucklingStart before =
+      buckling_start(neighbor.model.equations.internal_forces(),
+                     start,
+                     {neighbor.before, neighbor.level_before});
+    Loads      loads_before = loads_on(neighbor, before.level);
+    const bool sealed       = neighbor.stage.sealed;
+    if (sealed)
+      loads_before.pressure = before.level.pressure;
+    const std::vector<double> positions =
+      analysis.quotients({before.state, loads_before},
+                         {neighbor.state, loads},
+                         sealed ? neighbor.model.gas.get() : nullptr,
+                         changed.modes);
     for (unsigned int m = 0; m < positions.size(); ++m)
       changed.modes[m].position = positions[m];
-    return std::make_shared<const Buckling>(
-      buckling_from(changed,
-                    neighbor.progress.control.start,
-                    neighbor.level_before,
-                    neighbor.progress.reached));
+    return std::make_shared<const Buckling>(buckling_from(
+      changed, start, before.level, neighbor.progress.reached, sealed));
   }
 
 

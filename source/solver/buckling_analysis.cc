@@ -6,21 +6,77 @@
 
 #include <biface/model/rigid_motions.h>
 #include <biface/solver/buckling_analysis.h>
+#include <biface/solver/gas_stiffness.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  /** The matrices @f$\mathbf K_0-s\,\mathbf G@f$. */
+  namespace
+  {
+    /** In linear theory, the resultants do not change the tangent: while this
+     * exists, theory is nonlinear. */
+    class NonlinearTheory
+    {
+    public:
+      explicit NonlinearTheory(ShellEquations &equations)
+        : internal(equations.internal_forces())
+        , linearization_point(internal.linearization_point())
+      {
+        if (linearization_point)
+          internal.set_theory(StrainTheory::nonlinear, *linearization_point);
+      }
+
+      ~NonlinearTheory()
+      {
+        if (linearization_point)
+          internal.set_theory(StrainTheory::linear, *linearization_point);
+      }
+
+      NonlinearTheory(const NonlinearTheory &) = delete;
+      NonlinearTheory &
+      operator=(const NonlinearTheory &) = delete;
+
+    private:
+      InternalForces            &internal;
+      const std::optional<State> linearization_point;
+    };
+  } // namespace
+
+
+  /** The matrices @f$\mathbf K_0-s\,\mathbf G@f$, with the parts of a sealed
+   * gas beside them. */
   struct BucklingAnalysis::Pencil
   {
-    LA::SparseMatrix K_0, K_1, G;
+    LA::SparseMatrix            K_0, K_1, G;
+    std::optional<GasStiffness> gas_0, gas_1;
     /** The last matrix that was factorized, and its shift. */
-    LA::SparseMatrix shifted;
-    double           shift     = 0;
-    bool             symmetric = true;
+    LA::SparseMatrix            shifted;
+    std::optional<GasStiffness> gas_shifted;
+    double                      shift = 0;
+    /** Whether the matrices are symmetric, and with the gas. */
+    bool symmetric_matrices = true, symmetric = true;
     /** Whether @f$\mathbf K_0@f$ is symmetric positive definite. */
     bool definite = false;
+
+    void
+    multiply_K_0(LA::Vector &product, const LA::Vector &x) const
+    {
+      K_0.vmult(product, x);
+      if (gas_0)
+        gas_0->vmult_add(product, x);
+    }
+
+    void
+    multiply_G(LA::Vector &product, const LA::Vector &x) const
+    {
+      G.vmult(product, x);
+      if (gas_0)
+        {
+          gas_0->vmult_add(product, x);
+          gas_1->vmult_add(product, x, -1);
+        }
+    }
   };
 
 
@@ -54,12 +110,17 @@ namespace Biface
   void
   BucklingAnalysis::assemble(const Equilibrium &before,
                              const Equilibrium &now,
+                             const Gas         *gas,
                              Pencil            &pencil)
   {
-    State earlier      = now.state;
+    State later   = equations.internal_forces().in_shape_of_tangent(now.state);
+    State earlier = later;
     earlier.resultants = before.state.resultants;
-    tangent.assemble(earlier, before.loads, pencil.K_0);
-    tangent.assemble(now.state, now.loads, pencil.K_1);
+    {
+      const NonlinearTheory theory(equations);
+      tangent.assemble(earlier, before.loads, pencil.K_0);
+      tangent.assemble(later, now.loads, pencil.K_1);
+    }
     for (LA::SparseMatrix *K : {&pencil.K_0, &pencil.K_1})
       tangent.hold(now.state, now.loads, *K);
     pencil.G.copy_from(pencil.K_0);
@@ -73,19 +134,21 @@ namespace Biface
     const auto is_symmetric = [&](const Loads &loads) {
       return equations.is_symmetric(HeldTangent::without_foundation(loads));
     };
-    pencil.symmetric =
+    pencil.symmetric_matrices =
       (is_symmetric(before.loads) && is_symmetric(now.loads)) ||
       (tangent.is_symmetric(pencil.K_0) && tangent.is_symmetric(pencil.K_1));
-  }
-
-
-  LinearSolverResult
-  BucklingAnalysis::factorize(Pencil &pencil, const double shift)
-  {
-    pencil.shift = shift;
-    pencil.shifted.copy_from(pencil.K_0);
-    pencil.shifted.add(-shift, pencil.G);
-    return linear_solver.factorize_for_many(pencil.shifted, pencil.symmetric);
+    pencil.symmetric = pencil.symmetric_matrices;
+    if (gas)
+      {
+        // in the same shape, the pressure before belongs to another amount
+        const auto stiffness = [&](const Loads &loads) {
+          const double content = gas->content(loads.pressure, later);
+          return GasStiffness(equations, later, loads, {*gas, content});
+        };
+        pencil.gas_0.emplace(stiffness(before.loads));
+        pencil.gas_1.emplace(stiffness(now.loads));
+        pencil.symmetric = pencil.symmetric && pencil.gas_0->is_symmetric();
+      }
   }
 
 
@@ -94,6 +157,51 @@ namespace Biface
     // what an iterative solver may leave, relative to the right hand side
     constexpr double exactness = 1e-12;
   } // namespace
+
+
+  LinearSolverResult
+  BucklingAnalysis::factorize(Pencil &pencil, const double shift)
+  {
+    pencil.shift = shift;
+    pencil.shifted.copy_from(pencil.K_0);
+    pencil.shifted.add(-shift, pencil.G);
+    LinearSolverResult result = linear_solver.factorize_for_many(
+      pencil.shifted, pencil.symmetric_matrices);
+    if (!pencil.gas_0 || !result.success)
+      return result;
+    pencil.gas_shifted = pencil.gas_0;
+    pencil.gas_shifted->sadd(1 - shift, shift, *pencil.gas_1);
+    LinearSolverResult of_gas = result;
+    if (!pencil.gas_shifted->prepare([&](LA::Vector &x, const LA::Vector &b) {
+          of_gas = linear_solver.solve(x, b, exactness);
+          return of_gas.success;
+        }))
+      {
+        if (of_gas.success)
+          of_gas.message = "the tangent with the gas is singular";
+        of_gas.success = false;
+        return of_gas;
+      }
+    if (!pencil.symmetric)
+      result.n_negative_pivots.reset();
+    if (result.n_negative_pivots)
+      result.n_negative_pivots =
+        pencil.gas_shifted->n_negative(*result.n_negative_pivots);
+    return result;
+  }
+
+
+  bool
+  BucklingAnalysis::solve(const Pencil     &pencil,
+                          LA::Vector       &x,
+                          const LA::Vector &b)
+  {
+    if (!linear_solver.solve(x, b, exactness).success)
+      return false;
+    if (pencil.gas_shifted)
+      pencil.gas_shifted->correct(x);
+    return true;
+  }
 
 
   std::optional<double>
@@ -115,20 +223,20 @@ namespace Biface
     LA::Vector between(start);
     problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
       if (pencil.definite)
-        pencil.K_0.vmult(product, x);
+        pencil.multiply_K_0(product, x);
       else
         product = x;
     };
     problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
       if (pencil.definite)
         {
-          if (!linear_solver.solve(x, b, exactness).success)
+          if (!solve(pencil, x, b))
             return false;
-          pencil.G.vmult(between, x);
+          pencil.multiply_G(between, x);
         }
       else
-        pencil.G.vmult(between, b);
-      return linear_solver.solve(x, between, exactness).success;
+        pencil.multiply_G(between, b);
+      return solve(pencil, x, between);
     };
     // complex ones may come first
     const unsigned int n          = (pencil.definite ? 1 : 6);
@@ -154,10 +262,10 @@ namespace Biface
       {
         // (K_0 - sigma G)^-1 K_0 has the eigenvalues s/(s - sigma)
         problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
-          pencil.K_0.vmult(product, x);
+          pencil.multiply_K_0(product, x);
         };
         problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
-          return linear_solver.solve(x, b, exactness).success;
+          return solve(pencil, x, b);
         };
       }
     else
@@ -168,8 +276,8 @@ namespace Biface
           product = x;
         };
         problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
-          pencil.G.vmult(between, b);
-          return linear_solver.solve(x, between, exactness).success;
+          pencil.multiply_G(between, b);
+          return solve(pencil, x, between);
         };
       }
     Eigenpairs found = nearest_eigenpairs(problem, n, start);
@@ -206,7 +314,7 @@ namespace Biface
                                 const LA::Vector &shape) const
   {
     LA::Vector product(shape);
-    pencil.G.vmult(product, shape);
+    pencil.multiply_G(product, shape);
     return std::abs(product * shape) > tangent.roundoff(pencil.K_0, shape) +
                                          tangent.roundoff(pencil.K_1, shape);
   }
@@ -215,13 +323,14 @@ namespace Biface
   BucklingModes
   BucklingAnalysis::compute(const Equilibrium &before,
                             const Equilibrium &now,
+                            const Gas         *gas,
                             const LoadRates   &rates,
                             const unsigned int n)
   {
     const ShellMesh &mesh = equations.mesh;
     BucklingModes    result;
     Pencil           pencil;
-    assemble(before, now, pencil);
+    assemble(before, now, gas, pencil);
     result.symmetric                   = pencil.symmetric;
     const std::optional<double> lowest = estimate_lowest(pencil, result);
     if (!lowest)
@@ -261,14 +370,17 @@ namespace Biface
       pairs,
       [&](LA::Vector &product, const LA::Vector &x) {
         if (pencil.definite)
-          pencil.K_0.vmult(product, x);
+          pencil.multiply_K_0(product, x);
         else
           product = x;
       },
       fields);
 
-    const LA::Vector loads =
-      equations.load_direction(now.state, now.loads, rates);
+    const NonlinearTheory theory(equations);
+    const LA::Vector      loads = equations.load_direction(
+      equations.internal_forces().in_shape_of_tangent(now.state),
+      now.loads,
+      rates);
     for (const Eigenpair &pair : pairs)
       if (result.modes.size() < n)
         {
@@ -282,10 +394,11 @@ namespace Biface
   std::vector<double>
   BucklingAnalysis::quotients(const Equilibrium               &before,
                               const Equilibrium               &now,
+                              const Gas                       *gas,
                               const std::vector<BucklingMode> &modes)
   {
     Pencil pencil;
-    assemble(before, now, pencil);
+    assemble(before, now, gas, pencil);
     std::vector<LA::Vector>           shapes;
     std::vector<std::complex<double>> positions;
     for (const BucklingMode &mode : modes)
@@ -296,10 +409,10 @@ namespace Biface
       }
     return rayleigh_quotients(
       [&](LA::Vector &product, const LA::Vector &x) {
-        pencil.K_0.vmult(product, x);
+        pencil.multiply_K_0(product, x);
       },
       [&](LA::Vector &product, const LA::Vector &x) {
-        pencil.G.vmult(product, x);
+        pencil.multiply_G(product, x);
       },
       shapes,
       positions);

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <biface/model/rigid_motions.h>
 #include <biface/model/velocity_matrix.h>
+#include <biface/solver/gas_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 
 namespace Biface
@@ -141,37 +143,6 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    /** The term of a sealed gas in the stiffness, minus the product of two
-     * vectors; see Gas. */
-    struct GasTerm
-    {
-      /** The forces per pressure. */
-      LA::Vector forces;
-      /** The derivative of the pressure by the displacements. */
-      LA::Vector gradient;
-    };
-
-
-    GasTerm
-    gas_term(const ShellEquations &equations,
-             const State          &state,
-             const Loads          &loads,
-             const Gas::Sealed    &gas)
-    {
-      LoadRates pressure_alone;
-      pressure_alone.pressure = 1;
-      GasTerm term{
-        equations.load_direction(
-          state, HeldTangent::without_foundation(loads), pressure_alone),
-        gas.pressure_gradient(state)};
-      equations.mesh.condense(term.gradient);
-      return term;
-    }
-  } // namespace
-
-
   VibrationModes
   ModalAnalysis::compute(const State       &state,
                          const Loads       &loads,
@@ -202,42 +173,23 @@ namespace Biface
       return linear.success;
     };
 
-    // a term of rank one, see Gas; it has the form of Newton's iteration
-    bool       symmetric_matrix = problem.symmetric;
-    GasTerm    term;
-    LA::Vector per_pressure;
-    double     denominator = 1;
+    bool                        symmetric_matrix = problem.symmetric;
+    std::optional<GasStiffness> gas_stiffness;
     if (gas)
       {
-        term         = gas_term(equations, state, loads, *gas);
-        per_pressure = mesh.owned_vector();
-
-        constexpr double parallel = 1e-8;
-        LA::Vector       difference(term.forces);
-        difference /= term.forces.l2_norm();
-        difference.add((term.gradient * term.forces < 0 ? 1 : -1) /
-                         term.gradient.l2_norm(),
-                       term.gradient);
-        if (difference.l2_norm() > parallel)
-          problem.symmetric = false;
+        gas_stiffness.emplace(equations, state, loads, *gas);
+        problem.symmetric = problem.symmetric && gas_stiffness->is_symmetric();
       }
     const auto prepare = [&](const LA::SparseMatrix &A) {
       linear = linear_solver.factorize_for_many(A, symmetric_matrix);
-      if (!linear.success)
-        return false;
-      if (gas)
-        {
-          if (!solve(per_pressure, term.forces))
-            return false;
-          denominator = 1 - term.gradient * per_pressure;
-        }
-      return denominator != 0;
+      return linear.success &&
+             (!gas_stiffness || gas_stiffness->prepare(solve));
     };
     problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
       if (!solve(x, b))
         return false;
-      if (gas)
-        x.add(term.gradient * x / denominator, per_pressure);
+      if (gas_stiffness)
+        gas_stiffness->correct(x);
       return true;
     };
     problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
@@ -352,8 +304,9 @@ namespace Biface
     LA::SparseMatrix K;
     tangent.assemble(state, loads, K);
     tangent.hold(state, loads, K);
-    const GasTerm term =
-      (gas ? gas_term(equations, state, loads, *gas) : GasTerm());
+    std::optional<const GasStiffness> gas_stiffness;
+    if (gas)
+      gas_stiffness.emplace(equations, state, loads, *gas);
     const MassMatrix mass(mesh);
 
     std::vector<LA::Vector>           shapes;
@@ -367,8 +320,8 @@ namespace Biface
     return rayleigh_quotients(
       [&](LA::Vector &product, const LA::Vector &x) {
         K.vmult(product, x);
-        if (gas)
-          product.add(-(term.gradient * x), term.forces);
+        if (gas_stiffness)
+          gas_stiffness->vmult_add(product, x);
       },
       [&](LA::Vector &product, const LA::Vector &x) { mass.vmult(product, x); },
       shapes,

@@ -4,13 +4,28 @@
 
 namespace Biface
 {
+  BucklingStart
+  buckling_start(const InternalForces &internal_forces,
+                 const LoadLevel      &start,
+                 const BucklingStart  &before)
+  {
+    const auto &linearized = internal_forces.linearization_point();
+    return linearized ? BucklingStart{*linearized, start} : before;
+  }
+
+
   Buckling
   buckling_from(const BucklingModes &found,
                 const LoadLevel     &start,
                 const LoadLevel     &first,
-                const LoadLevel     &second)
+                const LoadLevel     &second,
+                const bool           sealed)
   {
-    const double begin = part_of_loads(start, first, second);
+    // the pressure of a sealed gas is no load that is given
+    LoadLevel from = start, reached = first;
+    if (sealed)
+      from.pressure = reached.pressure = second.pressure;
+    const double begin = part_of_loads(from, reached, second);
     Buckling     result;
     result.modes     = found.modes;
     result.symmetric = found.symmetric;

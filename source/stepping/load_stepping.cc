@@ -108,7 +108,7 @@ namespace Biface
             if (stage.n_modes > 0 && control->done() >= 1)
               report.modes = find_modes(run, report.loads);
             if (before && control->done() >= 1)
-              report.buckling = find_buckling(run, *before, level_before);
+              report.buckling = find_buckling(run, {*before, level_before});
             if (follower && control->done() >= 1)
               report.sensitivities = follower->end_stage(report, state);
             observer(report, state);
@@ -820,18 +820,27 @@ namespace Biface
 
 
   std::shared_ptr<const Buckling>
-  LoadStepping::find_buckling(const StageRun  &run,
-                              const State     &before,
-                              const LoadLevel &level_before)
+  LoadStepping::find_buckling(const StageRun      &run,
+                              const BucklingStart &before_step)
   {
     Assert(buckling_analysis, ExcNotInitialized());
-    const LoadLevel    &level        = run.progress.reached;
-    const Loads         loads_before = loads_at(level_before, run);
-    const Loads         loads        = loads_at(level, run);
+    const LoadLevel    &start = run.progress.control.start;
+    const LoadLevel    &level = run.progress.reached;
+    const BucklingStart before =
+      buckling_start(equations.internal_forces(), start, before_step);
+    const Loads loads        = loads_at(level, run);
+    Loads       loads_before = loads_at(before.level, run);
+    LoadRates   change       = change_of(before.level, level);
+    if (run.stage.sealed)
+      {
+        loads_before.pressure = before.level.pressure;
+        change.pressure       = 0;
+      }
     const BucklingModes found =
-      buckling_analysis->compute({before, loads_before},
+      buckling_analysis->compute({before.state, loads_before},
                                  {run.state, loads},
-                                 change_of(level_before, level),
+                                 run.stage.sealed ? gas : nullptr,
+                                 change,
                                  run.stage.n_buckling);
     if (!found.success)
       {
@@ -840,7 +849,7 @@ namespace Biface
         return nullptr;
       }
     auto buckling = std::make_shared<const Buckling>(
-      buckling_from(found, run.progress.control.start, level_before, level));
+      buckling_from(found, start, before.level, level, run.stage.sealed));
     if (buckling->modes.empty())
       {
         out << "  no buckling is predicted for this change of the loads"

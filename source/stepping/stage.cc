@@ -279,8 +279,9 @@ namespace Biface
                       "changing as in the last step of the stage, but the "
                       "shape does not. For the linear buckling load of an "
                       "unloaded shell, a stage of one step with a small part "
-                      "of this load. See 'Modes' for the nodes in "
-                      "contact.",
+                      "of this load, or any load with 'Strain theory = "
+                      "linear', where they change as in the whole stage. See "
+                      "'Modes' for the nodes in contact.",
                       Patterns::Integer(0, 1000));
     add_choice(prm,
                "Critical points",
@@ -371,15 +372,6 @@ namespace Biface
                            number_to_string(branch_amplitude),
                            "it must be finite and not 0");
       }
-    if (n_buckling > 0 && sealed)
-      throw InputError(section + "/Buckling",
-                       std::to_string(n_buckling),
-                       "it must be 0 in a stage with 'Gas = sealed'");
-    if (n_buckling > 0 && theory == StrainTheory::linear)
-      throw InputError(section + "/Buckling",
-                       std::to_string(n_buckling),
-                       "it must be 0 in a stage with 'Strain theory = linear', "
-                       "where the tangent does not change");
     if (control != "load" && theory == StrainTheory::linear)
       throw InputError(section + "/Strain theory",
                        "linear",

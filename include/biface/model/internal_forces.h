@@ -113,6 +113,12 @@ namespace Biface
       return history.linearization_point;
     }
 
+    /** The state in the shape in which the tangent is taken, with the same
+     * resultants and slack cords: that about which the strains are linearized,
+     * or the state itself. */
+    State
+    in_shape_of_tangent(const State &state) const;
+
     /** Turn the resultants of the state into initial resultants and set its
      * displacements to zero: the new start is the undeformed shape with these
      * stresses, in equilibrium with loads that are not given. Strains are no

@@ -11,6 +11,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact_interaction.h>
+#include <biface/model/gas.h>
 #include <biface/model/shell_equations.h>
 #include <biface/model/state.h>
 #include <biface/model/wave_numbers.h>
@@ -64,7 +65,11 @@ namespace Biface
    * tangent of the equilibrium, see HeldTangent, and @f$\mathbf K_0@f$ that for
    * the same displacements with the resultants and the loads before. The
    * tangent is linear in these, so that the line through both has no error but
-   * that of frozen displacements.
+   * that of frozen displacements. In linear strain theory, these are the
+   * displacements about which the strains are linearized.
+   *
+   * A sealed gas stiffens both tangents by the pressure in each, see
+   * GasStiffness.
    *
    * If @f$\mathbf K_0@f$ is symmetric and the linear solver counts no negative
    * pivots, Lanczos' method works in the inner product of @f$\mathbf K_0@f$,
@@ -92,12 +97,15 @@ namespace Biface
      *
      * @param before an earlier equilibrium; its displacements do not matter.
      * @param now the equilibrium from which to predict.
-     * @param rates the change of the loads from one to the other, in any unit.
+     * @param gas that is sealed in the shell, if any.
+     * @param rates the change of the loads from one to the other, in any unit,
+     * without the pressure of a sealed gas.
      * @param n the number of shapes; there may be fewer.
      */
     BucklingModes
     compute(const Equilibrium &before,
             const Equilibrium &now,
+            const Gas         *gas,
             const LoadRates   &rates,
             const unsigned int n);
 
@@ -108,12 +116,13 @@ namespace Biface
      * of second order if both tangents are symmetric; modes of the same
      * position have their mean. The last assembly of the equations is lost.
      *
-     * @param before, now see compute().
+     * @param before, now, gas see compute().
      * @param modes of the neighbor, whose degrees of freedom are the same.
      */
     std::vector<double>
     quotients(const Equilibrium               &before,
               const Equilibrium               &now,
+              const Gas                       *gas,
               const std::vector<BucklingMode> &modes);
 
     /** The number of negative pivots of the tangent, if it is symmetric and the
@@ -142,7 +151,10 @@ namespace Biface
     struct Pencil;
 
     void
-    assemble(const Equilibrium &before, const Equilibrium &now, Pencil &pencil);
+    assemble(const Equilibrium &before,
+             const Equilibrium &now,
+             const Gas         *gas,
+             Pencil            &pencil);
 
     /** The tangent of one equilibrium, and whether it is symmetric. */
     bool
@@ -156,6 +168,10 @@ namespace Biface
      * @f$\mathbf K_0-\sigma\mathbf G@f$. */
     LinearSolverResult
     factorize(Pencil &pencil, const double shift);
+
+    /** Solve such a system. */
+    bool
+    solve(const Pencil &pencil, LA::Vector &x, const LA::Vector &b);
 
     /** The lowest position, roughly; none if there is none. */
     std::optional<double>

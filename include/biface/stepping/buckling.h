@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include <biface/model/internal_forces.h>
+#include <biface/model/state.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/load_level.h>
 
@@ -32,15 +34,35 @@ namespace Biface
   };
 
 
+  /** The equilibrium before that at the end of a stage, for the change of the
+   * resultants and loads. Kept by reference. */
+  struct BucklingStart
+  {
+    const State     &state;
+    const LoadLevel &level;
+  };
+
+  /** That before the last step or, in linear strain theory, that at the start
+   * of the stage, whose tangent is that of the stage.
+   * @param start the loads at the start of the stage.
+   * @param before the equilibrium before the last step. */
+  BucklingStart
+  buckling_start(const InternalForces &internal_forces,
+                 const LoadLevel      &start,
+                 const BucklingStart  &before);
+
+
   /** The critical loads of buckling modes.
    * @param start the loads at the start of the stage.
    * @param first, second those of the two equilibria of the analysis; the
-   * second one is the end of the stage. */
+   * second one is the end of the stage.
+   * @param sealed whether the pressure follows from the volume of a gas. */
   Buckling
   buckling_from(const BucklingModes &found,
                 const LoadLevel     &start,
                 const LoadLevel     &first,
-                const LoadLevel     &second);
+                const LoadLevel     &second,
+                const bool           sealed);
 } // namespace Biface
 
 #endif

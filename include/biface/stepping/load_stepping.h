@@ -19,6 +19,7 @@
 #include <biface/model/worst_strains.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/progress.h>
@@ -247,13 +248,10 @@ namespace Biface
     find_modes(const StageRun &run, const Loads &loads);
 
     /** Predict buckling at the end of a stage and print the factors.
-     * @param before, level_before the state and the loads before the last
-     * step.
+     * @param before_step the equilibrium before the last step.
      * @return null if the prediction failed. */
     std::shared_ptr<const Buckling>
-    find_buckling(const StageRun  &run,
-                  const State     &before,
-                  const LoadLevel &level_before);
+    find_buckling(const StageRun &run, const BucklingStart &before_step);
 
     /** Warn once of supported nodes that the foundation has passed through. */
     void
