@@ -74,10 +74,12 @@ namespace Biface
                                const ShellMesh                &mesh,
                                const FailureCriteria          &criteria,
                                const Point<3>                 &moment_center,
-                               const Known                    &known)
+                               const Known                    &known,
+                               const Columns                   columns)
     : names(names)
     , criteria(criteria)
     , moment_center(moment_center)
+    , columns(columns)
     , history(history_groups(criteria, mesh, known.volume))
   {
     for (const std::string &name : names)
@@ -85,15 +87,15 @@ namespace Biface
         const std::optional<Source> source = find(name, mesh, known);
         if (!source)
           {
-            std::string columns;
+            std::string counting;
             for (const HistoryGroup &group : history)
               for (const std::string &column : group.columns)
-                if (has_derivative(column))
-                  columns += (columns.empty() ? "" : ", ") + column;
+                if (counts(column))
+                  counting += (counting.empty() ? "" : ", ") + column;
             throw InputError(
               entry,
               name,
-              "it must be one of " + columns +
+              "it must be one of " + counting +
                 ", 'POINT u_x' with a named point, 'BODY F_x' "
                 "with a body of forces.csv, 'frequency 1' or 'buckling factor "
                 "1' with the number of a mode that 'Modes' or 'Buckling' asks "
@@ -113,7 +115,7 @@ namespace Biface
     for (unsigned int g = 0; g < history.size(); ++g)
       if (const auto column = position_of(name, history[g].columns))
         {
-          if (!has_derivative(name))
+          if (!counts(name))
             return {};
           source.position  = g;
           source.component = *column;
@@ -164,6 +166,13 @@ namespace Biface
         return {};
       }
     return {};
+  }
+
+
+  bool
+  ScalarResults::counts(const std::string &column) const
+  {
+    return columns == Columns::all || has_derivative(column);
   }
 
 

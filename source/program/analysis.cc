@@ -132,7 +132,7 @@ namespace Biface
             report, state, equations.mesh, results.get_failure_maxima());
           checkpoints.write_if_due(record);
           if (options.observer)
-            options.observer(equations.mesh, report, state);
+            options.observer(simulation, report, state);
         },
         [&]() { return signals.caught(communicator) != 0; },
         options.predictor);

@@ -164,7 +164,8 @@ namespace Biface
               *model.mesh,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
-              known_results(parameters, model))
+              known_results(parameters, model),
+              ScalarResults::Columns::differentiable)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const Change &change : parameters.sensitivities.changes)

@@ -26,8 +26,8 @@
 #include <biface/input/read_file.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
-#include <biface/output/history_file.h>
 #include <biface/output/result_file.h>
+#include <biface/output/scalar_results.h>
 #include <biface/program/analysis.h>
 #include <biface/program/sample_queue.h>
 #include <biface/program/signal_watch.h>
@@ -54,15 +54,15 @@ namespace Biface
         {
           const auto              at = item.find('@');
           StudyParameters::Output output;
-          output.column = Utilities::trim(item.substr(0, at));
+          output.result = Utilities::trim(item.substr(0, at));
           if (at != std::string::npos)
             output.stage = Utilities::trim(item.substr(at + 1));
-          if (output.column.empty() ||
+          if (output.result.empty() ||
               (at != std::string::npos && output.stage.empty()))
             throw InputError(entry,
                              text,
-                             "it must be a list of columns of history.csv, as "
-                             "in 'force, strain_energy @ inflation'");
+                             "it must be a list of results, as in 'force, "
+                             "strain_energy @ inflation'");
           for (const StudyParameters::Output &other : result)
             if (other.name() == output.name())
               throw InputError(entry,
@@ -243,6 +243,88 @@ namespace Biface
     };
 
 
+    /** The values of the outputs in an analysis. */
+    class OutputsOfAnalysis
+    {
+    public:
+      /** Throws InputError if there is no such result. */
+      OutputsOfAnalysis(const std::vector<StudyParameters::Output> &outputs,
+                        const Parameters                           &parameters,
+                        const Simulation                           &simulation)
+      {
+        for (unsigned int s = 0; s < parameters.stages.size(); ++s)
+          {
+            std::vector<unsigned int> numbers;
+            std::vector<std::string>  names;
+            for (unsigned int o = 0; o < outputs.size(); ++o)
+              if (last_stage(outputs[o], parameters.stages) == s)
+                {
+                  numbers.push_back(o);
+                  names.push_back(outputs[o].result);
+                }
+            const Stage               &stage = parameters.stages[s];
+            const ScalarResults::Known known{
+              simulation.get_gas() != nullptr, stage.n_modes, stage.n_buckling};
+            of_stages.push_back(
+              {numbers,
+               ScalarResults("Study/Outputs",
+                             names,
+                             simulation.get_equations().mesh,
+                             parameters.output.criteria,
+                             parameters.output.forces.moment_center,
+                             known,
+                             ScalarResults::Columns::all)});
+          }
+      }
+
+      /** Read the values if a step is the last one of its stage. On all
+       * ranks. */
+      void
+      read(const Simulation    &simulation,
+           const StepReport    &report,
+           const State         &state,
+           std::vector<double> &values) const
+      {
+        const OfStage &stage = of_stages[report.instant.stage];
+        if (report.instant.fraction < 1 || stage.numbers.empty())
+          return;
+        const Gas                *gas = simulation.get_gas();
+        const std::vector<double> found =
+          stage.results.evaluate(simulation.get_equations(),
+                                 gas ? &gas->cavity : nullptr,
+                                 report,
+                                 state);
+        for (unsigned int i = 0; i < found.size(); ++i)
+          values[stage.numbers[i]] = found[i];
+      }
+
+    private:
+      struct OfStage
+      {
+        /** The positions of the outputs. */
+        std::vector<unsigned int> numbers;
+        ScalarResults             results;
+      };
+
+      /** The position of the last stage with the name that an output asks
+       * for. */
+      static unsigned int
+      last_stage(const StudyParameters::Output &output,
+                 const std::vector<Stage>      &stages)
+      {
+        unsigned int result = stages.size() - 1;
+        while (!output.stage.empty() && stages[result].name != output.stage)
+          {
+            Assert(result > 0, ExcInternalError());
+            --result;
+          }
+        return result;
+      }
+
+      std::vector<OfStage> of_stages;
+    };
+
+
     /** A study after reading. */
     class Study
     {
@@ -299,16 +381,18 @@ namespace Biface
                  const MPI_Comm     communicator,
                  const SignalWatch &signals);
 
-      /** The analysis of a sample. */
+      /** The analysis of a sample.
+       * @param outputs receives their values, if the run gets there. */
       AnalysisResult
-      analyze_sample(const unsigned int i,
-                     const MPI_Comm     communicator,
-                     const SignalWatch &signals);
+      analyze_sample(const unsigned int   i,
+                     const MPI_Comm       communicator,
+                     const SignalWatch   &signals,
+                     std::vector<double> &outputs);
 
-      /** The cells of outputs, steps and iterations of a sample. On the first
-       * rank of a group. */
-      std::pair<std::string, std::string>
-      read_results(const unsigned int i, const bool success) const;
+      /** The cells of steps and iterations of a sample. On the first rank of a
+       * group. */
+      std::string
+      count_steps(const unsigned int i) const;
 
       const MPI_Comm        communicator;
       const bool            is_root;
@@ -414,28 +498,26 @@ namespace Biface
     void
     Study::check(const Group &group) const
     {
-      std::ostringstream screen;
-      std::string        header;
+      std::ostringstream                screen;
+      std::unique_ptr<const Simulation> simulation;
       try
         {
-          const Simulation simulation(base, group.communicator, screen);
-          header = HistoryFile::header(base.output.criteria,
-                                       simulation.get_equations().mesh,
-                                       simulation.get_gas() != nullptr);
+          simulation = std::make_unique<const Simulation>(
+            base, group.communicator, screen);
         }
       catch (const InputError &error)
         {
           throw InputError(base_file + ": " + error.what());
         }
-      const std::vector<std::string> columns =
-        Utilities::split_string_list(header, ',');
-      for (const StudyParameters::Output &output : parameters.outputs)
-        if (std::find(columns.begin(), columns.end(), output.column) ==
-            columns.end())
-          throw InputError(study_file + ": the entry 'Study/Outputs' names " +
-                           Biface::quoted(output.column) +
-                           ", but history.csv has only the columns " +
-                           Biface::quoted(header, 2000) + ".");
+      try
+        {
+          const OutputsOfAnalysis outputs(
+            parameters.outputs, base, *simulation);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(study_file + ": " + error.what());
+        }
     }
 
 
@@ -551,55 +633,34 @@ namespace Biface
     }
 
 
-    std::pair<std::string, std::string>
-    Study::read_results(const unsigned int i, const bool success) const
+    std::string
+    Study::count_steps(const unsigned int i) const
     {
       const std::vector<std::string> lines =
         lines_of(sample_directory(i) + "/history.csv");
       const std::vector<std::string> columns =
         Utilities::split_string_list(lines.empty() ? "" : lines[0], ',');
-      const auto position = [&](const std::string &name) {
-        return std::find(columns.begin(), columns.end(), name) -
-               columns.begin();
-      };
-      const auto cell = [&](const std::string &line, const std::size_t k) {
-        std::vector<std::string> cells =
-          Utilities::split_string_list(line, ',');
-        // names of stages may contain commas
-        const std::size_t stage = position("stage");
-        while (cells.size() > columns.size() && stage + 1 < cells.size())
-          {
-            cells[stage] += ", " + cells[stage + 1];
-            cells.erase(cells.begin() + stage + 1);
-          }
-        return k < cells.size() ? cells[k] : std::string();
-      };
-
-      std::string outputs;
-      for (const StudyParameters::Output &output : parameters.outputs)
-        {
-          std::string value;
-          if (success)
-            for (std::size_t l = 1; l < lines.size(); ++l)
-              if (output.stage.empty() ||
-                  cell(lines[l], position("stage")) == output.stage)
-                value = cell(lines[l], position(output.column));
-          outputs += value + ',';
-        }
+      // names of stages, before it, may contain commas
+      const std::size_t from_end =
+        columns.end() - std::find(columns.begin(), columns.end(), "iterations");
       unsigned int n_iterations = 0;
       for (std::size_t l = 1; l < lines.size(); ++l)
-        n_iterations +=
-          std::atoi(cell(lines[l], position("iterations")).c_str());
-      return {outputs,
-              std::to_string(lines.empty() ? 0 : lines.size() - 1) + ',' +
-                std::to_string(n_iterations)};
+        {
+          const std::vector<std::string> cells =
+            Utilities::split_string_list(lines[l], ',');
+          if (from_end <= cells.size())
+            n_iterations += std::atoi(cells[cells.size() - from_end].c_str());
+        }
+      return std::to_string(lines.empty() ? 0 : lines.size() - 1) + ',' +
+             std::to_string(n_iterations);
     }
 
 
     AnalysisResult
-    Study::analyze_sample(const unsigned int i,
-                          const MPI_Comm     communicator,
-                          const SignalWatch &signals)
+    Study::analyze_sample(const unsigned int   i,
+                          const MPI_Comm       communicator,
+                          const SignalWatch   &signals,
+                          std::vector<double> &outputs)
     {
       const bool is_first =
         (Utilities::MPI::this_mpi_process(communicator) == 0);
@@ -642,12 +703,19 @@ namespace Biface
               if (const Neighbors::Sample *nearest =
                     neighbors.nearest(samples[i], grid, scales))
                 options.predictor = &nearest->states;
-              options.observer = [&](const ShellMesh  &mesh,
-                                     const StepReport &report,
-                                     const State      &state) {
-                states->states.learn(report.instant, GridState(mesh, state));
-              };
             }
+          std::optional<const OutputsOfAnalysis> results;
+          options.observer = [&](const Simulation &simulation,
+                                 const StepReport &report,
+                                 const State      &state) {
+            if (states)
+              states->states.learn(
+                report.instant,
+                GridState(simulation.get_equations().mesh, state));
+            if (!results)
+              results.emplace(parameters.outputs, changed, simulation);
+            results->read(simulation, report, state, outputs);
+          };
           const AnalysisResult result =
             analyze(changed, prm, notes, options, communicator, log, err);
           if (states && result.code == done)
@@ -679,17 +747,25 @@ namespace Biface
                       const SignalWatch &signals)
     {
       const Timer          timer;
-      const AnalysisResult result = analyze_sample(i, communicator, signals);
+      std::vector<double>  outputs(parameters.outputs.size(),
+                                  std::numeric_limits<double>::quiet_NaN());
+      const AnalysisResult result =
+        analyze_sample(i, communicator, signals, outputs);
       if (result.code == interrupted || result.code == terminated)
         return true;
 
       write_on_first(communicator, [&]() {
-        const auto cells = read_results(i, result.code == done);
+        std::string cells;
+        for (const double value : outputs)
+          cells +=
+            (result.code == done && !std::isnan(value) ? csv_number(value)
+                                                       : std::string()) +
+            ',';
         write_whole(sample_directory(i) + "/" + row_name,
-                    header() + '\n' + first_cells(i) + cells.first +
+                    header() + '\n' + first_cells(i) + cells +
                       csv_text(result.code == done ? "ok" : result.reason) +
-                      ',' + cells.second + ',' + csv_number(timer.wall_time()) +
-                      '\n');
+                      ',' + count_steps(i) + ',' +
+                      csv_number(timer.wall_time()) + '\n');
       });
       return false;
     }
@@ -844,9 +920,13 @@ namespace Biface
                "",
                outputs,
                parse_outputs,
-               "Columns of history.csv that become columns of study.csv: a "
-               "comma-separated list of 'column' for the last step, or "
-               "'column @ stage' for the last step of the stage of this name.");
+               "Results that become columns of study.csv: a comma-separated "
+               "list of 'result' at the end of the run, or 'result @ stage' at "
+               "the end of the stage of this name. A result is a column of "
+               "history.csv such as 'force', a displacement of a named point "
+               "such as 'top u_x', a component of forces.csv such as 'alpha_1 "
+               "min F_x', the frequency of a mode such as 'frequency 1', or a "
+               "factor of 'Buckling' such as 'buckling factor 1'.");
     prm.add_parameter("Directory",
                       directory,
                       "Directory of the results, created if it does not exist. "

@@ -17,8 +17,7 @@
 namespace Biface
 {
   /**
-   * Single numbers of the results by their names, of which derivatives make
-   * sense:
+   * Single numbers of the results by their names:
    * - a column of history.csv, such as `force`;
    * - a column of probes.csv at a named point, such as `top u_x`, of the middle
    *   surface unless the face is given, as in `top inner u_x`;
@@ -38,6 +37,15 @@ namespace Biface
       unsigned int n_modes = 0, n_buckling = 0;
     };
 
+    /** Which columns of history.csv count. */
+    enum class Columns
+    {
+      all,
+      /** Those of which derivatives make sense: no works, which are sums over
+       * all steps, numbers and places. */
+      differentiable
+    };
+
     /** Throws InputError if there is no such number.
      * @param entry the entry that lists the names, for error messages. */
     ScalarResults(const std::string              &entry,
@@ -45,7 +53,8 @@ namespace Biface
                   const ShellMesh                &mesh,
                   const FailureCriteria          &criteria,
                   const dealii::Point<3>         &moment_center,
-                  const Known                    &known);
+                  const Known                    &known,
+                  const Columns                   columns);
 
     const std::vector<std::string> &
     get_names() const
@@ -109,6 +118,10 @@ namespace Biface
     bool
     have(const Source::Kind kind) const;
 
+    /** Whether a column of history.csv counts. */
+    bool
+    counts(const std::string &column) const;
+
     /** The source of a name; none if there is no such number. */
     std::optional<Source>
     find(const std::string &name,
@@ -118,6 +131,7 @@ namespace Biface
     const std::vector<std::string>  names;
     const FailureCriteria           criteria;
     const dealii::Point<3>          moment_center;
+    const Columns                   columns;
     const std::vector<HistoryGroup> history;
     std::vector<Source>             sources;
   };

@@ -16,6 +16,7 @@
 #include <biface/program/program.h>
 #include <biface/program/run_log.h>
 #include <biface/program/signal_watch.h>
+#include <biface/program/simulation.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/step_report.h>
 
@@ -33,7 +34,7 @@ namespace Biface
     /** States from which steps start; null for none. */
     const NestedPredictor *predictor = nullptr;
     /** Called after every converged step, if set. */
-    std::function<void(const ShellMesh &, const StepReport &, const State &)>
+    std::function<void(const Simulation &, const StepReport &, const State &)>
       observer;
     /** The object that watches signals; null if the analysis has its own. */
     const SignalWatch *signals = nullptr;

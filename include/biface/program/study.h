@@ -23,19 +23,18 @@ namespace Biface
    * design variables take other values. */
   struct StudyParameters
   {
-    /** A column of history.csv, in the last line or the last one of a
-     * stage. */
+    /** A result, see ScalarResults, at the end of the run or of a stage. */
     struct Output
     {
-      std::string column;
-      /** Empty for the last line. */
+      std::string result;
+      /** Empty for the end of the run. */
       std::string stage;
 
       /** The column of study.csv. */
       std::string
       name() const
       {
-        return column + (stage.empty() ? "" : " @ " + stage);
+        return result + (stage.empty() ? "" : " @ " + stage);
       }
     };
 
