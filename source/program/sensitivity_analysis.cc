@@ -446,6 +446,7 @@ namespace Biface
     Derivative derivative{{{propose(step, *neighbors[2 * e]),
                             propose(step, *neighbors[2 * e + 1])}},
                           model.mesh->owned_vector(),
+                          model.mesh->owned_vector(),
                           LoadParameters(step.mu.size())};
     move(step, e, derivative);
     return derivative;
@@ -467,14 +468,17 @@ namespace Biface
         neighbor.level = neighbor.trial.level(mu);
         neighbor.loads = loads_on(neighbor, neighbor.level);
 
-        State &state       = neighbor.state;
-        state.displacement = derivative.fixed[side];
+        State     &state = neighbor.state;
+        LA::Vector moved = derivative.fixed[side];
+        moved.add(half, derivative.balanced);
+        state.displacement = moved;
         const auto contact_before =
           neighbor.model.contact.linearize(state, neighbor.loads);
         LA::Vector increment = derivative.displacements;
+        increment -= derivative.balanced;
         increment *= half;
-        LA::Vector moved = derivative.fixed[side];
-        moved += increment;
+        moved = derivative.fixed[side];
+        moved.add(half, derivative.displacements);
         state.displacement           = moved;
         LA::Vector ghosted_increment = model.mesh->ghosted_vector();
         ghosted_increment            = increment;
@@ -591,7 +595,10 @@ namespace Biface
       {
         std::vector<LA::Vector> rates;
         for (const unsigned int e : unsettled)
-          rates.push_back(force_rate(step, e, here, roundoff));
+          {
+            rates.push_back(force_rate(step, e, here, roundoff));
+            derivatives[e].balanced = derivatives[e].displacements;
+          }
         const std::vector<LA::Vector> corrections = tangent.solve(rates);
 
         std::vector<unsigned int> still_unsettled;

@@ -83,7 +83,10 @@ namespace Biface
       /** Those of the run, but at the supports those of both neighbors. */
       std::array<LA::Vector, 2> fixed;
       LA::Vector                displacements;
-      LoadParameters            mu;
+      /** Those for which the forces were evaluated last. The round-off in
+       * their positions is balanced by the displacements since. */
+      LA::Vector     balanced;
+      LoadParameters mu;
     };
 
     using Change = SensitivityParameters::Change;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// With friction, derivatives do not depend on the number of ranks either,
+// although steps are so small that the round-off in the positions of nodes
+// matters: logarithmic ones, here times 100, are the same to 1e-8, and those of
+// the pressure at a node, times 10, to 1e-7.
+
+#include <deal.II/base/mpi.h>
+
+#include <iomanip>
+#include <iostream>
+
+#include <biface/stepping/sensitivity_table.h>
+
+#include <run_analysis.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const auto reports = run_analysis(
+    PRM_DIR "/bias_tire.prm",
+    {"Mesh/Intervals alpha_1=-120:120:16",
+     "Mesh/Intervals alpha_2=-180:-30:5:smooth,-30:30:8,30:180:5:smooth",
+     "Contact/Multiplier mass=lumped",
+     "Stage 2/Friction=0.5",
+     "Stage 2/Steps=2",
+     "Newton/Residual tolerance=1e-11",
+     "Sensitivities/Entries=p: Stage 1/Pressure, Stage 2/Pressure;"
+     "Stage 2/Travel; Material cord/E_L; Material cord/G_LT",
+     "Sensitivities/Outputs=force, footprint_area, max_pressure"});
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return 0;
+
+  const SensitivityTable &table = *reports.back().sensitivities;
+  std::cout << std::setprecision(10);
+  for (unsigned int e = 0; e < table.entries.size(); ++e)
+    for (unsigned int o = 0; o < table.outputs.size(); ++o)
+      std::cout << table.outputs[o].name << " by " << table.entries[e].name
+                << ": " << (o < 2 ? 100 : 10) * table.logarithmic(e, o)
+                << std::endl;
+}
