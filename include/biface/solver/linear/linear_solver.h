@@ -59,7 +59,7 @@ namespace Biface
       struct Multigrid
       {
         unsigned int max_iterations    = 300;
-        unsigned int restart_length    = 100;
+        unsigned int restart_length    = 300;
         unsigned int coarsest_unknowns = 12000;
 
         void
