@@ -3,6 +3,7 @@
 #ifndef biface_base_linear_algebra_h
 #define biface_base_linear_algebra_h
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
@@ -19,6 +20,12 @@ namespace Biface
     using Vector       = dealii::TrilinosWrappers::MPI::Vector;
     using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   } // namespace LA
+
+
+  /** Replace a small matrix by its inverse, which may be empty.
+   * @return whether it is regular; if not, it is unchanged. */
+  bool
+  invert(dealii::FullMatrix<double> &matrix);
 
 
   /** The locally owned entries of a vector that can be read beyond them. */

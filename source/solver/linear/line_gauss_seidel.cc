@@ -73,40 +73,31 @@ namespace Biface
         places[nodes.rows[k]] = {n, k - nodes.begin[n]};
 
     std::vector<unsigned int> position(n_nodes, not_a_neighbor);
-    try
+    for (unsigned int l = 0; l + 1 < nodes.line_begin.size(); ++l)
       {
-        for (unsigned int l = 0; l + 1 < nodes.line_begin.size(); ++l)
+        const unsigned int begin = nodes.line_begin[l],
+                           end   = nodes.line_begin[l + 1];
+        // of the node before, after elimination
+        FullMatrix<double> inverse, next;
+        for (unsigned int n = begin; n < end; ++n)
           {
-            const unsigned int begin = nodes.line_begin[l],
-                               end   = nodes.line_begin[l + 1];
-            // of the node before, after elimination
-            FullMatrix<double> inverse, next;
-            for (unsigned int n = begin; n < end; ++n)
+            Coupling coupling = copy_blocks(n, begin, end, places, position);
+            if (!coupling.before.empty())
               {
-                Coupling coupling =
-                  copy_blocks(n, begin, end, places, position);
-                if (!coupling.before.empty())
-                  {
-                    FullMatrix<double> back(next.m(), next.n());
-                    inverse.mmult(back, next);
-                    factors[n].back   = in_single_precision(back);
-                    factors[n].before = in_single_precision(coupling.before);
-                    FullMatrix<double> change(coupling.own.m(),
-                                              coupling.own.n());
-                    coupling.before.mmult(change, back);
-                    coupling.own.add(-1, change);
-                  }
-                if (!coupling.own.empty())
-                  coupling.own.gauss_jordan();
-                factors[n].inverse = in_single_precision(coupling.own);
-                inverse            = std::move(coupling.own);
-                next               = std::move(coupling.next);
+                FullMatrix<double> back(next.m(), next.n());
+                inverse.mmult(back, next);
+                factors[n].back   = in_single_precision(back);
+                factors[n].before = in_single_precision(coupling.before);
+                FullMatrix<double> change(coupling.own.m(), coupling.own.n());
+                coupling.before.mmult(change, back);
+                coupling.own.add(-1, change);
               }
+            if (!invert(coupling.own))
+              return false;
+            factors[n].inverse = in_single_precision(coupling.own);
+            inverse            = std::move(coupling.own);
+            next               = std::move(coupling.next);
           }
-      }
-    catch (const ExceptionBase &)
-      {
-        return false;
       }
     return true;
   }

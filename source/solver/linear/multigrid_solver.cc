@@ -21,12 +21,115 @@ namespace Biface
 
   namespace
   {
-    /** Whether something holds on all ranks that share a matrix. */
+    constexpr const char *set_up_failure =
+      "the multigrid preconditioner could not be set up: the tangent may be "
+      "singular";
+
+
     bool
-    on_all_ranks(const bool condition, const LA::SparseMatrix &A)
+    on_any_rank(const bool condition, const LA::SparseMatrix &A)
     {
-      return Utilities::MPI::min(static_cast<int>(condition),
-                                 A.get_mpi_communicator()) == 1;
+      return Utilities::MPI::logical_or(condition, A.get_mpi_communicator());
+    }
+
+
+    /** A node that the foundation holds. */
+    struct HeldNode
+    {
+      std::array<types::global_dof_index, 6> rows;
+      /** The largest one that a translation of the shell exerts on it. */
+      Vector<double> force;
+    };
+
+
+    /** The nodes of this rank that are held. */
+    std::vector<HeldNode>
+    find_held_nodes(const LA::SparseMatrix          &A,
+                    const GridLineNodes             &nodes,
+                    const std::array<LA::Vector, 3> &translations)
+    {
+      // an elastic shell exerts forces of the order of round-off
+      constexpr double held = 0.5;
+
+      std::array<LA::Vector, 3> forces;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          forces[i].reinit(translations[i]);
+          A.vmult(forces[i], translations[i]);
+        }
+
+      std::vector<HeldNode> held_nodes;
+      const IndexSet        rows = A.locally_owned_range_indices();
+      for (unsigned int n = 0; n < nodes.n_nodes(); ++n)
+        {
+          HeldNode       node{{}, Vector<double>(6)};
+          Vector<double> force(6);
+          double         diagonal = 0;
+          const int     *local    = &nodes.rows[nodes.begin[n]];
+          for (unsigned int d = 0; d < 6; ++d)
+            {
+              node.rows[d] = rows.nth_index_in_set(local[d]);
+              diagonal     = std::max(diagonal, A.diag_element(node.rows[d]));
+            }
+          for (const LA::Vector &f : forces)
+            {
+              for (unsigned int d = 0; d < 6; ++d)
+                force[d] = f.begin()[local[d]];
+              if (force.norm_sqr() > node.force.norm_sqr())
+                node.force = force;
+            }
+          if (node.force.l2_norm() > held * diagonal)
+            held_nodes.push_back(node);
+        }
+      return held_nodes;
+    }
+
+
+    /** Make a projection along the displacements by which each of the nodes
+     * alone yields to its force with the least energy.
+     * @return whether the matrices of all nodes are regular. */
+    bool
+    yield_at(const std::vector<HeldNode> &nodes,
+             const LA::SparseMatrix      &A,
+             LA::SparseMatrix            &projection)
+    {
+      // the rest keeps the coarse matrix regular where all nodes are held
+      constexpr double truncated = 0.99;
+
+      const IndexSet         rows = A.locally_owned_range_indices();
+      DynamicSparsityPattern pattern(rows.size(), rows.size(), rows);
+      for (const auto row : rows)
+        pattern.add(row, row);
+      for (const HeldNode &node : nodes)
+        for (const auto row : node.rows)
+          for (const auto column : node.rows)
+            pattern.add(row, column);
+      projection.reinit(rows, rows, pattern, A.get_mpi_communicator());
+      for (const auto row : rows)
+        projection.set(row, row, 1.);
+      projection.compress(VectorOperation::insert);
+
+      bool singular = false;
+      for (const HeldNode &node : nodes)
+        {
+          FullMatrix<double> inverse(6, 6);
+          for (unsigned int i = 0; i < 6; ++i)
+            for (unsigned int j = 0; j < 6; ++j)
+              inverse(i, j) = A.el(node.rows[i], node.rows[j]);
+          singular = !invert(inverse);
+          if (singular)
+            break;
+          Vector<double> yielding(6);
+          inverse.vmult(yielding, node.force);
+          const double work = yielding * node.force;
+          for (unsigned int i = 0; i < 6; ++i)
+            for (unsigned int j = 0; j < 6; ++j)
+              projection.add(node.rows[i],
+                             node.rows[j],
+                             -truncated * yielding[i] * node.force[j] / work);
+        }
+      projection.compress(VectorOperation::add);
+      return !on_any_rank(singular, A);
     }
   } // namespace
 
@@ -107,6 +210,7 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
     LinearSolverResult result;
     result.success = initialize_smoother(levels.front(), A);
+    result.message = set_up_failure;
     return result;
   }
 
@@ -119,8 +223,7 @@ namespace Biface
     coarse_matrices_are_kept = false;
 
     LinearSolverResult result;
-    result.message = "the multigrid preconditioner could not be set up: the "
-                     "tangent may be singular";
+    result.message = set_up_failure;
 
     const LA::SparseMatrix *on_level = matrix;
     for (Level &level : levels)
@@ -153,102 +256,23 @@ namespace Biface
   bool
   MultigridSolver::initialize_smoother(Level &level, const LA::SparseMatrix &A)
   {
-    return on_all_ranks(level.smoother.initialize(A, level.nodes), A);
+    return !on_any_rank(!level.smoother.initialize(A, level.nodes), A);
   }
 
 
   bool
   MultigridSolver::truncate_prolongation()
   {
-    // an elastic shell exerts forces of the order of round-off
-    constexpr double held = 0.5;
-    // the rest keeps the coarse matrix regular where all nodes are held
-    constexpr double truncated = 0.99;
-
     Level &level = levels.front();
     level.truncated.reset();
-
-    struct HeldNode
-    {
-      std::array<types::global_dof_index, 6> rows;
-      /** The largest one by a translation. */
-      Vector<double> force;
-    };
-    std::vector<HeldNode>     held_nodes;
-    const IndexSet            rows = matrix->locally_owned_range_indices();
-    std::array<LA::Vector, 3> forces;
-    for (unsigned int i = 0; i < 3; ++i)
-      {
-        forces[i].reinit(level.residual);
-        matrix->vmult(forces[i], translations[i]);
-      }
-    for (unsigned int n = 0; n < level.nodes.n_nodes(); ++n)
-      {
-        HeldNode       node{{}, Vector<double>(6)};
-        Vector<double> force(6);
-        double         diagonal = 0;
-        const int     *local    = &level.nodes.rows[level.nodes.begin[n]];
-        for (unsigned int d = 0; d < 6; ++d)
-          {
-            node.rows[d] = rows.nth_index_in_set(local[d]);
-            diagonal = std::max(diagonal, matrix->diag_element(node.rows[d]));
-          }
-        for (const LA::Vector &f : forces)
-          {
-            for (unsigned int d = 0; d < 6; ++d)
-              force[d] = f.begin()[local[d]];
-            if (force.norm_sqr() > node.force.norm_sqr())
-              node.force = force;
-          }
-        if (node.force.l2_norm() > held * diagonal)
-          held_nodes.push_back(node);
-      }
-    if (Utilities::MPI::sum(held_nodes.size(),
-                            matrix->get_mpi_communicator()) == 0)
+    const std::vector<HeldNode> held =
+      find_held_nodes(*matrix, level.nodes, translations);
+    if (!on_any_rank(!held.empty(), *matrix))
       return true;
 
-    // a projection along the displacement by which the node alone yields to
-    // the force with the least energy
-    DynamicSparsityPattern pattern(rows.size(), rows.size(), rows);
-    for (const auto row : rows)
-      pattern.add(row, row);
-    for (const HeldNode &node : held_nodes)
-      for (const auto row : node.rows)
-        for (const auto column : node.rows)
-          pattern.add(row, column);
     LA::SparseMatrix projection;
-    projection.reinit(rows, rows, pattern, matrix->get_mpi_communicator());
-    for (const auto row : rows)
-      projection.set(row, row, 1.);
-    projection.compress(VectorOperation::insert);
-    bool regular = true;
-    for (const HeldNode &node : held_nodes)
-      {
-        FullMatrix<double> inverse(6, 6);
-        for (unsigned int i = 0; i < 6; ++i)
-          for (unsigned int j = 0; j < 6; ++j)
-            inverse(i, j) = matrix->el(node.rows[i], node.rows[j]);
-        try
-          {
-            inverse.gauss_jordan();
-          }
-        catch (const ExceptionBase &)
-          {
-            regular = false;
-            break;
-          }
-        Vector<double> yielding(6);
-        inverse.vmult(yielding, node.force);
-        const double work = yielding * node.force;
-        for (unsigned int i = 0; i < 6; ++i)
-          for (unsigned int j = 0; j < 6; ++j)
-            projection.add(node.rows[i],
-                           node.rows[j],
-                           -truncated * yielding[i] * node.force[j] / work);
-      }
-    if (!on_all_ranks(regular, *matrix))
+    if (!yield_at(held, *matrix, projection))
       return false;
-    projection.compress(VectorOperation::add);
     level.truncated = std::make_unique<LA::SparseMatrix>();
     projection.mmult(*level.truncated, level.interpolation);
     return true;
@@ -262,6 +286,7 @@ namespace Biface
   {
     if (l == levels.size())
       {
+        // a failure shows in GMRES, which does not converge
         coarsest->solve(x, b, 0);
         return;
       }
