@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute aircraft tires from the words of a databook, and write real_tires.md.
+"""Compute aircraft tires from the entries of a databook, and write real_tires.md.
 
 Each row of a table of tires becomes a run of prm/aircraft_tire.prm with --set,
 by rules that are the same for all rows; see Construction. The page compares the

@@ -223,7 +223,7 @@ namespace Biface
       if (slots[i] != nullptr)
         *slots[i] = values[i];
     const double result = parser->parser.Eval();
-    if (!(std::abs(result) <= greatest_number))
+    if (!(std::abs(result) <= maximum_number))
       {
         // write round-off as 0
         double scale = 0;

@@ -33,7 +33,7 @@ namespace Biface
       double             number;
       while (stream >> number)
         {
-          if (std::abs(number) > greatest_number)
+          if (std::abs(number) > maximum_number)
             return true;
           char comma;
           if (!(stream >> comma) || comma != ',')

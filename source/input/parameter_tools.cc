@@ -123,7 +123,7 @@ namespace Biface
     if (trimmed.empty() || result.ec != std::errc() ||
         result.ptr != trimmed.data() + trimmed.size() || !std::isfinite(value))
       throw InputError(entry, trimmed, allowed);
-    if (std::abs(value) > greatest_number)
+    if (std::abs(value) > maximum_number)
       throw InputError(entry, trimmed, number_too_large);
     return value;
   }

@@ -108,12 +108,12 @@ namespace Biface
             // of equal coefficients up to round-off, the last one
             auto         pivot_row = rows.begin();
             unsigned int pivot     = 0;
-            double       greatest  = 0;
+            double       maximum   = 0;
             for (auto row = rows.begin(); row != rows.end(); ++row)
               for (unsigned int i = n_unknowns; i-- > 0;)
-                if (std::abs(row->coefficients[i]) > (1 + roundoff) * greatest)
+                if (std::abs(row->coefficients[i]) > (1 + roundoff) * maximum)
                   {
-                    greatest  = std::abs(row->coefficients[i]);
+                    maximum   = std::abs(row->coefficients[i]);
                     pivot_row = row;
                     pivot     = i;
                   }

@@ -87,14 +87,7 @@ namespace Biface
   ContactInteraction::touching_travel(const State &state) const
   {
     const RigidFoundation at_rest = foundation(0);
-
-    double travel = std::numeric_limits<double>::infinity();
-    for (const Node &node : mesh.nodes)
-      if (node.outer_face_free)
-        travel = std::min(travel,
-                          at_rest.travel_to(mesh.deformed_position(
-                            state.displacement, node, Resultants::outer)));
-    travel = Utilities::MPI::min(travel, mesh.communicator);
+    const double          travel  = minimum_travel(state, at_rest);
     if (travel == std::numeric_limits<double>::infinity())
       throw InputError("the foundation of the section 'Contact' misses the "
                        "shell; its path must meet a node.");
@@ -107,8 +100,7 @@ namespace Biface
         fits = fits && touching.clearance(mesh.deformed_position(
                          state.displacement, node, Resultants::outer)) >
                          -1e-9 * mesh.size();
-    if (Utilities::MPI::max(static_cast<unsigned int>(!fits),
-                            mesh.communicator) > 0)
+    if (Utilities::MPI::logical_or(!fits, mesh.communicator))
       throw InputError("the shell does not fit into the hollow foundation of "
                        "the section 'Contact'.");
     return travel;
@@ -155,16 +147,24 @@ namespace Biface
 
 
   double
-  ContactInteraction::travel_to_touch(const State &state,
-                                      const Loads &loads) const
+  ContactInteraction::remaining_travel(const State &state,
+                                       const Loads &loads) const
   {
-    double least = std::numeric_limits<double>::infinity();
+    return minimum_travel(state, *loads.foundation);
+  }
+
+
+  double
+  ContactInteraction::minimum_travel(const State           &state,
+                                     const RigidFoundation &foundation) const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
     for (const Node &node : mesh.nodes)
       if (node.outer_face_free)
-        least = std::min(least,
-                         loads.foundation->travel_to(mesh.deformed_position(
-                           state.displacement, node, Resultants::outer)));
-    return Utilities::MPI::min(least, mesh.communicator);
+        minimum = std::min(minimum,
+                           foundation.travel_to(mesh.deformed_position(
+                             state.displacement, node, Resultants::outer)));
+    return Utilities::MPI::min(minimum, mesh.communicator);
   }
 
 

@@ -209,7 +209,7 @@ namespace Biface
     };
 
 
-    /** The least and the largest of the numbers added. */
+    /** The minimum and the maximum of the numbers added. */
     struct Range
     {
       double least   = std::numeric_limits<double>::infinity();

@@ -148,12 +148,12 @@ namespace Biface
         {
           // the largest remaining entry among those not yet used as pivots
           unsigned int pivot_row = row, pivot = 0;
-          double       greatest = 0;
+          double       maximum = 0;
           for (unsigned int r = row; r < rows.size(); ++r)
             for (unsigned int m = 0; m < n_motions; ++m)
-              if (std::abs(rows[r][m]) > greatest)
+              if (std::abs(rows[r][m]) > maximum)
                 {
-                  greatest  = std::abs(rows[r][m]);
+                  maximum   = std::abs(rows[r][m]);
                   pivot_row = r;
                   pivot     = m;
                 }

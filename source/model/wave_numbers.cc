@@ -129,18 +129,18 @@ namespace Biface
     for (const unsigned int i : {0, 1})
       if (square(i, n) > (1 + 1e-6) * square(component, n))
         component = i;
-    Complex greatest = 0;
+    Complex largest = 0;
     for (unsigned int line = 0; line < n_lines; ++line)
       if (std::abs(coefficient(line, component, n, way)) >
-          (1 + 1e-6) * std::abs(greatest))
-        greatest = coefficient(line, component, n, way);
+          (1 + 1e-6) * std::abs(largest))
+        largest = coefficient(line, component, n, way);
     // smaller values do not make a wave
     constexpr double minimum = 0.05;
     double           sign    = 0;
-    for (unsigned int line = 0; line < n_lines && greatest != 0.; ++line)
+    for (unsigned int line = 0; line < n_lines && largest != 0.; ++line)
       {
         const double value =
-          (coefficient(line, component, n, way) / greatest).real();
+          (coefficient(line, component, n, way) / largest).real();
         if (std::abs(value) < minimum)
           continue;
         if (sign * value < 0)

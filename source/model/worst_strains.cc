@@ -17,10 +17,10 @@ namespace Biface
 
   namespace
   {
-    /** Strains at the vertices of a cell, one function of them each. */
+    /** The maximum of a function of the strains at the vertices of a cell. */
     struct Candidate
     {
-      double       value  = std::numeric_limits<double>::infinity();
+      double       value  = -std::numeric_limits<double>::infinity();
       unsigned int vertex = 0;
       /** 2 for the thickness strain. */
       unsigned int face = 0;
@@ -30,10 +30,10 @@ namespace Biface
     using Strains = std::array<Resultants::Vector, 4>;
 
     Candidate
-    greatest_compression(const Strains &strains)
+    maximum_compression(const Strains &strains)
     {
       using namespace Resultants;
-      Candidate least;
+      Candidate maximum;
       for (unsigned int v = 0; v < 4; ++v)
         {
           const Resultants::Vector &E = strains[v];
@@ -41,44 +41,44 @@ namespace Biface
             {
               const double E_11 = E[tangential(0, face)];
               const double E_22 = E[tangential(1, face)];
-              const double principal =
-                (E_11 + E_22) / 2 -
-                std::hypot(E_11 - E_22, E[tangential(2, face)]) / 2;
-              if (principal < least.value)
-                least = {principal, v, face};
+              const double compression =
+                std::hypot(E_11 - E_22, E[tangential(2, face)]) / 2 -
+                (E_11 + E_22) / 2;
+              if (compression > maximum.value)
+                maximum = {compression, v, face};
             }
-          if (E[thickness] < least.value)
-            least = {E[thickness], v, 2};
+          if (-E[thickness] > maximum.value)
+            maximum = {-E[thickness], v, 2};
         }
-      return least;
+      return maximum;
     }
 
 
-    /** With the opposite sign, so that the worst is the least. */
     Candidate
-    greatest_shear(const Strains &strains)
+    maximum_shear(const Strains &strains)
     {
       using namespace Resultants;
-      Candidate least;
+      Candidate maximum;
       for (unsigned int v = 0; v < 4; ++v)
         for (unsigned int face = 0; face < 2; ++face)
           {
-            const double shear = -std::hypot(strains[v][transverse(0, face)],
-                                             strains[v][transverse(1, face)]);
-            if (shear < least.value)
-              least = {shear, v, face};
+            const double shear = std::hypot(strains[v][transverse(0, face)],
+                                            strains[v][transverse(1, face)]);
+            if (shear > maximum.value)
+              maximum = {shear, v, face};
           }
-      return least;
+      return maximum;
     }
 
 
-    /** The least of all candidates on all ranks, @p of_cell by position. */
+    /** The maximum on all ranks.
+     * @param of_cell of the cells of this rank, in their order. */
     StrainAtPlace
-    least(const ShellMesh &mesh, const std::vector<Candidate> &of_cell)
+    maximum(const ShellMesh &mesh, const std::vector<Candidate> &of_cell)
     {
       std::vector<double> values;
       for (const Candidate &candidate : of_cell)
-        values.push_back(-candidate.value);
+        values.push_back(candidate.value);
       const auto worst = find_largest_cell(mesh, values);
       Assert(worst, ExcMessage("A mesh has cells."));
 
@@ -120,11 +120,11 @@ namespace Biface
       {
         const Strains strains =
           Modes::at_vertices(forces.total_strains(state, c));
-        compressions.push_back(greatest_compression(strains));
-        shears.push_back(greatest_shear(strains));
+        compressions.push_back(maximum_compression(strains));
+        shears.push_back(maximum_shear(strains));
       }
-    WorstStrains worst{least(mesh, compressions), least(mesh, shears)};
-    worst.shear.value = std::abs(worst.shear.value);
+    WorstStrains worst{maximum(mesh, compressions), maximum(mesh, shears)};
+    worst.compression.value *= -1;
     return worst;
   }
 

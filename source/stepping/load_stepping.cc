@@ -496,7 +496,7 @@ namespace Biface
                        std::optional<unsigned int> &n_negative)
   {
     // of the loads, and of the step, since loads do not tell at a limit point
-    constexpr double       tolerance = 1e-3, greatest_part = 0.05;
+    constexpr double       tolerance = 1e-3, maximum_part = 0.05;
     constexpr unsigned int max_bisections = 40;
 
     const std::optional<unsigned int> n_before = run.progress.n_negative_pivots;
@@ -505,7 +505,7 @@ namespace Biface
     for (unsigned int i = 0; i < max_bisections; ++i)
       {
         if (relative_change(level_before, attempt.level) <= tolerance &&
-            high - low <= greatest_part)
+            high - low <= maximum_part)
           break;
         const double middle = (low + high) / 2;
         run.control.scale_step(middle / taken);

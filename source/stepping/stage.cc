@@ -311,8 +311,8 @@ namespace Biface
     if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
       throw InputError(section + "/Name",
                        name,
-                       "it must not be empty or contain a comma or a "
-                       "quotation mark");
+                       "it must not be empty or contain a comma, a quotation "
+                       "mark or a line break");
     const auto check_load = [&](const std::string           &entry,
                                 const std::optional<double> &load) {
       if (load)

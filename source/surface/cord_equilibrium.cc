@@ -156,14 +156,14 @@ namespace Biface
   {
     using Shape = CordEquilibrium::Shape;
 
-    /** The shape of the given half width at its widest point. The result has
-     * a negative radius there, and @p greatest is the largest half width, if
-     * there is no such shape. */
+    /** The shape of the given half width at its widest point. If there is no
+     * such shape, the result has a negative radius there.
+     * @param max_half_width the largest half width of a shape. */
     Shape
     shape_of_width(const double crown_radius,
                    const double half_width,
                    const double crown_cord_angle,
-                   double      &greatest)
+                   double      &max_half_width)
     {
       Shape      shape{crown_radius, 0, crown_cord_angle};
       const auto excess = [&](const double r_w) {
@@ -172,14 +172,15 @@ namespace Biface
       };
       // below, the crown would be concave
       const double cosine = std::cos(crown_cord_angle);
-      const double least2 = 3 - 2 / (cosine * cosine);
-      const double least =
-        crown_radius * (least2 > 0 ? std::sqrt(least2) * (1 + 1e-10) : 1e-10);
-      const double most   = crown_radius * (1 - 1e-10);
-      greatest            = half_width + excess(least);
-      shape.widest_radius = (greatest > half_width && excess(most) < 0
-                               ? find_root(excess, least, most)
-                               : -1);
+      const double square = 3 - 2 / (cosine * cosine);
+      const double min_radius =
+        crown_radius * (square > 0 ? std::sqrt(square) * (1 + 1e-10) : 1e-10);
+      const double max_radius = crown_radius * (1 - 1e-10);
+      max_half_width          = half_width + excess(min_radius);
+      shape.widest_radius =
+        (max_half_width > half_width && excess(max_radius) < 0
+           ? find_root(excess, min_radius, max_radius)
+           : -1);
       return shape;
     }
 
@@ -213,7 +214,7 @@ namespace Biface
                          no_angle,
                          "then 'End half width' must be a number");
 
-      double greatest = 0;
+      double max_half_width = 0;
       if (parameters.crown_cord_angle)
         {
           const double angle = *parameters.crown_cord_angle;
@@ -222,36 +223,36 @@ namespace Biface
                              number_to_string(angle),
                              "it must lie between 1 and 90 degrees");
           const Shape shape = shape_of_width(
-            r_c, parameters.half_width, angle * degree, greatest);
+            r_c, parameters.half_width, angle * degree, max_half_width);
           if (shape.widest_radius < 0)
             throw InputError(section + "Half width",
                              number_to_string(parameters.half_width),
                              "with this crown radius and cord angle it must "
                              "be less than " +
-                               number_to_string(greatest));
+                               number_to_string(max_half_width));
           return shape;
         }
 
       check_positive(section + "End half width", *parameters.end_half_width);
       // how much wider the end is than it must be; NaN if there is no end
       const auto excess = [&](const double angle) {
-        const Shape shape =
-          shape_of_width(r_c, parameters.half_width, angle * degree, greatest);
+        const Shape shape = shape_of_width(
+          r_c, parameters.half_width, angle * degree, max_half_width);
         return shape.widest_radius < 0
                  ? std::numeric_limits<double>::quiet_NaN()
                  : shape.half_width(parameters.end_radius) -
                      *parameters.end_half_width;
       };
-      constexpr double least_angle = 1;
+      constexpr double min_angle = 1;
       double           above = 90, before = excess(above);
-      while (above > least_angle)
+      while (above > min_angle)
         {
           const double below = above - 1, after = excess(below);
           if (before * after <= 0)
             return shape_of_width(r_c,
                                   parameters.half_width,
                                   find_root(excess, below, above) * degree,
-                                  greatest);
+                                  max_half_width);
           above  = below;
           before = after;
         }

@@ -82,7 +82,7 @@ namespace
   }
 
 
-  /** The greatest differences from a plane. */
+  /** The maximum differences from a plane. */
   void
   compare_with_plane(const std::string &name, const FoundationShape &shape)
   {

@@ -45,10 +45,10 @@ main()
               Q[a] += H[transverse(a, p)];
 
           Tensor<1, 2> below, integral;
-          double       z = 0, greatest = 0, jump = 0;
+          double       z = 0, maximum = 0, jump = 0;
           const auto   at = [&](const unsigned int ply, const double x) {
             const Tensor<1, 2> stress = laminate.interlaminar_stress(E, ply, x);
-            greatest                  = std::max(greatest, stress.norm());
+            maximum                   = std::max(maximum, stress.norm());
             return stress;
           };
           for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
@@ -62,8 +62,8 @@ main()
                             at(p, z + t * quadrature.point(q)[0]);
               z += t;
             }
-          jumps     = std::max(jumps, jump / greatest);
-          at_faces  = std::max(at_faces, below.norm() / greatest);
+          jumps     = std::max(jumps, jump / maximum);
+          at_faces  = std::max(at_faces, below.norm() / maximum);
           integrals = std::max(integrals, (integral - Q).norm() / Q.norm());
         }
       std::cout << law.first << std::endl;

@@ -40,7 +40,7 @@ namespace
     Loads loads;
     loads.foundation = contact.foundation(contact.touching_travel(state));
     const double touching =
-      std::abs(contact.travel_to_touch(state, loads)) / mesh->size();
+      std::abs(contact.remaining_travel(state, loads)) / mesh->size();
     loads.foundation            = loads.foundation->moved(6);
     const unsigned int n_active = contact.settle(state, loads);
 
@@ -64,7 +64,7 @@ namespace
       if (node.locally_owned)
         {
           const Tensor<1, 3> force = node.surface.from_frame(
-            mesh->force(forces, node, Resultants::outer));
+            mesh->force_on_face(forces, node, Resultants::outer));
           sum += force;
           moment +=
             cross_product_3d(mesh->deformed_position(

@@ -115,7 +115,7 @@ namespace
     check_true("  tangential multipliers", tangential == 0);
     check_small("  condition of nodes in contact", condition, 1e-14);
     check_small(
-      "  greatest pressure", summary.max_pressure - largest, 1e-14, largest);
+      "  maximum pressure", summary.max_pressure - largest, 1e-14, largest);
     check_small("  force", summary.force - force, 1e-13, force);
     if (mass == MultiplierMass::consistent)
       check_small("  forces on the shell", difference, 1e-12, size);

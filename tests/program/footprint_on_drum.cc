@@ -57,5 +57,5 @@ main(int argc, char *argv[])
               0.003,
               last.contact.force);
   check_small(
-    "greatest pressure", last.contact.max_pressure - pressure, 0.002, pressure);
+    "maximum pressure", last.contact.max_pressure - pressure, 0.002, pressure);
 }

@@ -67,7 +67,7 @@ end
     /** Of the last step, as text. */
     std::string pressure, load_factor, iterations;
     /** The sum of the forces on the shell in the last step, and the line
-     * `prestress`, relative to the greatest force. */
+     * `prestress`, relative to the maximum force. */
     double imbalance = 0, prestress = 0;
 
     Written(const std::string &file, const std::vector<std::string> &settings)

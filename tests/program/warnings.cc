@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What is allowed but hardly meant is said at the start, by --check, too: loads
-// that no stage applies, symmetry where angle plies have none, and cyclic
-// sectors that do not divide the turn.
+// What is allowed but probably unintended is said at the start, by --check,
+// too: loads that no stage applies, symmetry where angle plies have none, and
+// cyclic sectors that do not divide the turn.
 
 #include "restart.h"
 

@@ -32,7 +32,7 @@ namespace
   }
 
 
-  /** Greatest deviations of position and curvature k_1 from the circle, in the
+  /** Maximum deviations of position and curvature k_1 from the circle, in the
    * middle half of the curve. */
   std::pair<double, double>
   deviations(const unsigned int n)

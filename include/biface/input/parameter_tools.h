@@ -69,15 +69,15 @@ namespace Biface
 
   /** Larger numbers are refused, whatever their unit: products of a few of them
    * would overflow. */
-  constexpr double greatest_number = 1e100;
+  constexpr double maximum_number = 1e100;
 
-  /** The message on numbers beyond greatest_number. */
+  /** The message on numbers beyond maximum_number. */
   constexpr const char *number_too_large =
     "a number must lie between -1e100 and 1e100";
 
   /**
    * Read a text as a number. Throws InputError "@p entry is @p text, but
-   * @p allowed" if it is anything else, or beyond greatest_number.
+   * @p allowed" if it is anything else, or beyond maximum_number.
    */
   double
   parse_number(const std::string &entry,

@@ -132,10 +132,10 @@ namespace Biface
     ActiveSet
     pierced_nodes(const State &state, const Loads &loads) const;
 
-    /** The travel until the foundation touches a free node of the outer face,
-     * see RigidFoundation::travel_to(). */
+    /** The travel from the present place of the foundation until it touches a
+     * free node of the outer face, see RigidFoundation::travel_to(). */
     double
-    travel_to_touch(const State &state, const Loads &loads) const;
+    remaining_travel(const State &state, const Loads &loads) const;
 
     /** Distance between the deformed outer face at a node and the
      * foundation. */
@@ -272,6 +272,9 @@ namespace Biface
     const RollingFriction  rolling_friction;
 
   private:
+    double
+    minimum_travel(const State &state, const RigidFoundation &foundation) const;
+
     /** The geometry of contact at a node. */
     struct Contact
     {

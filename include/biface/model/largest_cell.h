@@ -32,7 +32,7 @@ namespace Biface
      * owns it. */
     std::optional<unsigned int> position;
 
-    /** The least value that is taken as equal to the largest. */
+    /** The minimum value that is taken as equal to the largest. */
     double
     bound() const
     {

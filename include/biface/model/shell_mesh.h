@@ -267,16 +267,6 @@ namespace Biface
                  const Node        &node,
                  const unsigned int face) const;
 
-    /** Of nodal forces, the force on a face at a node, in the frame of the
-     * node. */
-    dealii::Tensor<1, 3>
-    force(const LA::Vector  &nodal_forces,
-          const Node        &node,
-          const unsigned int face) const
-    {
-      return displacement(nodal_forces, node, face) / 2;
-    }
-
     /** Position of a face at a node in the deformed shell. */
     dealii::Point<3>
     deformed_position(const LA::Vector  &V,

@@ -31,10 +31,10 @@ namespace Biface
   /** Where a shell is worst off: the places to look at if a step fails. */
   struct WorstStrains
   {
-    /** The greatest compression: the least of the principal tangential strains
+    /** The maximum compression: the minimum of the principal tangential strains
      * of both faces and of the thickness strains. */
     StrainAtPlace compression;
-    /** The greatest transverse shear, the length of
+    /** The maximum transverse shear, the length of
      * @f$(2E_{13},2E_{23})@f$. */
     StrainAtPlace shear;
   };

@@ -38,7 +38,7 @@ namespace Biface
   /**
    * The maxima of the requested failure indices over the corners of all cells
    * and both sides of all plies, as in plies-NNNN.vtu. Within a ply, an index
-   * is greatest at one of its sides.
+   * is largest at one of its sides.
    *
    * Of places where the index differs by round-off, such as those of a
    * symmetric shell, the first in the order of the cells is given, on any

@@ -29,8 +29,8 @@ namespace Biface
     bool         stage_begun = false;
     /** The loads of the last converged step. */
     LoadLevel reached;
-    /** See ShellEquations::touching_travel(), at the start of the first stage
-     * with contact, or of the first one after a prestress. */
+    /** See ContactInteraction::touching_travel(), at the start of the first
+     * stage with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
     /** See ContactInteraction::touched_point(), at the same time. */
     dealii::Point<3> touched_point;

@@ -110,7 +110,7 @@ namespace Biface
                    const State              &state,
                    const Loads              &loads)
       {
-        return contact.travel_to_touch(state, loads) +
+        return contact.remaining_travel(state, loads) +
                0.01 * contact.mesh.thickness();
       }
     };

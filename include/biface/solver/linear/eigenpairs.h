@@ -20,10 +20,10 @@ namespace Biface
     /** Which @f$\theta=1/(\lambda-\sigma)@f$ are wanted. */
     enum class Wanted
     {
-      /** Those of the greatest magnitude: @f$\lambda@f$ closest to the
+      /** Those of the largest magnitude: @f$\lambda@f$ closest to the
        * shift. */
       nearest,
-      /** Those of the greatest real part: the next @f$\lambda@f$ above the
+      /** Those of the largest real part: the next @f$\lambda@f$ above the
        * shift, if they are real. */
       next_above
     };
