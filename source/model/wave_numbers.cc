@@ -101,12 +101,14 @@ namespace Biface
       return square_of(i, n, 1) + (n > 0 ? square_of(i, n, -1) : 0.);
     };
 
-    WaveNumbers result{0, 1, 0};
-    double      largest = 0;
+    // of values that are equal up to round-off, the first one is taken
+    constexpr double larger = 1 + 1e-6;
+    WaveNumbers      result{0, 1, 0};
+    double           largest = 0;
     for (unsigned int n = 0; n <= n_max; ++n)
       {
         const double sum = square(0, n) + square(1, n) + square(2, n);
-        if (sum > (1 + 1e-6) * largest)
+        if (sum > larger * largest)
           {
             largest                = sum;
             result.circumferential = n;
@@ -123,24 +125,24 @@ namespace Biface
       }
     if (parts.size() > 1 && ways[0] + ways[1] > 0)
       result.travel = (ways[0] - ways[1]) / (ways[0] + ways[1]);
-    const int way = (ways[1] > (1 + 1e-6) * ways[0] ? -1 : 1);
+    const int way = (ways[1] > larger * ways[0] ? -1 : 1);
 
     unsigned int component = 2;
     for (const unsigned int i : {0, 1})
-      if (square(i, n) > (1 + 1e-6) * square(component, n))
+      if (square(i, n) > larger * square(component, n))
         component = i;
-    Complex largest = 0;
+    Complex peak = 0;
     for (unsigned int line = 0; line < n_lines; ++line)
       if (std::abs(coefficient(line, component, n, way)) >
-          (1 + 1e-6) * std::abs(largest))
-        largest = coefficient(line, component, n, way);
+          larger * std::abs(peak))
+        peak = coefficient(line, component, n, way);
     // smaller values do not make a wave
     constexpr double minimum = 0.05;
     double           sign    = 0;
-    for (unsigned int line = 0; line < n_lines && largest != 0.; ++line)
+    for (unsigned int line = 0; line < n_lines && peak != 0.; ++line)
       {
         const double value =
-          (coefficient(line, component, n, way) / largest).real();
+          (coefficient(line, component, n, way) / peak).real();
         if (std::abs(value) < minimum)
           continue;
         if (sign * value < 0)
