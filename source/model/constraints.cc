@@ -262,8 +262,7 @@ namespace Biface
         second_of[pair.second] = pair.first;
         equations[pair.second];
       }
-    if (Utilities::MPI::max(static_cast<unsigned int>(contradiction),
-                            mesh.communicator) > 0)
+    if (Utilities::MPI::logical_or(contradiction, mesh.communicator))
       throw InputError("the section 'Supports' prescribes contradictory "
                        "values of a displacement.");
 

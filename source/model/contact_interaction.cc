@@ -402,14 +402,14 @@ namespace Biface
   ContactInteraction::release_glue(State &state, const ActiveSet &nodes) const
   {
     AssertDimension(nodes.size(), state.grips.size());
-    unsigned int any = 0;
+    bool any = false;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       if (nodes[n] && state.grips[n] == Grip::glued)
         {
           state.grips[n] = Grip::none;
-          any            = 1;
+          any            = true;
         }
-    return Utilities::MPI::max(any, mesh.communicator) > 0;
+    return Utilities::MPI::logical_or(any, mesh.communicator);
   }
 
 

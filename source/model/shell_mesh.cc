@@ -558,7 +558,7 @@ namespace Biface
   bool
   ShellMesh::prescribes_displacements() const
   {
-    return Utilities::MPI::max(prescribed.empty() ? 0u : 1u, communicator) > 0;
+    return Utilities::MPI::logical_or(!prescribed.empty(), communicator);
   }
 
 

@@ -640,16 +640,16 @@ namespace Biface
         lines_of(sample_directory(i) + "/history.csv");
       const std::vector<std::string> columns =
         Utilities::split_string_list(lines.empty() ? "" : lines[0], ',');
-      // names of stages, before it, may contain commas
-      const std::size_t from_end =
-        columns.end() - std::find(columns.begin(), columns.end(), "iterations");
+      const std::size_t column =
+        std::find(columns.begin(), columns.end(), "iterations") -
+        columns.begin();
       unsigned int n_iterations = 0;
       for (std::size_t l = 1; l < lines.size(); ++l)
         {
           const std::vector<std::string> cells =
             Utilities::split_string_list(lines[l], ',');
-          if (from_end <= cells.size())
-            n_iterations += std::atoi(cells[cells.size() - from_end].c_str());
+          if (column < cells.size())
+            n_iterations += std::atoi(cells[column].c_str());
         }
       return std::to_string(lines.empty() ? 0 : lines.size() - 1) + ',' +
              std::to_string(n_iterations);

@@ -869,12 +869,10 @@ namespace Biface
   {
     if (warned_of_pierced_nodes)
       return;
-    const ActiveSet    pierced = contact.pierced_nodes(state, loads);
-    const unsigned int any     = std::count(pierced.begin(), pierced.end(), 0) <
-                                 static_cast<std::ptrdiff_t>(pierced.size())
-                                   ? 1
-                                   : 0;
-    if (Utilities::MPI::max(any, contact.mesh.communicator) == 0)
+    const ActiveSet pierced = contact.pierced_nodes(state, loads);
+    const bool      any     = std::any_of(
+      pierced.begin(), pierced.end(), [](const char node) { return node; });
+    if (!Utilities::MPI::logical_or(any, contact.mesh.communicator))
       return;
     out << "  Warning: the foundation penetrates supported nodes, which "
            "cannot come into contact: "
