@@ -163,10 +163,6 @@ namespace Biface
     , no_output(std::cout, false)
     , coarse_timer(no_output, TimerOutput::never, TimerOutput::wall_times)
   {
-    LinearSolver::Parameters direct;
-    direct.single_precision = false;
-    coarsest                = make_linear_solver(direct, mesh, coarse_timer);
-
     NestedSpaces spaces =
       make_nested_spaces(mesh, parameters.coarsest_unknowns);
     GridLineNodes nodes = std::move(spaces.nodes);
@@ -182,6 +178,11 @@ namespace Biface
           mesh.communicator);
         level.coarse_correction = level.coarse_residual;
       }
+
+    LinearSolver::Parameters direct;
+    direct.single_precision = false;
+    coarsest =
+      make_linear_solver(direct, mesh, levels.empty() ? timer : coarse_timer);
 
     const auto motions = rigid_motions(mesh);
     for (unsigned int i = 0; i < translations.size(); ++i)

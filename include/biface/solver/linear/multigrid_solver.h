@@ -115,7 +115,8 @@ namespace Biface
     const Parameters     parameters;
     dealii::TimerOutput &timer;
 
-    /** Of the coarsest level, which is part of the set-up. */
+    /** Of the coarsest level, which is part of the set-up, unless it is the
+     * only one. */
     dealii::ConditionalOStream    no_output;
     dealii::TimerOutput           coarse_timer;
     std::unique_ptr<LinearSolver> coarsest;
