@@ -111,10 +111,13 @@ namespace Biface
   std::pair<Tensor<1, 3>, Tensor<2, 3>>
   Cavity::field(const Point<3> &x) const
   {
-    Tensor<2, 3> gradient = unit_symmetric_tensor<3>();
     if (axis.norm_square() == 0)
-      return {x / 3, gradient / 3};
+      {
+        const Tensor<1, 3> e_z({0, 0, 1});
+        return {(x * e_z) * e_z, outer_product(e_z, e_z)};
+      }
 
+    Tensor<2, 3> gradient = unit_symmetric_tensor<3>();
     // with s = r e_r: F = (1 - r_0^2/r^2) s/2
     gradient -= outer_product(axis, axis);
     const Tensor<1, 3> s     = gradient * x;

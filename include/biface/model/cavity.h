@@ -27,8 +27,9 @@ namespace Biface
    * @f]
    * for a surface of revolution. No flux passes through the cylinder of the
    * rim, of radius @f$r_0@f$, nor through planes that contain the axis or are
-   * orthogonal to it: these may close the cavity. For other surfaces
-   * @f$\mathbf F=\mathbf x/3@f$, and only the change of the volume follows from
+   * orthogonal to it: these may close the cavity. For a plane
+   * @f$\mathbf F=z\,\mathbf e_z@f$: its edges may move in the plane, or in
+   * planes orthogonal to it. Then only the change of the volume follows from
    * the shell.
    *
    * The undeformed volume is integrated over the exact surface, its change at
