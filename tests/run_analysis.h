@@ -18,6 +18,29 @@ using Observer = std::function<void(const Biface::ShellEquations &,
                                     const Biface::StepReport &,
                                     const Biface::State &)>;
 
+/** The parameters of a file with some entries changed. */
+inline Biface::Parameters
+parameters_of(const std::string                   &file,
+              const std::vector<Biface::Override> &overrides = {})
+{
+  Biface::Parameters       parameters;
+  dealii::ParameterHandler prm;
+  Biface::read_parameters(file, overrides, MPI_COMM_WORLD, parameters, prm);
+  return parameters;
+}
+
+/** A simulation that is ready to run, and what it prints. */
+struct Analysis
+{
+  Analysis(const std::string                   &file,
+           const std::vector<Biface::Override> &overrides = {})
+    : simulation(parameters_of(file, overrides), MPI_COMM_WORLD, screen)
+  {}
+
+  std::ostringstream screen;
+  Biface::Simulation simulation;
+};
+
 /** Run a parameter file with some entries changed.
  * @return the reports of all steps. */
 inline std::vector<Biface::StepReport>
@@ -25,18 +48,13 @@ run_analysis(const std::string                   &file,
              const std::vector<Biface::Override> &overrides,
              const Observer                      &observer = {})
 {
-  Biface::Parameters       parameters;
-  dealii::ParameterHandler prm;
-  Biface::read_parameters(file, overrides, MPI_COMM_WORLD, parameters, prm);
-
-  std::ostringstream screen;
-  Biface::Simulation simulation(parameters, MPI_COMM_WORLD, screen);
+  Analysis                        analysis(file, overrides);
   std::vector<Biface::StepReport> reports;
-  const auto                      result = simulation.run(
+  const auto                      result = analysis.simulation.run(
     [&](const Biface::StepReport &report, const Biface::State &state) {
       reports.push_back(report);
       if (observer)
-        observer(simulation.get_equations(), report, state);
+        observer(analysis.simulation.get_equations(), report, state);
     });
   if (!result.success)
     std::cout << "FAILED: " << result.message << std::endl;

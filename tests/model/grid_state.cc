@@ -29,17 +29,10 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  Parameters       parameters;
-  ParameterHandler prm;
-  read_parameters(
+  const Analysis analysis(
     PRM_DIR "/bias_tire.prm",
-    {"Mesh/Intervals alpha_1=-120:120:6", "Mesh/Intervals alpha_2=-180:180:8"},
-    MPI_COMM_WORLD,
-    parameters,
-    prm);
-  std::ostringstream screen;
-  Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-  const ShellMesh   &mesh = simulation.get_equations().mesh;
+    {"Mesh/Intervals alpha_1=-120:120:6", "Mesh/Intervals alpha_2=-180:180:8"});
+  const ShellMesh &mesh = analysis.simulation.get_equations().mesh;
 
   State      state(mesh);
   LA::Vector V = mesh.owned_vector();

@@ -22,14 +22,9 @@ namespace
   {
     std::vector<Override> overrides = mesh_overrides;
     overrides.push_back("Material cord/Density=1.2e-9");
-    Parameters       parameters;
-    ParameterHandler prm;
-    read_parameters(
-      PRM_DIR "/bias_tire.prm", overrides, MPI_COMM_WORLD, parameters, prm);
-    std::ostringstream screen;
-    const Simulation   simulation(parameters, MPI_COMM_WORLD, screen);
-    const ShellMesh   &mesh = simulation.get_equations().mesh;
-    const MassMatrix   mass(mesh);
+    const Analysis   analysis(PRM_DIR "/bias_tire.prm", overrides);
+    const ShellMesh &mesh = analysis.simulation.get_equations().mesh;
+    const MassMatrix mass(mesh);
     const bool root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
     // a torus of radii 200 and 52.4, from -120 to 120 degrees: the middle

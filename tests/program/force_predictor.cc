@@ -16,27 +16,20 @@ namespace
   unsigned int
   iterations(const std::string &predictor)
   {
-    Parameters       parameters;
-    ParameterHandler prm;
-    read_parameters(
+    Analysis analysis(
       PRM_DIR "/belted_tire.prm",
       {"Mesh/Intervals alpha_1=0:131.2:2,131.2:251.2:4,251.2:382.4:2",
        "Mesh/Intervals alpha_2=-180:-24:3:smooth,-24:24:4,24:180:3:smooth",
-       "Step control/Predictor=" + predictor},
-      MPI_COMM_WORLD,
-      parameters,
-      prm);
-
-    std::ostringstream screen;
-    Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-    unsigned int       sum = 0;
-    const auto         result =
-      simulation.run([&](const StepReport &report, const State &) {
+       "Step control/Predictor=" + predictor});
+    unsigned int sum = 0;
+    const auto   result =
+      analysis.simulation.run([&](const StepReport &report, const State &) {
         sum += report.iterations;
       });
     check_true("predictor " + predictor + ", converged", result.success);
     check_true("no iteration failed",
-               screen.str().find("not converged") == std::string::npos);
+               analysis.screen.str().find("not converged") ==
+                 std::string::npos);
     return sum;
   }
 } // namespace

@@ -16,19 +16,14 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  Parameters       parameters;
-  ParameterHandler prm;
-  read_parameters(
-    DATA_DIR "/sagging_strip.prm", {}, MPI_COMM_WORLD, parameters, prm);
-  std::ostringstream screen;
-  Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-  simulation.run([&](const StepReport &report, const State &) {
+  Analysis analysis(DATA_DIR "/sagging_strip.prm");
+  analysis.simulation.run([&](const StepReport &report, const State &) {
     if (report.in_contact)
       check_true("a force at the travel " + std::to_string(report.approach),
                  report.contact.force > 0);
   });
 
-  const std::string text = screen.str(), warning = "  Warning: ";
+  const std::string text = analysis.screen.str(), warning = "  Warning: ";
   const auto        found = text.find(warning);
   check_true("a warning", found != std::string::npos);
   check_true("one only", found == text.rfind(warning));

@@ -22,22 +22,15 @@ namespace
     const auto n = [&](const unsigned int coarse) {
       return std::to_string(coarse * refinement);
     };
-    Parameters       parameters;
-    ParameterHandler prm;
-    read_parameters(PRM_DIR "/bias_tire.prm",
-                    {"Mesh/Intervals alpha_1=-120:-45:" + n(6) +
-                       ", -45:45:" + n(9) + ", 45:120:" + n(6),
-                     "Mesh/Intervals alpha_2=-180:-15:" + n(5) +
-                       ":smooth, -15:15:" + n(10) + ", 15:180:" + n(5) +
-                       ":smooth",
-                     "Element/Strain sampling=means",
-                     "Linear solver/Type=iterative"},
-                    MPI_COMM_WORLD,
-                    parameters,
-                    prm);
-    std::ostringstream       screen;
-    const Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-    const ShellMesh         &mesh = simulation.get_equations().mesh;
+    const Analysis           analysis(PRM_DIR "/bias_tire.prm",
+                            {"Mesh/Intervals alpha_1=-120:-45:" + n(6) +
+                                         ", -45:45:" + n(9) + ", 45:120:" + n(6),
+                                       "Mesh/Intervals alpha_2=-180:-15:" + n(5) +
+                                         ":smooth, -15:15:" + n(10) + ", 15:180:" + n(5) +
+                                         ":smooth",
+                                       "Element/Strain sampling=means",
+                                       "Linear solver/Type=iterative"});
+    const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
     const ContactInteraction contact(mesh, ContactInteraction::Parameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
 

@@ -18,13 +18,8 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  Parameters       parameters;
-  ParameterHandler prm;
-  read_parameters(
-    PRM_DIR "/bias_tire.prm", {}, MPI_COMM_WORLD, parameters, prm);
-  std::ostringstream       screen;
-  const Simulation         simulation(parameters, MPI_COMM_WORLD, screen);
-  const ShellMesh         &mesh = simulation.get_equations().mesh;
+  const Analysis           analysis(PRM_DIR "/bias_tire.prm");
+  const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
   const ContactInteraction contact(mesh, ContactInteraction::Parameters());
   ShellEquations           equations(mesh, make_force_terms(mesh, contact));
   equations.assemble(State(mesh), Loads());
