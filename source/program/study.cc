@@ -6,14 +6,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <deque>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -22,17 +18,18 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_text.h>
-#include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
-#include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/result_file.h>
 #include <biface/output/scalar_results.h>
 #include <biface/program/analysis.h>
 #include <biface/program/sample_queue.h>
+#include <biface/program/sample_states.h>
 #include <biface/program/signal_watch.h>
 #include <biface/program/simulation.h>
 #include <biface/program/study.h>
+#include <biface/program/study_parameters.h>
+#include <biface/program/study_table.h>
 
 namespace Biface
 {
@@ -40,117 +37,8 @@ namespace Biface
 
   namespace
   {
-    constexpr const char *table_name = "study.csv";
-    constexpr const char *row_name   = "sample.csv";
     constexpr const char *base_name  = "base.prm";
-    constexpr const char *file_name  = "study.prm";
-
-
-    std::vector<StudyParameters::Output>
-    parse_outputs(const std::string &entry, const std::string &text)
-    {
-      std::vector<StudyParameters::Output> result;
-      for (const std::string &item : split_list(entry, text))
-        {
-          const auto              at = item.find('@');
-          StudyParameters::Output output;
-          output.result = Utilities::trim(item.substr(0, at));
-          if (at != std::string::npos)
-            output.stage = Utilities::trim(item.substr(at + 1));
-          if (output.result.empty() ||
-              (at != std::string::npos && output.stage.empty()))
-            throw InputError(entry,
-                             text,
-                             "it must be a list of results, as in 'force, "
-                             "strain_energy @ inflation'");
-          for (const StudyParameters::Output &other : result)
-            if (other.name() == output.name())
-              throw InputError(entry,
-                               text,
-                               Biface::quoted(output.name()) +
-                                 " is listed twice");
-          result.push_back(output);
-        }
-      return result;
-    }
-
-
-    std::vector<Override>
-    parse_settings(const std::string &entry, const std::string &text)
-    {
-      std::vector<Override> result;
-      for (const std::string &item : split_list(entry, text, ';'))
-        {
-          if (item.find('=') == std::string::npos || item[0] == '=')
-            throw InputError(
-              entry, item, "it must have the form 'Section/Entry=value'");
-          result.emplace_back(item, "--study " + item);
-        }
-      return result;
-    }
-
-
-    /** A text as a cell of a CSV file. */
-    std::string
-    csv_text(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char c : text)
-        if (c == '"')
-          result += "\"\"";
-        else
-          result += (c == '\n' ? ' ' : c);
-      return result + '"';
-    }
-
-
-    /** The lines of a small file; none if it cannot be read. */
-    std::vector<std::string>
-    lines_of(const std::string &path)
-    {
-      std::vector<std::string> result;
-      std::ifstream            file(path);
-      for (std::string line; std::getline(file, line);)
-        result.push_back(line);
-      return result;
-    }
-
-
-    /** Write a complete file on one rank. Throws OutputError. */
-    void
-    write_whole(const std::string &path, const std::string &text)
-    {
-      AtomicFile file(path);
-      file.write(text);
-      file.commit();
-      if (!file.error().empty())
-        throw OutputError(path, file.error());
-    }
-
-
-    /** Call a function on the first rank. Throws OutputError on all ranks; the
-     * first one has the reason. */
-    void
-    write_on_first(const MPI_Comm               communicator,
-                   const std::function<void()> &write)
-    {
-      std::optional<OutputError> error;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        try
-          {
-            write();
-          }
-        catch (const OutputError &caught)
-          {
-            error = caught;
-          }
-      const bool failed =
-        Utilities::MPI::broadcast(communicator, error.has_value());
-      if (error)
-        throw *error;
-      if (failed)
-        throw OutputError(table_name, "see the message of the first rank");
-    }
+    constexpr const char *study_name = "study.prm";
 
 
     /** The communicator of the group of a rank. */
@@ -178,68 +66,6 @@ namespace Biface
       MPI_Comm communicator = MPI_COMM_NULL;
       /** The number of groups. */
       unsigned int number = 1;
-    };
-
-
-    /** The states of finished samples, from which others start. */
-    class Neighbors
-    {
-    public:
-      /** The states in the steps of a sample. */
-      struct Sample
-      {
-        std::vector<double> values;
-        ChartGrid           grid;
-        NestedPredictor     states;
-      };
-
-      /** Add the states of a sample; old ones are forgotten. */
-      void
-      add(std::unique_ptr<Sample> sample)
-      {
-        // a few megabytes each on the meshes of tires
-        constexpr std::size_t limit = 30;
-        if (samples.size() == limit)
-          samples.pop_front();
-        samples.push_back(std::move(sample));
-      }
-
-      /** The nearest sample with the same grid; null if there is none.
-       * @param scales the differences of values that count as much. */
-      const Sample *
-      nearest(const std::vector<double> &values,
-              const ChartGrid           &grid,
-              const std::vector<double> &scales) const
-      {
-        const Sample *result   = nullptr;
-        double        smallest = std::numeric_limits<double>::infinity();
-        for (const auto &sample : samples)
-          {
-            if (!same(sample->grid, grid))
-              continue;
-            double distance = 0;
-            for (unsigned int i = 0; i < values.size(); ++i)
-              distance +=
-                std::pow((sample->values[i] - values[i]) / scales[i], 2);
-            // the last one of several
-            if (distance <= smallest)
-              {
-                smallest = distance;
-                result   = sample.get();
-              }
-          }
-        return result;
-      }
-
-    private:
-      /** Whether two grids have the same lines, up to their scale. */
-      static bool
-      same(const ChartGrid &a, const ChartGrid &b)
-      {
-        return a.lines == b.lines && a.closed == b.closed;
-      }
-
-      std::deque<std::unique_ptr<Sample>> samples;
     };
 
 
@@ -344,55 +170,34 @@ namespace Biface
       StudyParameters                  parameters;
       std::vector<std::vector<double>> samples;
 
+    private:
       std::string
       path(const std::string &file) const
       {
         return parameters.directory + "/" + file;
       }
 
-    private:
-      std::string
-      sample_directory(const unsigned int i) const;
+      /** The table of the directory before any sample runs. Create the
+       * directory, or check that of the study to be continued. */
+      StudyTable
+      prepare_table(const bool restart) const;
 
-      std::string
-      header() const;
-
-      /** The number of a sample and the values of its variables. */
-      std::string
-      first_cells(const unsigned int i) const;
-
-      /** Create the directory, or check that of the study to be continued. */
-      void
-      prepare_directory(const bool restart);
-
-      /** Read the lines of the table that exist. On the first rank.
-       * @return the samples of new lines. */
-      std::vector<unsigned int>
-      collect();
-
-      /** Write the table. On the first rank. */
-      void
-      write_table() const;
-
-      /** Run a sample and write its line of the table.
-       * @return whether it was stopped by a signal; then it has no line. */
+      /** Run a sample and write its row.
+       * @return whether it was stopped by a signal; then it has no row. */
       bool
-      run_sample(const unsigned int i,
+      run_sample(const StudyTable  &table,
+                 const unsigned int i,
                  const MPI_Comm     communicator,
                  const SignalWatch &signals);
 
       /** The analysis of a sample.
-       * @param outputs receives their values, if the run gets there. */
+       * @param results receives the outputs and counts of the steps. */
       AnalysisResult
       analyze_sample(const unsigned int   i,
+                     const std::string   &directory,
                      const MPI_Comm       communicator,
                      const SignalWatch   &signals,
-                     std::vector<double> &outputs);
-
-      /** The cells of steps and iterations of a sample. On the first rank of a
-       * group. */
-      std::string
-      count_steps(const unsigned int i) const;
+                     StudyTable::Results &results);
 
       const MPI_Comm        communicator;
       const bool            is_root;
@@ -403,10 +208,7 @@ namespace Biface
       ParameterHandler      base_prm;
       std::string           study_text;
       std::vector<double>   scales;
-      Neighbors             neighbors;
-
-      /** The lines of the table; empty if unknown. On the first rank. */
-      std::vector<std::string> rows;
+      SampleStates          neighbors;
     };
 
 
@@ -491,7 +293,6 @@ namespace Biface
             }
           scales.push_back(high > low ? high - low : 1.);
         }
-      rows.resize(samples.size());
     }
 
 
@@ -521,150 +322,59 @@ namespace Biface
     }
 
 
-    std::string
-    Study::sample_directory(const unsigned int i) const
+    StudyTable
+    Study::prepare_table(const bool restart) const
     {
-      const unsigned int digits =
-        std::max<std::size_t>(4, std::to_string(samples.size()).size());
-      return path("sample-" + Utilities::int_to_string(i + 1, digits));
-    }
-
-
-    std::string
-    Study::header() const
-    {
-      std::string result = "sample";
+      std::vector<std::string> columns;
       for (const DesignVariable &variable : parameters.sampling.variables)
-        result += ',' + variable.get_name();
+        columns.push_back(variable.get_name());
       for (const StudyParameters::Output &output : parameters.outputs)
-        result += ',' + output.name();
-      return result + ",status,steps,iterations,seconds";
-    }
+        columns.push_back(output.name());
+      StudyTable table(parameters.directory, columns, samples);
 
-
-    std::string
-    Study::first_cells(const unsigned int i) const
-    {
-      std::string result = std::to_string(i + 1);
-      for (const double value : samples[i])
-        result += ',' + exact_number(value);
-      return result + ',';
-    }
-
-
-    void
-    Study::prepare_directory(const bool restart)
-    {
       const ResultsDirectory directory(parameters.directory, communicator);
+      const std::string      base_text = print_parameters(base_prm);
       std::string            reason;
-      if (is_root)
+      if (is_root && restart)
         {
-          const std::string base_text = print_parameters(base_prm);
-          if (restart)
-            {
-              collect();
-              std::string before;
-              for (const std::string &line : lines_of(path(base_name)))
-                before += line + '\n';
-              if (before.empty())
-                reason = "the directory " +
-                         Biface::quoted(parameters.directory) +
-                         " contains no study that can be continued.";
-              else if (before != base_text)
-                reason = "the study in " +
-                         Biface::quoted(parameters.directory) +
-                         " has another base file or other settings, see "
-                         "'base.prm' there, and cannot be continued.";
-              for (unsigned int i = 0; i < rows.size() && reason.empty(); ++i)
-                if (!rows[i].empty() && rows[i].rfind(first_cells(i), 0) != 0)
-                  reason = "the study in " +
-                           Biface::quoted(parameters.directory) +
-                           " has other samples or outputs and cannot be "
-                           "continued.";
-            }
-          else
-            {
-              // lines of an earlier study
-              std::error_code error;
-              for (const auto &entry : std::filesystem::directory_iterator(
-                     parameters.directory, error))
-                if (entry.path().filename().string().rfind("sample-", 0) == 0)
-                  std::filesystem::remove(entry.path() / row_name, error);
-            }
+          std::ifstream     file(path(base_name));
+          const std::string before((std::istreambuf_iterator<char>(file)), {});
+          const std::string name = Biface::quoted(parameters.directory);
+          table.collect();
+          if (before.empty())
+            reason = "the directory " + name +
+                     " contains no study that can be continued.";
+          else if (before != base_text)
+            reason = "the study in " + name +
+                     " has another base file or other settings, see "
+                     "'base.prm' there, and cannot be continued.";
+          else if (table.has_foreign_row())
+            reason = "the study in " + name +
+                     " has other samples or outputs and cannot be continued.";
         }
+      else if (is_root)
+        StudyTable::remove_rows(parameters.directory);
       reason = Utilities::MPI::broadcast(communicator, reason);
       if (!reason.empty())
         throw InputError(reason);
-      write_on_first(communicator, [&]() {
-        write_whole(path(base_name), print_parameters(base_prm));
-        write_whole(path(file_name), study_text);
-        write_table();
-      });
-    }
 
-
-    std::vector<unsigned int>
-    Study::collect()
-    {
-      std::vector<unsigned int> result;
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        if (rows[i].empty())
-          {
-            const std::vector<std::string> lines =
-              lines_of(sample_directory(i) + "/" + row_name);
-            if (lines.size() != 2)
-              continue;
-            // a line with other columns cannot be continued
-            rows[i] = (lines[0] == header() ? lines[1] : "?");
-            result.push_back(i);
-          }
-      return result;
-    }
-
-
-    void
-    Study::write_table() const
-    {
-      std::string text = header() + '\n';
-      for (const std::string &row : rows)
-        if (!row.empty())
-          text += row + '\n';
-      write_whole(path(table_name), text);
-    }
-
-
-    std::string
-    Study::count_steps(const unsigned int i) const
-    {
-      const std::vector<std::string> lines =
-        lines_of(sample_directory(i) + "/history.csv");
-      const std::vector<std::string> columns =
-        Utilities::split_string_list(lines.empty() ? "" : lines[0], ',');
-      const std::size_t column =
-        std::find(columns.begin(), columns.end(), "iterations") -
-        columns.begin();
-      unsigned int n_iterations = 0;
-      for (std::size_t l = 1; l < lines.size(); ++l)
-        {
-          const std::vector<std::string> cells =
-            Utilities::split_string_list(lines[l], ',');
-          if (column < cells.size())
-            n_iterations += std::atoi(cells[column].c_str());
-        }
-      return std::to_string(lines.empty() ? 0 : lines.size() - 1) + ',' +
-             std::to_string(n_iterations);
+      write_text(path(base_name), base_text, false, communicator);
+      write_text(path(study_name), study_text, false, communicator);
+      write_text(
+        path(StudyTable::file_name), table.text(), false, communicator);
+      return table;
     }
 
 
     AnalysisResult
     Study::analyze_sample(const unsigned int   i,
+                          const std::string   &directory,
                           const MPI_Comm       communicator,
                           const SignalWatch   &signals,
-                          std::vector<double> &outputs)
+                          StudyTable::Results &results)
     {
       const bool is_first =
         (Utilities::MPI::this_mpi_process(communicator) == 0);
-      const std::string directory = sample_directory(i);
       ResultsDirectory(directory, communicator);
 
       std::ostringstream nowhere;
@@ -693,18 +403,19 @@ namespace Biface
           AnalysisOptions options;
           options.file_name = base_file;
           options.signals   = &signals;
-          std::unique_ptr<Neighbors::Sample> states;
+          std::unique_ptr<SampleStates::Sample> states;
           if (parameters.warm_start)
             {
               const ChartGrid grid(changed.mesh,
                                    *make_surface(changed.surface));
-              states = std::make_unique<Neighbors::Sample>(Neighbors::Sample{
-                samples[i], grid, NestedPredictor(grid, changed.stages)});
-              if (const Neighbors::Sample *nearest =
+              states =
+                std::make_unique<SampleStates::Sample>(SampleStates::Sample{
+                  samples[i], grid, NestedPredictor(grid, changed.stages)});
+              if (const SampleStates::Sample *nearest =
                     neighbors.nearest(samples[i], grid, scales))
                 options.predictor = &nearest->states;
             }
-          std::optional<const OutputsOfAnalysis> results;
+          std::optional<const OutputsOfAnalysis> reader;
           options.observer = [&](const Simulation &simulation,
                                  const StepReport &report,
                                  const State      &state) {
@@ -712,9 +423,11 @@ namespace Biface
               states->states.learn(
                 report.instant,
                 GridState(simulation.get_equations().mesh, state));
-            if (!results)
-              results.emplace(parameters.outputs, changed, simulation);
-            results->read(simulation, report, state, outputs);
+            if (!reader)
+              reader.emplace(parameters.outputs, changed, simulation);
+            reader->read(simulation, report, state, results.outputs);
+            ++results.n_steps;
+            results.n_iterations += report.iterations;
           };
           const AnalysisResult result =
             analyze(changed, prm, notes, options, communicator, log, err);
@@ -742,31 +455,25 @@ namespace Biface
 
 
     bool
-    Study::run_sample(const unsigned int i,
+    Study::run_sample(const StudyTable  &table,
+                      const unsigned int i,
                       const MPI_Comm     communicator,
                       const SignalWatch &signals)
     {
-      const Timer          timer;
-      std::vector<double>  outputs(parameters.outputs.size(),
-                                  std::numeric_limits<double>::quiet_NaN());
-      const AnalysisResult result =
-        analyze_sample(i, communicator, signals, outputs);
+      const Timer         timer;
+      StudyTable::Results results;
+      results.outputs.assign(parameters.outputs.size(),
+                             std::numeric_limits<double>::quiet_NaN());
+      const AnalysisResult result = analyze_sample(
+        i, table.sample_directory(i), communicator, signals, results);
       if (result.code == interrupted || result.code == terminated)
         return true;
 
-      write_on_first(communicator, [&]() {
-        std::string cells;
-        for (const double value : outputs)
-          cells +=
-            (result.code == done && !std::isnan(value) ? csv_number(value)
-                                                       : std::string()) +
-            ',';
-        write_whole(sample_directory(i) + "/" + row_name,
-                    header() + '\n' + first_cells(i) + cells +
-                      csv_text(result.code == done ? "ok" : result.reason) +
-                      ',' + count_steps(i) + ',' +
-                      csv_number(timer.wall_time()) + '\n');
-      });
+      if (result.code != done)
+        results.failure = result.reason;
+      results.seconds = timer.wall_time();
+      write_text(
+        table.row_file(i), table.row_text(i, results), false, communicator);
       return false;
     }
 
@@ -777,15 +484,12 @@ namespace Biface
                RunLog             &log,
                ConditionalOStream &err)
     {
-      prepare_directory(restart);
+      StudyTable table = prepare_table(restart);
       log.open(path("study.log"), restart);
       ConditionalOStream out(log.stream(), is_root);
 
-      std::vector<unsigned int> todo;
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        if (rows[i].empty())
-          todo.push_back(i);
-      todo = Utilities::MPI::broadcast(communicator, todo);
+      const std::vector<unsigned int> todo =
+        Utilities::MPI::broadcast(communicator, table.missing());
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
       out << "Study of " << base_file << ": " << samples.size() << " samples"
@@ -795,23 +499,18 @@ namespace Biface
           << group.number << (group.number == 1 ? " group" : " groups")
           << std::endl;
 
-      unsigned int n_done = rows.size() - todo.size();
+      unsigned int n_done = samples.size() - todo.size();
       const auto   report = [&]() {
         if (!is_root)
           return;
-        const std::vector<unsigned int> news = collect();
+        const std::vector<unsigned int> news = table.collect();
         for (const unsigned int i : news)
-          {
-            const std::string &row   = rows[i];
-            const auto         first = row.find('"');
-            const auto         last  = row.find_last_of('"');
-            out << "  " << ++n_done << " of " << rows.size() << ": sample "
-                << i + 1 << ' ' << row.substr(first + 1, last - first - 1)
-                << ", " << row.substr(row.find_last_of(',') + 1) << " s"
-                << std::endl;
-          }
+          out << "  " << ++n_done << " of " << samples.size() << ": sample "
+              << i + 1 << ' ' << table.status(i) << ", " << table.seconds(i)
+              << " s" << std::endl;
         if (!news.empty())
-          write_table();
+          write_text(
+            path(StudyTable::file_name), table.text(), false, MPI_COMM_SELF);
       };
 
       const SignalWatch signals;
@@ -829,7 +528,7 @@ namespace Biface
               {
                 const Timer sample_timer;
                 const bool  stopped =
-                  run_sample(todo[next], group.communicator, signals);
+                  run_sample(table, todo[next], group.communicator, signals);
                 busy += sample_timer.wall_time();
                 stop = signals.caught(group.communicator);
                 if (stopped || stop != 0)
@@ -869,20 +568,17 @@ namespace Biface
             return internal_error;
           }
 
-      const unsigned int n_ok =
-        std::count_if(rows.begin(), rows.end(), [](const std::string &row) {
-          return row.find(",\"ok\",") != std::string::npos;
-        });
       char line[128];
       std::snprintf(line,
                     sizeof(line),
                     "; %.3g s, groups busy for %.1f %% of it\n",
                     seconds,
                     100 * all_busy / (group.number * seconds));
-      out << n_done << " of " << rows.size() << " samples done, "
-          << n_done - n_ok << " of them failed" << line << "Results in "
-          << parameters.directory << ": " << table_name << ", sample-*/, "
-          << file_name << ", " << base_name << ", study.log" << std::endl;
+      out << n_done << " of " << samples.size() << " samples done, "
+          << n_done - table.n_ok() << " of them failed" << line << "Results in "
+          << parameters.directory << ": " << StudyTable::file_name
+          << ", sample-*/, " << study_name << ", " << base_name << ", study.log"
+          << std::endl;
       if (stop != 0)
         {
           out << "Stopped by " << signal_name(stop)
@@ -892,57 +588,6 @@ namespace Biface
       return done;
     }
   } // namespace
-
-
-  void
-  StudyParameters::add_parameters(ParameterHandler &prm)
-  {
-    add_parsed(prm,
-               "Study/",
-               "Base file",
-               "",
-               base_file,
-               parse_file_name,
-               "The parameter file of the analyses. Relative to the folder of "
-               "the study file.");
-    add_parsed(prm,
-               "Study/",
-               "Settings",
-               "",
-               settings,
-               parse_settings,
-               "Entries of the base file with other values in all samples: a "
-               "list of 'Section/Entry=value', separated by semicolons.");
-    sampling.add_parameters(prm);
-    add_parsed(prm,
-               "Study/",
-               "Outputs",
-               "",
-               outputs,
-               parse_outputs,
-               "Results that become columns of study.csv: a comma-separated "
-               "list of 'result' at the end of the run, or 'result @ stage' at "
-               "the end of the stage of this name. A result is a column of "
-               "history.csv such as 'force', a displacement of a named point "
-               "such as 'top u_x', a component of forces.csv such as 'alpha_1 "
-               "min F_x', the frequency of a mode such as 'frequency 1', or a "
-               "factor of 'Buckling' such as 'buckling factor 1'.");
-    prm.add_parameter("Directory",
-                      directory,
-                      "Directory of the results, created if it does not exist. "
-                      "Each sample has a subdirectory.");
-    prm.add_parameter("Group size",
-                      group_size,
-                      "Number of ranks that run a sample together. Each group "
-                      "takes the next sample when it is free.",
-                      Patterns::Integer(1));
-    prm.add_parameter("Warm start",
-                      warm_start,
-                      "Whether the steps of a sample start from the states of "
-                      "the nearest sample of the same group that has the same "
-                      "mesh, which saves iterations.",
-                      Patterns::Bool());
-  }
 
 
   ExitCode

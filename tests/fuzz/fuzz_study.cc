@@ -6,7 +6,7 @@
 #include <biface/input/parameter_text.h>
 #include <biface/program/parameters.h>
 #include <biface/program/sampling.h>
-#include <biface/program/study.h>
+#include <biface/program/study_parameters.h>
 
 #include "fuzz.h"
 
