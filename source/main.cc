@@ -41,7 +41,7 @@ main(int argc, char *argv[])
   try
     {
       return Biface::run_program(
-        argc, argv, MPI_COMM_WORLD, std::cout, std::cerr);
+        {argv + 1, argv + argc}, MPI_COMM_WORLD, std::cout, std::cerr);
     }
   catch (const std::exception &exception)
     {

@@ -3,7 +3,7 @@
 #ifndef biface_tests_read_csv_h
 #define biface_tests_read_csv_h
 
-#include <deal.II/base/utilities.h>
+#include <deal.II/base/exceptions.h>
 
 #include <fstream>
 #include <map>
@@ -17,22 +17,30 @@ using Row = std::map<std::string, std::string>;
 inline std::vector<Row>
 read_csv(const std::string &name)
 {
-  std::vector<Row>         rows;
-  std::vector<std::string> header;
-  std::ifstream            file(name);
-  std::string              line;
+  // also what is after the last comma
+  const auto split = [](const std::string &line) {
+    std::vector<std::string> cells(1);
+    for (const char c : line)
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    return cells;
+  };
+
+  std::vector<Row> rows;
+  std::ifstream    file(name);
+  std::string      line;
+  std::getline(file, line);
+  const auto header = split(line);
   while (std::getline(file, line))
     {
-      const auto cells = dealii::Utilities::split_string_list(line, ',');
-      if (header.empty())
-        header = cells;
-      else
-        {
-          Row row;
-          for (unsigned int i = 0; i < header.size(); ++i)
-            row[header[i]] = cells[i];
-          rows.push_back(row);
-        }
+      const auto cells = split(line);
+      AssertThrow(cells.size() >= header.size(),
+                  dealii::ExcDimensionMismatch(cells.size(), header.size()));
+      Row &row = rows.emplace_back();
+      for (unsigned int i = 0; i < header.size(); ++i)
+        row[header[i]] = cells[i];
     }
   return rows;
 }

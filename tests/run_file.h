@@ -40,7 +40,7 @@ inline std::pair<int, std::string>
 run_file(std::string file, const MPI_Comm communicator)
 {
   using namespace dealii;
-  std::vector<std::string> words{"biface", "--output", "results"};
+  std::vector<std::string> arguments{"--output", "results"};
   std::ifstream            lines(file);
   std::string              line;
   while (std::getline(lines, line))
@@ -51,24 +51,18 @@ run_file(std::string file, const MPI_Comm communicator)
           std::istringstream stream(line.substr(13));
           std::string        word;
           while (stream >> word)
-            words.push_back(replace(word, "~", " "));
+            arguments.push_back(replace(word, "~", " "));
         }
       else if (line.rfind("# file: ", 0) == 0)
         file = line.substr(8);
     }
-  words.push_back(file);
+  arguments.push_back(file);
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
     std::filesystem::remove_all("results");
   MPI_Barrier(communicator);
 
-  std::vector<char *> arguments;
-  for (std::string &word : words)
-    arguments.push_back(&word[0]);
-  arguments.push_back(nullptr);
-
   std::ostringstream out, err;
-  const int          code =
-    Biface::run_program(words.size(), arguments.data(), communicator, out, err);
+  const int code = Biface::run_program(arguments, communicator, out, err);
 
   // all ranks must agree on the exit code
   const auto  codes   = Utilities::MPI::min_max_avg(code, communicator);

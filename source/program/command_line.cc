@@ -7,8 +7,16 @@
 
 namespace Biface
 {
-  CommandLine::CommandLine(int argc, char **argv)
+  CommandLine::CommandLine(std::vector<std::string> arguments)
   {
+    std::string         name = "biface";
+    std::vector<char *> words{name.data()};
+    for (std::string &argument : arguments)
+      words.push_back(argument.data());
+    words.push_back(nullptr);
+    char **const argv = words.data();
+    const int    argc = words.size() - 1;
+
     const option options[] = {
       {"set", required_argument, nullptr, 's'},
       {"output", required_argument, nullptr, 'o'},

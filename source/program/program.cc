@@ -18,11 +18,10 @@ namespace Biface
   using namespace dealii;
 
   ExitCode
-  run_program(int            argc,
-              char         **argv,
-              const MPI_Comm communicator,
-              std::ostream  &out_stream,
-              std::ostream  &err_stream)
+  run_program(const std::vector<std::string> &arguments,
+              const MPI_Comm                  communicator,
+              std::ostream                   &out_stream,
+              std::ostream                   &err_stream)
   {
     const bool is_root = (Utilities::MPI::this_mpi_process(communicator) == 0);
     ConditionalOStream out(out_stream, is_root);
@@ -32,7 +31,7 @@ namespace Biface
     std::string source;
     try
       {
-        const CommandLine command_line(argc, argv);
+        const CommandLine command_line(arguments);
         using Action = CommandLine::Action;
 
         if (command_line.action == Action::print_help)

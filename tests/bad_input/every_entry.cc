@@ -557,17 +557,12 @@ namespace
       std::ofstream("every_entry.prm") << as_file(settings);
     MPI_Barrier(MPI_COMM_WORLD);
 
-    std::vector<std::string> words{"biface", "--check", "every_entry.prm"};
-    std::vector<char *>      arguments;
-    for (std::string &word : words)
-      arguments.push_back(&word[0]);
-    arguments.push_back(nullptr);
     std::ostringstream out, err;
     int                code = -1;
     try
       {
         code = Biface::run_program(
-          words.size(), arguments.data(), MPI_COMM_WORLD, out, err);
+          {"--check", "every_entry.prm"}, MPI_COMM_WORLD, out, err);
       }
     catch (const std::exception &exception)
       {

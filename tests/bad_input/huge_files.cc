@@ -35,15 +35,9 @@ namespace
   {
     std::ofstream("huge.prm") << text;
     std::ofstream("huge.csv") << csv;
-    std::vector<std::string> words{"biface", "--check", "huge.prm"};
-    std::vector<char *>      arguments;
-    for (std::string &word : words)
-      arguments.push_back(&word[0]);
-    arguments.push_back(nullptr);
-
     std::ostringstream out, err;
-    const int          code = Biface::run_program(
-      words.size(), arguments.data(), MPI_COMM_WORLD, out, err);
+    const int          code =
+      Biface::run_program({"--check", "huge.prm"}, MPI_COMM_WORLD, out, err);
     const std::string said = err.str();
     check_true(what,
                code == Biface::wrong_input && said.size() < 1500 &&

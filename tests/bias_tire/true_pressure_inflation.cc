@@ -19,25 +19,19 @@ namespace
   double
   outward_displacement(const std::string &file)
   {
-    std::vector<std::string> words{"biface",
-                                   "--output",
-                                   "results",
-                                   "--set",
-                                   "Stage 2/Contact=false",
-                                   "--set",
-                                   "Stage 2/Travel=0",
-                                   "--set",
-                                   "Stage 2/Steps=1",
-                                   PRM_DIR "/" + file};
-    std::vector<char *>      arguments;
-    for (std::string &word : words)
-      arguments.push_back(&word[0]);
-    arguments.push_back(nullptr);
-    std::ostringstream out;
-    check_true(
-      file + " runs",
-      Biface::run_program(
-        words.size(), arguments.data(), MPI_COMM_WORLD, out, std::cout) == 0);
+    const std::vector<std::string> arguments{"--output",
+                                             "results",
+                                             "--set",
+                                             "Stage 2/Contact=false",
+                                             "--set",
+                                             "Stage 2/Travel=0",
+                                             "--set",
+                                             "Stage 2/Steps=1",
+                                             PRM_DIR "/" + file};
+    std::ostringstream             out;
+    check_true(file + " runs",
+               Biface::run_program(arguments, MPI_COMM_WORLD, out, std::cout) ==
+                 0);
 
     for (const auto &node : read_csv("results/profile-0001.csv"))
       if (std::abs(std::stod(node.at("alpha_1"))) < 1e-6)

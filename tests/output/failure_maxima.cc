@@ -8,7 +8,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <fstream>
 #include <sstream>
 
 #include <biface/program/program.h>
@@ -18,79 +17,15 @@
 
 using namespace dealii;
 
-namespace
-{
-  const char *const strip = R"(
-subsection Surface
-  set Type = plane
-end
-subsection Mesh
-  set Intervals alpha_1  = 0:10:4
-  set Intervals alpha_2  = 0:3:3
-  set Closed in alpha_2  = false
-end
-set Materials = fiber, bare
-subsection Material fiber
-  set Type = orthotropic
-  set E_1  = 1000
-  set E_2  = 100
-  set E_3  = 100
-  set G_12 = 50
-  set G_13 = 50
-  set G_23 = 50
-  set X_t  = 40
-  set X_c  = 10
-  set Y_t  = 3
-  set Y_c  = 8
-  set S    = 3
-end
-subsection Material bare
-  set Type = isotropic
-  set E    = 1e4
-end
-subsection Laminate
-  set Plies             = fiber: 0.2 - 0.01*alpha_1 @ 0, bare: 0.1 @ 0, \
-                          fiber: 0.1 @ 90, bare: 0.1 @ 0, \
-                          fiber: 0.2 - 0.01*alpha_1 @ 0
-  set Reference surface = middle
-end
-set Named points = begin: 0 0
-subsection Supports
-  set alpha_1 min = v_1 both; v_2 both; v_3 both
-  set alpha_1 max = v_3 both
-end
-subsection Loads
-  set Edge forces = alpha_1 max: 100 0 0
-end
-subsection Stage 1
-  set Strain theory = linear
-  set Load factor   = 1
-  set Steps         = 2
-end
-subsection Output
-  set Directory        = results
-  set Failure criteria = maximum stress, Tsai-Wu
-  set Write VTU        = false
-end
-)";
-} // namespace
-
-
 int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root = (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-
-  if (is_root)
-    std::ofstream("strip.prm") << strip;
-  MPI_Barrier(MPI_COMM_WORLD);
-  char                program[] = "biface", file[] = "strip.prm";
-  std::vector<char *> arguments{program, file, nullptr};
-  std::stringstream   out;
-  std::ostringstream  err;
-  Biface::run_program(2, arguments.data(), MPI_COMM_WORLD, out, err);
-  if (!is_root)
+  std::stringstream                out;
+  std::ostringstream               err;
+  Biface::run_program(
+    {DATA_DIR "/thinning_strip.prm"}, MPI_COMM_WORLD, out, err);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   std::cout << err.str();
 

@@ -8,119 +8,25 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
-#include <fstream>
 #include <limits>
-#include <map>
 #include <sstream>
 
 #include <biface/program/program.h>
 
+#include "../read_csv.h"
 #include "../tests.h"
 
 using namespace dealii;
-
-namespace
-{
-  const char *const strip = R"(
-subsection Surface
-  set Type = plane
-end
-subsection Mesh
-  set Intervals alpha_1  = 0:10:4
-  set Intervals alpha_2  = 0:1:1
-  set Closed in alpha_2  = false
-end
-set Materials = fiber, bare
-subsection Material fiber
-  set Type = orthotropic
-  set E_1  = 1000
-  set E_2  = 100
-  set E_3  = 100
-  set G_12 = 50
-  set G_13 = 50
-  set G_23 = 50
-  set X_t  = 40
-  set X_c  = 10
-  set Y_t  = 4
-  set Y_c  = 8
-  set S    = 3
-end
-subsection Material bare
-  set Type = isotropic
-  set E    = 10
-end
-subsection Laminate
-  set Plies             = fiber: 0.2 @ 0, fiber: 0.1 @ 90, bare: 0.3 @ 0
-  set Reference surface = middle
-end
-set Named points = end: 10 0, middle: 5 1
-subsection Supports
-  set alpha_1 min = fixed
-  set alpha_1 max = v_1 both = 0.1; v_2 both; v_3 both
-end
-subsection Stage 1
-  set Strain theory = linear
-  set Load factor   = 1
-end
-subsection Output
-  set Directory        = results
-  set Points per ply   = 3
-  set Failure criteria = maximum stress, Tsai-Wu
-  set Write VTU        = false
-end
-)";
-
-
-  /** The rows of a CSV file by the names of its columns. */
-  std::vector<std::map<std::string, std::string>>
-  read_csv(const std::string &name)
-  {
-    // also what is after the last comma
-    const auto split = [](const std::string &line) {
-      std::vector<std::string> cells(1);
-      for (const char c : line)
-        if (c == ',')
-          cells.emplace_back();
-        else
-          cells.back() += c;
-      return cells;
-    };
-
-    std::ifstream file(name);
-    std::string   line;
-    std::getline(file, line);
-    const auto names = split(line);
-
-    std::vector<std::map<std::string, std::string>> rows;
-    while (std::getline(file, line))
-      {
-        const auto cells = split(line);
-        AssertThrow(cells.size() == names.size(),
-                    ExcDimensionMismatch(cells.size(), names.size()));
-        rows.emplace_back();
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          rows.back()[names[i]] = cells[i];
-      }
-    return rows;
-  }
-} // namespace
-
 
 int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root = (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-
-  if (is_root)
-    std::ofstream("strip.prm") << strip;
-  MPI_Barrier(MPI_COMM_WORLD);
-  char                program[] = "biface", file[] = "strip.prm";
-  std::vector<char *> arguments{program, file, nullptr};
-  std::stringstream   out;
-  std::ostringstream  err;
-  Biface::run_program(2, arguments.data(), MPI_COMM_WORLD, out, err);
-  if (!is_root)
+  std::stringstream                out;
+  std::ostringstream               err;
+  Biface::run_program(
+    {DATA_DIR "/strip_of_two_materials.prm"}, MPI_COMM_WORLD, out, err);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
 
   std::cout << err.str();

@@ -7,7 +7,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <fstream>
 #include <sstream>
 
 #include <biface/program/program.h>
@@ -17,65 +16,14 @@
 
 using namespace dealii;
 
-namespace
-{
-  const char *const strip = R"(
-subsection Surface
-  set Type = plane
-end
-subsection Mesh
-  set Intervals alpha_1  = 0:10:5
-  set Intervals alpha_2  = 0:3:3
-  set Closed in alpha_2  = false
-end
-set Materials = fiber, bare
-subsection Material fiber
-  set Type  = transversely isotropic
-  set E_L   = 1000
-  set E_T   = 100
-  set G_LT  = 50
-  set G_TT  = 50
-end
-subsection Material bare
-  set Type = isotropic
-  set E    = 200
-end
-subsection Laminate
-  set Plies             = bare: 0.1 @ 0, fiber: 0.2 @ 0, fiber: 0.1 @ 90, \
-                          fiber: 0.2 @ 0
-  set Reference surface = ply 3
-end
-subsection Supports
-  set alpha_1 min = v_1 both; v_3 both
-  set alpha_1 max = v_1 both = 0.01; v_3 both
-  set alpha_2 min = v_2 both
-end
-subsection Stage 1
-  set Strain theory = linear
-  set Load factor   = 1
-end
-subsection Output
-  set Directory = results
-  set Write VTU = false
-end
-)";
-} // namespace
-
-
 int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root = (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-
-  if (is_root)
-    std::ofstream("strip.prm") << strip;
-  MPI_Barrier(MPI_COMM_WORLD);
-  char                program[] = "biface", file[] = "strip.prm";
-  std::vector<char *> arguments{program, file, nullptr};
-  std::ostringstream  out, err;
-  Biface::run_program(2, arguments.data(), MPI_COMM_WORLD, out, err);
-  if (!is_root)
+  std::ostringstream               out, err;
+  Biface::run_program(
+    {DATA_DIR "/strip_of_fibers.prm"}, MPI_COMM_WORLD, out, err);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   std::cout << err.str();
 

@@ -65,18 +65,13 @@ run(const std::vector<std::string> &words,
     const std::string              &stop_at = "",
     const int                       signal  = SIGTERM)
 {
-  std::vector<std::string> all{"biface", "--output", directory};
-  all.insert(all.end(), words.begin(), words.end());
-  std::vector<char *> arguments;
-  for (std::string &word : all)
-    arguments.push_back(&word[0]);
-  arguments.push_back(nullptr);
+  std::vector<std::string> arguments{"--output", directory};
+  arguments.insert(arguments.end(), words.begin(), words.end());
 
   SignalAtText       buffer(stop_at, signal);
   std::ostream       out(&buffer);
   std::ostringstream err;
-  const int          code =
-    Biface::run_program(all.size(), arguments.data(), communicator, out, err);
+  const int code = Biface::run_program(arguments, communicator, out, err);
   return {code, buffer.str(), err.str()};
 }
 

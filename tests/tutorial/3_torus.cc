@@ -19,16 +19,13 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  std::string file = std::string(PRM_DIR) + "/tutorial/3_torus.prm";
-  std::vector<std::string> words{"biface", "--output", "results", file};
-  std::vector<char *>      arguments;
-  for (std::string &word : words)
-    arguments.push_back(&word[0]);
-  arguments.push_back(nullptr);
   std::ostringstream out;
   std::cout << "exit code: "
             << Biface::run_program(
-                 words.size(), arguments.data(), MPI_COMM_WORLD, out, std::cout)
+                 {"--output", "results", PRM_DIR "/tutorial/3_torus.prm"},
+                 MPI_COMM_WORLD,
+                 out,
+                 std::cout)
             << std::endl;
 
   // the widest place of the middle of the wall, by a parabola through three

@@ -133,15 +133,9 @@ main(int argc, char *argv[])
   file.clear();
   file.seekg(0);
 
-  std::vector<std::string> words{
-    "biface", "--output", "results", parameter_file};
-  std::vector<char *> arguments;
-  for (std::string &word : words)
-    arguments.push_back(&word[0]);
-  arguments.push_back(nullptr);
   std::ostringstream out;
   const int          code = Biface::run_program(
-    words.size(), arguments.data(), MPI_COMM_WORLD, out, std::cout);
+    {"--output", "results", parameter_file}, MPI_COMM_WORLD, out, std::cout);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   std::cout << "exit code: " << code << std::endl;

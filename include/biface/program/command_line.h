@@ -37,8 +37,9 @@ namespace Biface
     /** Whether to print parameters as JSON. */
     bool json = false;
 
-    /** Throws InputError if the command line is invalid. */
-    CommandLine(int argc, char **argv);
+    /** Throws InputError if the command line is invalid.
+     * @param arguments without the name of the program. */
+    explicit CommandLine(std::vector<std::string> arguments);
 
     static std::string
     help();

@@ -6,6 +6,8 @@
 #include <mpi.h>
 
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 namespace Biface
 {
@@ -26,7 +28,7 @@ namespace Biface
   /**
    * The program `biface`, without the set-up of MPI.
    *
-   * @param argc, argv the command line.
+   * @param arguments the command line, without the name of the program.
    * @param communicator the ranks.
    * @param out stream to which the first rank prints its progress.
    * @param err stream to which the first rank prints errors.
@@ -35,11 +37,10 @@ namespace Biface
    * exceptions are passed to the caller.
    */
   ExitCode
-  run_program(int            argc,
-              char         **argv,
-              const MPI_Comm communicator,
-              std::ostream  &out,
-              std::ostream  &err);
+  run_program(const std::vector<std::string> &arguments,
+              const MPI_Comm                  communicator,
+              std::ostream                   &out,
+              std::ostream                   &err);
 } // namespace Biface
 
 #endif
