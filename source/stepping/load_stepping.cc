@@ -4,6 +4,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -765,6 +766,7 @@ namespace Biface
     report.iterations        = result.iterations;
     report.residuals         = result.residuals;
     report.n_negative_pivots = result.n_negative_pivots;
+    warn_of_fast_wheel(report);
     return report;
   }
 
@@ -878,6 +880,32 @@ namespace Biface
            "cannot come into contact: "
         << name_nodes(contact.mesh, pierced) << std::endl;
     warned_of_pierced_nodes = true;
+  }
+
+
+  void
+  LoadStepping::warn_of_fast_wheel(const StepReport &report)
+  {
+    const auto &strips = contact.mesh.strips;
+    if (warned_of_fast_wheel || report.n_negative_pivots.value_or(0) == 0 ||
+        !report.loads.rolling || report.loads.rolling->angular_velocity == 0 ||
+        std::none_of(strips.begin(), strips.end(), [](const Strip &strip) {
+          return strip.laminate.mass_moments()[0][0] > 0;
+        }))
+      return;
+    const std::vector<double> &lines = contact.mesh.grid.lines[1];
+    double                     angle = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      angle = std::max(angle, lines[i] - lines[i - 1]);
+    out << "  Warning: the tangent has negative pivots at the angular velocity "
+        << number_to_string(report.loads.rolling->angular_velocity)
+        << ". Either the wheel is so fast that waves stand in it, or its "
+           "cells, of up to "
+        << number_to_string(std::round(angle * 180 / numbers::PI))
+        << " degrees around the axle, are too large for its inertia: compare "
+           "with cells of half the angle."
+        << std::endl;
+    warned_of_fast_wheel = true;
   }
 
 

@@ -257,6 +257,11 @@ namespace Biface
     void
     warn_of_pierced_nodes(const State &state, const Loads &loads);
 
+    /** Warn once of negative pivots of a wheel with inertia, and of its largest
+     * cells. */
+    void
+    warn_of_fast_wheel(const StepReport &report);
+
     Control::Equilibrium
     last_converged(const StageRun &run) const;
 
@@ -276,6 +281,7 @@ namespace Biface
 
     /** Whether these warnings were given. */
     bool warned_of_pierced_nodes   = false;
+    bool warned_of_fast_wheel      = false;
     bool warned_of_critical_points = false;
   };
 } // namespace Biface
