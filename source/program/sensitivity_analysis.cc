@@ -743,19 +743,17 @@ namespace Biface
     BucklingAnalysis analysis(
       neighbor.model.equations, neighbor.model.contact, linear_solver, timer);
     BucklingModes changed;
-    changed.modes             = buckling.modes;
-    changed.symmetric         = buckling.symmetric;
-    const LoadLevel    &start = neighbor.progress.control.start;
-    const BucklingStart before =
-      buckling_start(neighbor.model.equations.internal_forces(),
-                     start,
-                     {neighbor.before, neighbor.level_before});
-    Loads      loads_before = loads_on(neighbor, before.level);
-    const bool sealed       = neighbor.stage.sealed;
-    if (sealed)
-      loads_before.pressure = before.level.pressure;
+    changed.modes              = buckling.modes;
+    changed.symmetric          = buckling.symmetric;
+    const LoadLevel    &start  = neighbor.progress.control.start;
+    const BucklingStart before = buckling_start(
+      neighbor.model.equations.internal_forces(),
+      start,
+      {neighbor.before, neighbor.level_before},
+      [&](const LoadLevel &level) { return loads_on(neighbor, level); });
+    const bool                sealed = neighbor.stage.sealed;
     const std::vector<double> positions =
-      analysis.quotients({before.state, loads_before},
+      analysis.quotients({before.state, before.loads},
                          {neighbor.state, loads},
                          sealed ? neighbor.model.gas.get() : nullptr,
                          changed.modes);

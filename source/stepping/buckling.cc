@@ -5,12 +5,18 @@
 namespace Biface
 {
   BucklingStart
-  buckling_start(const InternalForces &internal_forces,
-                 const LoadLevel      &start,
-                 const BucklingStart  &before)
+  buckling_start(const InternalForces                          &internal_forces,
+                 const LoadLevel                               &start,
+                 const EarlierEquilibrium                      &before_step,
+                 const std::function<Loads(const LoadLevel &)> &loads_at)
   {
-    const auto &linearized = internal_forces.linearization_point();
-    return linearized ? BucklingStart{*linearized, start} : before;
+    const auto              &linearized = internal_forces.linearization_point();
+    const EarlierEquilibrium from =
+      (linearized ? EarlierEquilibrium{*linearized, start} : before_step);
+    BucklingStart result{from, loads_at(from.level)};
+    // that of a sealed gas was another than it is now
+    result.loads.pressure = from.level.pressure;
+    return result;
   }
 
 

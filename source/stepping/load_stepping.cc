@@ -822,24 +822,23 @@ namespace Biface
 
 
   std::shared_ptr<const Buckling>
-  LoadStepping::find_buckling(const StageRun      &run,
-                              const BucklingStart &before_step)
+  LoadStepping::find_buckling(const StageRun           &run,
+                              const EarlierEquilibrium &before_step)
   {
     Assert(buckling_analysis, ExcNotInitialized());
     const LoadLevel    &start = run.progress.control.start;
     const LoadLevel    &level = run.progress.reached;
     const BucklingStart before =
-      buckling_start(equations.internal_forces(), start, before_step);
-    const Loads loads        = loads_at(level, run);
-    Loads       loads_before = loads_at(before.level, run);
-    LoadRates   change       = change_of(before.level, level);
+      buckling_start(equations.internal_forces(),
+                     start,
+                     before_step,
+                     [&](const LoadLevel &of) { return loads_at(of, run); });
+    const Loads loads  = loads_at(level, run);
+    LoadRates   change = change_of(before.level, level);
     if (run.stage.sealed)
-      {
-        loads_before.pressure = before.level.pressure;
-        change.pressure       = 0;
-      }
+      change.pressure = 0;
     const BucklingModes found =
-      buckling_analysis->compute({before.state, loads_before},
+      buckling_analysis->compute({before.state, before.loads},
                                  {run.state, loads},
                                  run.stage.sealed ? gas : nullptr,
                                  change,

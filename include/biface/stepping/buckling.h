@@ -3,6 +3,7 @@
 #ifndef biface_stepping_buckling_h
 #define biface_stepping_buckling_h
 
+#include <functional>
 #include <vector>
 
 #include <biface/model/internal_forces.h>
@@ -34,22 +35,32 @@ namespace Biface
   };
 
 
-  /** The equilibrium before that at the end of a stage, for the change of the
-   * resultants and loads. Kept by reference. */
-  struct BucklingStart
+  /** An equilibrium before that at the end of a stage. Kept by reference. */
+  struct EarlierEquilibrium
   {
     const State     &state;
     const LoadLevel &level;
   };
 
-  /** That before the last step or, in linear strain theory, that at the start
-   * of the stage, whose tangent is that of the stage.
+
+  /** That from which the resultants and loads change on the way to the end of
+   * a stage, with its loads. */
+  struct BucklingStart : public EarlierEquilibrium
+  {
+    Loads loads;
+  };
+
+
+  /** The equilibrium before the last step or, in linear strain theory, that at
+   * the start of the stage, whose tangent is that of the stage.
    * @param start the loads at the start of the stage.
-   * @param before the equilibrium before the last step. */
+   * @param before_step the equilibrium before the last step.
+   * @param loads_at the loads of a level. */
   BucklingStart
-  buckling_start(const InternalForces &internal_forces,
-                 const LoadLevel      &start,
-                 const BucklingStart  &before);
+  buckling_start(const InternalForces                          &internal_forces,
+                 const LoadLevel                               &start,
+                 const EarlierEquilibrium                      &before_step,
+                 const std::function<Loads(const LoadLevel &)> &loads_at);
 
 
   /** The critical loads of buckling modes.

@@ -251,7 +251,7 @@ namespace Biface
      * @param before_step the equilibrium before the last step.
      * @return null if the prediction failed. */
     std::shared_ptr<const Buckling>
-    find_buckling(const StageRun &run, const BucklingStart &before_step);
+    find_buckling(const StageRun &run, const EarlierEquilibrium &before_step);
 
     /** Warn once of supported nodes that the foundation has passed through. */
     void
