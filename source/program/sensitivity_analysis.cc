@@ -13,6 +13,7 @@
 #include <biface/model/footprint.h>
 #include <biface/program/sensitivity_analysis.h>
 #include <biface/solver/buckling_analysis.h>
+#include <biface/solver/gas_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/stage_start.h>
@@ -320,12 +321,14 @@ namespace Biface
         equations.tangent(), equations.is_symmetric(step.loads)));
       if (gas)
         {
-          LoadRates rates;
-          rates.pressure = 1;
-          per_pressure   = solve_without_gas(
-            {equations.load_direction(step.state, step.loads, rates)})[0];
-          pressure_gradient = gas->pressure_gradient(step.state);
-          denominator       = 1 - *pressure_gradient * per_pressure;
+          gas_stiffness.emplace(equations, step.state, step.loads, *gas);
+          const bool determined =
+            gas_stiffness->prepare([&](LA::Vector &x, const LA::Vector &b) {
+              x = solve_without_gas({b})[0];
+              return failure.empty();
+            });
+          if (!determined && failure.empty())
+            failure = "the pressure of the gas is not determined";
         }
       if (step.trial.equations)
         {
@@ -343,10 +346,9 @@ namespace Biface
     solve(const std::vector<LA::Vector> &forces)
     {
       std::vector<LA::Vector> solutions = solve_without_gas(forces);
-      if (pressure_gradient)
+      if (gas_stiffness)
         for (LA::Vector &solution : solutions)
-          solution.add(*pressure_gradient * solution / denominator,
-                       per_pressure);
+          gas_stiffness->correct(solution);
       return solutions;
     }
 
@@ -402,9 +404,7 @@ namespace Biface
         failure = result.message;
     }
 
-    LA::Vector                per_pressure;
-    std::optional<LA::Vector> pressure_gradient;
-    double                    denominator = 1;
+    std::optional<GasStiffness> gas_stiffness;
   };
 
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <cmath>
+
 #include <biface/solver/gas_stiffness.h>
 #include <biface/solver/held_tangent.h>
 
@@ -68,14 +71,14 @@ namespace Biface
     if (!solve(per_pressure, forces))
       return false;
     determinant = 1 - pressure_gradient * per_pressure;
-    return determinant != 0;
+    return determinant != 0 && std::isfinite(determinant);
   }
 
 
   void
-  GasStiffness::correct(LA::Vector &x) const
+  GasStiffness::correct(LA::Vector &x, const double by_supports) const
   {
-    x.add(pressure_gradient * x / determinant, per_pressure);
+    x.add((pressure_gradient * x + by_supports) / determinant, per_pressure);
   }
 
 
@@ -85,6 +88,7 @@ namespace Biface
     if (determinant > 0)
       return of_matrix;
     // one eigenvalue changes its sign; a gas that is compressed stiffens
-    return pressure_gradient * forces < 0 ? of_matrix - 1 : of_matrix + 1;
+    return pressure_gradient * forces < 0 ? std::max(of_matrix, 1u) - 1
+                                          : of_matrix + 1;
   }
 } // namespace Biface

@@ -7,6 +7,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
+#include <biface/solver/gas_stiffness.h>
 #include <biface/solver/newton.h>
 
 namespace Biface
@@ -353,42 +354,32 @@ namespace Biface
     increment.mu.clear();
     iterate.last_error = linear.error * increment.displacement.linfty_norm();
 
-    // the displacements per change of a load; supported ones do not change
-    const auto solve_for = [&](const LoadRates &rates, LA::Vector &solution) {
-      linear = linear_solver.solve(
-        solution,
-        equations.load_direction(iterate.state, iterate.loads, rates),
-        exactness);
+    // the displacements per given forces; supported ones do not change
+    const auto solve = [&](LA::Vector &solution, const LA::Vector &forces) {
+      linear = linear_solver.solve(solution, forces, exactness);
       if (linear.n_negative_pivots)
         iterate.result.n_negative_pivots = linear.n_negative_pivots;
       equations.mesh.constraints.distribute(solution);
       return linear.success;
     };
 
-    LA::Vector per_pressure, pressure_gradient;
-    double     denominator = 1;
+    std::optional<GasStiffness> gas_stiffness;
     if (const Gas::Sealed *gas = iterate.parametrized.gas)
       {
-        per_pressure = equations.mesh.owned_vector();
-        LoadRates pressure_alone;
-        pressure_alone.pressure = 1;
-        if (!solve_for(pressure_alone, per_pressure))
-          return Failure{linear.cause, linear.message};
-        pressure_gradient = gas->pressure_gradient(iterate.state);
-        denominator       = 1 - pressure_gradient * per_pressure;
-        if (denominator == 0 || !std::isfinite(denominator))
-          return Failure{FailureCause::singular_tangent,
-                         "the pressure of the gas is not determined"};
-        // a term of rank one changes the sign of one eigenvalue at most
-        if (denominator < 0 && iterate.result.n_negative_pivots > 0u)
-          --*iterate.result.n_negative_pivots;
+        gas_stiffness.emplace(equations, iterate.state, iterate.loads, *gas);
+        if (!gas_stiffness->prepare(solve))
+          return linear.success
+                   ? Failure{FailureCause::singular_tangent,
+                             "the pressure of the gas is not determined"}
+                   : Failure{linear.cause, linear.message};
+        if (auto &n_negative = iterate.result.n_negative_pivots)
+          n_negative = gas_stiffness->n_negative(*n_negative);
+        LA::Vector supports = equations.mesh.owned_vector();
+        equations.distribute(supports);
+        gas_stiffness->correct(increment.displacement,
+                               gas->pressure_gradient(iterate.state) *
+                                 supports);
       }
-    // from a solution with the tangent to one with that of the gas as well
-    const auto add_gas = [&](LA::Vector &solution) {
-      if (iterate.parametrized.gas)
-        solution.add(pressure_gradient * solution / denominator, per_pressure);
-    };
-    add_gas(increment.displacement);
 
     if (const ControlEquations *control = iterate.parametrized.equations)
       {
@@ -398,9 +389,12 @@ namespace Biface
                                               equations.mesh.owned_vector());
         for (unsigned int i = 0; i < per_parameter.size(); ++i)
           {
-            if (!solve_for(control->rates[i], per_parameter[i]))
+            if (!solve(per_parameter[i],
+                       equations.load_direction(
+                         iterate.state, iterate.loads, control->rates[i])))
               return Failure{linear.cause, linear.message};
-            add_gas(per_parameter[i]);
+            if (gas_stiffness)
+              gas_stiffness->correct(per_parameter[i]);
           }
         increment.mu = control->parameter_changes(
           here, increment.displacement, per_parameter);

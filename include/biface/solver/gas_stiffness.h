@@ -13,11 +13,11 @@
 namespace Biface
 {
   /**
-   * The part of rank one that a sealed gas adds to a HeldTangent,
+   * The part of rank one that a sealed gas adds to a tangent,
    * @f$-\mathbf f\otimes\mathbf g@f$ with the forces @f$\mathbf f@f$ of a unit
    * pressure and the derivative @f$\mathbf g@f$ of the pressure by the
    * displacements, see Gas. Systems with it are solved with those of a matrix
-   * without it, as in Newton's method.
+   * without it.
    */
   class GasStiffness
   {
@@ -53,9 +53,11 @@ namespace Biface
     bool
     prepare(const Solve &solve);
 
-    /** Turn a solution of a system with the matrix into that with the sum. */
+    /** Turn a solution of a system with the matrix into that with the sum.
+     * @param by_supports the change of the pressure by displacements that
+     * supports prescribe. */
     void
-    correct(LA::Vector &x) const;
+    correct(LA::Vector &x, const double by_supports = 0) const;
 
     /** The number of negative eigenvalues of the sum, if both parts are
      * symmetric, from those of the matrix. */
