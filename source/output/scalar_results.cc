@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -67,6 +68,22 @@ namespace Biface
     const std::vector<std::string> force_components{
       "F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
   } // namespace
+
+
+  ScalarResults::Known
+  ScalarResults::Known::at_ends(const Cavity             *cavity,
+                                const std::vector<Stage> &stages)
+  {
+    Known known{cavity != nullptr,
+                numbers::invalid_unsigned_int,
+                numbers::invalid_unsigned_int};
+    for (const Stage &stage : stages)
+      {
+        known.n_modes    = std::min(known.n_modes, stage.n_modes);
+        known.n_buckling = std::min(known.n_buckling, stage.n_buckling);
+      }
+    return known;
+  }
 
 
   ScalarResults::ScalarResults(const std::string              &entry,

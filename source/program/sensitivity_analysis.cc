@@ -95,21 +95,15 @@ namespace Biface
     }
 
 
-    /** What is known wherever derivatives are wanted. */
-    ScalarResults::Known
-    known_results(const Parameters &parameters, const ShellModel &model)
+    /** The stages at whose ends derivatives are wanted. */
+    std::vector<Stage>
+    wanted_stages(const Parameters &parameters)
     {
-      ScalarResults::Known known{model.cavity() != nullptr,
-                                 numbers::invalid_unsigned_int,
-                                 numbers::invalid_unsigned_int};
+      std::vector<Stage> wanted;
       for (unsigned int s = 0; s < parameters.stages.size(); ++s)
         if (parameters.sensitivities.is_wanted(s, parameters.stages.size()))
-          {
-            const Stage &stage = parameters.stages[s];
-            known.n_modes      = std::min(known.n_modes, stage.n_modes);
-            known.n_buckling   = std::min(known.n_buckling, stage.n_buckling);
-          }
-      return known;
+          wanted.push_back(parameters.stages[s]);
+      return wanted;
     }
 
 
@@ -165,7 +159,8 @@ namespace Biface
               *model.mesh,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
-              known_results(parameters, model),
+              ScalarResults::Known::at_ends(model.cavity(),
+                                            wanted_stages(parameters)),
               ScalarResults::Columns::differentiable)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");

@@ -78,6 +78,8 @@ namespace Biface
                         const Parameters                           &parameters,
                         const Simulation                           &simulation)
       {
+        const Gas    *gas    = simulation.get_gas();
+        const Cavity *cavity = (gas ? &gas->cavity : nullptr);
         for (unsigned int s = 0; s < parameters.stages.size(); ++s)
           {
             std::vector<unsigned int> numbers;
@@ -88,18 +90,16 @@ namespace Biface
                   numbers.push_back(o);
                   names.push_back(outputs[o].result);
                 }
-            const Stage               &stage = parameters.stages[s];
-            const ScalarResults::Known known{
-              simulation.get_gas() != nullptr, stage.n_modes, stage.n_buckling};
             of_stages.push_back(
               {numbers,
-               ScalarResults("Study/Outputs",
-                             names,
-                             simulation.get_equations().mesh,
-                             parameters.output.criteria,
-                             parameters.output.forces.moment_center,
-                             known,
-                             ScalarResults::Columns::all)});
+               ScalarResults(
+                 "Study/Outputs",
+                 names,
+                 simulation.get_equations().mesh,
+                 parameters.output.criteria,
+                 parameters.output.forces.moment_center,
+                 ScalarResults::Known::at_ends(cavity, {parameters.stages[s]}),
+                 ScalarResults::Columns::all)});
           }
       }
 

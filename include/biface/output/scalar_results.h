@@ -12,6 +12,7 @@
 #include <biface/model/cavity.h>
 #include <biface/output/history_file.h>
 #include <biface/output/ply_results.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -35,6 +36,11 @@ namespace Biface
       bool volume = false;
       /** The number of modes, and that of buckling shapes. */
       unsigned int n_modes = 0, n_buckling = 0;
+
+      /** What is known at the ends of all of some stages.
+       * @param cavity null if its volume is not of interest. */
+      static Known
+      at_ends(const Cavity *cavity, const std::vector<Stage> &stages);
     };
 
     /** Which columns of history.csv count. */
