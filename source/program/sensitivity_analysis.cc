@@ -124,10 +124,10 @@ namespace Biface
         });
       throw InputError("Sensitivities/Outputs",
                        output == asked.outputs.end() ? kind : *output,
-                       "in " + stage.name +
-                         " the shell rolls or spins, or the loads have no "
-                         "potential, so that its derivatives are not "
-                         "implemented");
+                       "its derivatives are not available in " + stage.name +
+                         ", where the shell rolls or spins, or the loads have "
+                         "no potential, like pressure that follows a free "
+                         "edge; use a study with two values of the entry");
     }
 
 
