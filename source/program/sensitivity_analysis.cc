@@ -466,6 +466,8 @@ namespace Biface
         State     &state = neighbor.state;
         LA::Vector moved = derivative.fixed[side];
         moved.add(half, derivative.balanced);
+        // the very positions for which the forces were evaluated: contact is so
+        // stiff that the last digit matters
         state.displacement = moved;
         const auto contact_before =
           neighbor.model.contact.linearize(state, neighbor.loads);
