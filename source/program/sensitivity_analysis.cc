@@ -197,15 +197,16 @@ namespace Biface
   }
 
 
-  std::vector<RestorePoints>
+  NeighborPoints
   SensitivityAnalysis::get_restore_points() const
   {
-    std::vector<RestorePoints> points;
+    NeighborPoints points{{}, lost_stages};
     for (const auto &neighbor : neighbors)
       {
-        points.push_back({neighbor->restore_point(), neighbor->ends});
+        points.runs.push_back({neighbor->restore_point(), neighbor->ends});
         // zeros are not written; they follow from the displacements
-        for (Modes::Vector &resultants : points.back().last.state.resultants)
+        for (Modes::Vector &resultants :
+             points.runs.back().last.state.resultants)
           resultants = 0;
       }
     return points;
@@ -213,16 +214,17 @@ namespace Biface
 
 
   void
-  SensitivityAnalysis::restore(const std::vector<RestorePoints> &points)
+  SensitivityAnalysis::restore(const NeighborPoints &points)
   {
-    AssertDimension(points.size(), neighbors.size());
+    AssertDimension(points.runs.size(), neighbors.size());
+    lost_stages = points.lost_stages;
     for (unsigned int i = 0; i < neighbors.size(); ++i)
       {
         Neighbor &neighbor = *neighbors[i];
-        neighbor.restore(points[i].last);
+        neighbor.restore(points.runs[i].last);
         neighbor.model.equations.internal_forces().settle_resultants(
           neighbor.state);
-        neighbor.ends = points[i].ends;
+        neighbor.ends = points.runs[i].ends;
         if (neighbor.progress.stage_begun)
           enter_stage(neighbor);
       }
@@ -252,21 +254,29 @@ namespace Biface
                                    const unsigned int                 stage)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
+    if (before)
+      {
+        const unsigned int last = stage - 1;
+        if (is_branched_from(parameters.stages, last) &&
+            lost_stages.count(last) == 0)
+          for (const auto &neighbor : neighbors)
+            {
+              RestorePoint end     = neighbor->restore_point();
+              end.progress.control = Control::Memory();
+              neighbor->ends.insert_or_assign(last, std::move(end));
+            }
+        if (lost_stages.count(*before) > 0)
+          {
+            lost_stages.insert(stage);
+            return;
+          }
+        if (*before != last)
+          for (const auto &neighbor : neighbors)
+            neighbor->restore(neighbor->ends.at(*before));
+      }
     for (const auto &item : neighbors)
       {
-        Neighbor &neighbor = *item;
-        if (before)
-          {
-            const unsigned int last = neighbor.progress.stage;
-            if (is_branched_from(parameters.stages, last))
-              {
-                RestorePoint end     = neighbor.restore_point();
-                end.progress.control = Control::Memory();
-                neighbor.ends.insert_or_assign(last, std::move(end));
-              }
-            if (*before != last)
-              neighbor.restore(neighbor.ends.at(*before));
-          }
+        Neighbor &neighbor            = *item;
         neighbor.progress.stage       = stage;
         neighbor.progress.stage_begun = false;
         enter_stage(neighbor);
@@ -320,12 +330,13 @@ namespace Biface
           const bool determined =
             gas_stiffness->prepare([&](LA::Vector &x, const LA::Vector &b) {
               x = solve_without_gas({b})[0];
-              return failure.empty();
+              return !failure;
             });
-          if (!determined && failure.empty())
-            failure = "the pressure of the gas is not determined";
+          if (!determined && !failure)
+            failure = Failure{FailureCause::singular_tangent,
+                              "the pressure of the gas is not determined"};
         }
-      if (step.trial.equations)
+      if (step.trial.equations && !failure)
         {
           std::vector<LA::Vector> directions;
           for (const LoadRates &rates : step.trial.equations->rates)
@@ -341,7 +352,7 @@ namespace Biface
     solve(const std::vector<LA::Vector> &forces)
     {
       std::vector<LA::Vector> solutions = solve_without_gas(forces);
-      if (gas_stiffness)
+      if (gas_stiffness && !failure)
         for (LA::Vector &solution : solutions)
           gas_stiffness->correct(solution);
       return solutions;
@@ -349,8 +360,8 @@ namespace Biface
 
     ShellModel   &model;
     LinearSolver &linear_solver;
-    /** Why a system was not solved; empty if all were. */
-    std::string failure;
+    /** Why a system was not solved, if any. */
+    std::optional<Failure> failure;
     /** The displacements per unit of each load parameter; empty if they are
      * prescribed. */
     std::vector<LA::Vector> per_parameter;
@@ -367,7 +378,7 @@ namespace Biface
       std::iota(inexact.begin(), inexact.end(), 0);
       std::vector<LA::Vector> left = forces;
       // solvers stop at a residual that is small enough for Newton's method
-      for (unsigned int pass = 0; pass < 2 && failure.empty(); ++pass)
+      for (unsigned int pass = 0; pass < 2 && !failure; ++pass)
         {
           std::vector<LA::Vector> corrections(left.size(), none);
           check(linear_solver.solve_all(corrections, left, exactness));
@@ -396,7 +407,7 @@ namespace Biface
     check(const LinearSolverResult &result)
     {
       if (!result.success)
-        failure = result.message;
+        failure = Failure{result.cause, result.message};
     }
 
     std::optional<GasStiffness> gas_stiffness;
@@ -406,9 +417,6 @@ namespace Biface
   LA::Vector
   SensitivityAnalysis::propose(const Step &step, Neighbor &neighbor) const
   {
-    neighbor.before       = neighbor.state;
-    neighbor.level_before = neighbor.progress.reached;
-
     // the proposal of the run, from the start of the neighbor
     Control::Memory        memory = step.memory;
     const Control::Memory &own    = neighbor.progress.control;
@@ -522,7 +530,7 @@ namespace Biface
   }
 
 
-  void
+  bool
   SensitivityAnalysis::correct_loads(
     const Step                    &step,
     const unsigned int             e,
@@ -549,26 +557,46 @@ namespace Biface
             (side == 0 ? -1 : 1) / parameters.sensitivities.changes[e].step,
             mu);
       }
+    if (!std::all_of(further.begin(), further.end(), [](const double mu) {
+          return std::isfinite(mu);
+        }))
+      return false;
     add(derivative.mu, 1, further);
     for (unsigned int i = 0; i < further.size(); ++i)
       derivative.displacements.add(further[i], per_parameter[i]);
     move(step, e, derivative);
+    return true;
   }
 
 
   void
   SensitivityAnalysis::follow(const Step &step)
   {
-    if (!is_read(step))
+    if (!is_read(step) || lost_stages.count(step.position) > 0)
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
 
+    for (const auto &neighbor : neighbors)
+      {
+        neighbor->before       = neighbor->state;
+        neighbor->level_before = neighbor->progress.reached;
+      }
     std::optional<Gas::Sealed> gas;
     // the content in the run is between those of its neighbors
     if (neighbors[0]->progress.gas_content)
       gas.emplace(*model.gas,
                   model.gas->content(step.loads.pressure, step.state));
-    Linearization    tangent(model, linear_solver, step, gas);
+    Linearization tangent(model, linear_solver, step, gas);
+    if (!tangent.failure)
+      carry_along(step, tangent);
+    if (tangent.failure)
+      lose(step, *tangent.failure);
+  }
+
+
+  void
+  SensitivityAnalysis::carry_along(const Step &step, Linearization &tangent)
+  {
     const LA::Vector here     = model.equations.residual();
     const double     relative = model.equations.relative_residual();
     const double     roundoff =
@@ -597,6 +625,8 @@ namespace Biface
             derivatives[e].balanced = derivatives[e].displacements;
           }
         const std::vector<LA::Vector> corrections = tangent.solve(rates);
+        if (tangent.failure)
+          return;
 
         std::vector<unsigned int> still_unsettled;
         for (unsigned int i = 0; i < unsettled.size(); ++i)
@@ -605,8 +635,14 @@ namespace Biface
             Derivative        &derivative = derivatives[e];
             derivative.displacements += corrections[i];
             move(step, e, derivative);
-            if (step.trial.equations)
-              correct_loads(step, e, tangent.per_parameter, derivative);
+            if (step.trial.equations &&
+                !correct_loads(step, e, tangent.per_parameter, derivative))
+              {
+                tangent.failure = Failure{FailureCause::control,
+                                          "the controlled quantity does not "
+                                          "depend on the loads"};
+                return;
+              }
             // without friction, the forces of contact are linear
             if (step.loads.friction &&
                 corrections[i].l2_norm() >
@@ -626,22 +662,34 @@ namespace Biface
           neighbor.state);
         neighbor.model.contact.record_history(neighbor.state, neighbor.loads);
       }
-    if (!tangent.failure.empty())
-      throw InputError("Sensitivities/Entries",
-                       parameters.sensitivities.entries,
-                       "the derivatives do not exist in the stage " +
-                         step.stage.name + ": " + tangent.failure);
+  }
+
+
+  void
+  SensitivityAnalysis::lose(const Step &step, const Failure &failure)
+  {
+    for (const auto &neighbor : neighbors)
+      neighbor->state = neighbor->before;
+    lost_stages.insert(step.position);
+    out << "  Warning: the derivatives in " << step.stage.name
+        << " and in stages that start from its end are left out: "
+        << failure.message
+        << "; what may help: " << advice(failure.cause, step.stage.contact)
+        << std::endl;
   }
 
 
   std::shared_ptr<const SensitivityTable>
   SensitivityAnalysis::end_stage(const StepReport &report, const State &state)
   {
+    const unsigned int position = report.instant.stage;
+    if (lost_stages.count(position) > 0)
+      return nullptr;
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const auto &neighbor : neighbors)
       neighbor->progress.end_stage(neighbor->stage);
     const SensitivityParameters &asked = parameters.sensitivities;
-    if (!asked.is_wanted(report.instant.stage, parameters.stages.size()))
+    if (!asked.is_wanted(position, parameters.stages.size()))
       return nullptr;
 
     const auto evaluate = [&](const ShellModel &model,

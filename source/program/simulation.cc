@@ -166,11 +166,11 @@ namespace Biface
   }
 
 
-  std::vector<RestorePoints>
+  NeighborPoints
   Simulation::get_neighbors() const
   {
     return sensitivities ? sensitivities->get_restore_points()
-                         : std::vector<RestorePoints>();
+                         : NeighborPoints();
   }
 
 

@@ -9,6 +9,7 @@
 #include <biface/restart/checkpoint.h>
 
 #include <boost/serialization/map.hpp>
+#include <boost/serialization/set.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -132,18 +133,19 @@ namespace Biface
 
 
   void
-  write_checkpoint(const std::string                &directory,
-                   RunRecord                        &record,
-                   const ShellMesh                  &mesh,
-                   const RestorePoints              &run,
-                   const std::vector<RestorePoints> &neighbors)
+  write_checkpoint(const std::string    &directory,
+                   RunRecord            &record,
+                   const ShellMesh      &mesh,
+                   const RestorePoints  &run,
+                   const NeighborPoints &neighbors)
   {
     std::vector<CheckpointFile::Table> tables;
     record.run = add_tables("", run, mesh, tables);
     record.neighbors.clear();
-    for (unsigned int i = 0; i < neighbors.size(); ++i)
+    for (unsigned int i = 0; i < neighbors.runs.size(); ++i)
       record.neighbors.push_back(
-        add_tables(prefix_of_neighbor(i), neighbors[i], mesh, tables));
+        add_tables(prefix_of_neighbor(i), neighbors.runs[i], mesh, tables));
+    record.lost_stages             = neighbors.lost_stages;
     const std::vector<char> header = Utilities::pack(record, false);
     CheckpointFile::write(newest(directory),
                           previous(directory),
@@ -293,12 +295,12 @@ namespace Biface
   }
 
 
-  std::vector<RestorePoints>
+  NeighborPoints
   Checkpoint::neighbors(const ShellMesh &mesh) const
   {
-    std::vector<RestorePoints> result;
+    NeighborPoints result{{}, record.lost_stages};
     for (unsigned int i = 0; i < record.neighbors.size(); ++i)
-      result.push_back(
+      result.runs.push_back(
         read_points(prefix_of_neighbor(i), record.neighbors[i], mesh));
     return result;
   }

@@ -52,45 +52,45 @@ namespace Biface
       Assert(false, dealii::ExcInternalError());
       return {};
     }
-
-
-    std::string
-    advice(const FailureCause cause, const bool in_contact)
-    {
-      const std::string contact =
-        (in_contact ? std::string("; ") + zone_edge : std::string());
-      switch (cause)
-        {
-          case FailureCause::too_many_iterations:
-            return std::string("more 'Newton/Maximum iterations' if the "
-                               "residual still decreases; ") +
-                   smaller_steps + "; " + turning_points + contact;
-          case FailureCause::divergence:
-            return std::string(smaller_steps) + "; " + turning_points + contact;
-          case FailureCause::contact_cycle:
-            return std::string(zone_edge) + "; " + smaller_steps;
-          case FailureCause::singular_tangent:
-            return std::string("more entries in 'Supports' (the start of the "
-                               "run lists free rigid motions); ") +
-                   turning_points + "; other plies or moduli";
-          case FailureCause::out_of_memory:
-            return "fewer cells, 'Linear solver/Type = iterative', or more "
-                   "machines";
-          case FailureCause::linear_iterations:
-            return "more 'Linear solver/Maximum iterations', or 'Linear "
-                   "solver/Type = direct'";
-          case FailureCause::control:
-            return "another 'Control point' or 'Control component'; for a "
-                   "force, a stage of prescribed travel before, in which the "
-                   "shell comes to rest on the foundation";
-          case FailureCause::too_many_steps:
-            return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
-                   "the stage, or a larger 'Step control/Maximum growth'";
-        }
-      Assert(false, dealii::ExcInternalError());
-      return {};
-    }
   } // namespace
+
+
+  std::string
+  advice(const FailureCause cause, const bool in_contact)
+  {
+    const std::string contact =
+      (in_contact ? std::string("; ") + zone_edge : std::string());
+    switch (cause)
+      {
+        case FailureCause::too_many_iterations:
+          return std::string("more 'Newton/Maximum iterations' if the "
+                             "residual still decreases; ") +
+                 smaller_steps + "; " + turning_points + contact;
+        case FailureCause::divergence:
+          return std::string(smaller_steps) + "; " + turning_points + contact;
+        case FailureCause::contact_cycle:
+          return std::string(zone_edge) + "; " + smaller_steps;
+        case FailureCause::singular_tangent:
+          return std::string("more entries in 'Supports' (the start of the "
+                             "run lists free rigid motions); ") +
+                 turning_points + "; other plies or moduli";
+        case FailureCause::out_of_memory:
+          return "fewer cells, 'Linear solver/Type = iterative', or more "
+                 "machines";
+        case FailureCause::linear_iterations:
+          return "more 'Linear solver/Maximum iterations', or 'Linear "
+                 "solver/Type = direct'";
+        case FailureCause::control:
+          return "another 'Control point' or 'Control component'; for a "
+                 "force, a stage of prescribed travel before, in which the "
+                 "shell comes to rest on the foundation";
+        case FailureCause::too_many_steps:
+          return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
+                 "the stage, or a larger 'Step control/Maximum growth'";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return {};
+  }
 
 
   std::string

@@ -708,6 +708,7 @@ namespace Biface
     const Loads now = loads_at(progress.reached, run);
     if (follower)
       follower->follow({run.stage,
+                        progress.stage,
                         memory,
                         trial,
                         attempt.mu,

@@ -55,13 +55,14 @@ main(int argc, char *argv[])
                    record,
                    *mesh,
                    {{state, internal.get_history(), Progress()}, {{1, at_end}}},
-                   {{at_end, {}}, {at_end, {{1, at_end}}}});
+                   {{{at_end, {}}, {at_end, {{1, at_end}}}}, {3}});
 
-  const Checkpoint    checkpoint(directory, MPI_COMM_WORLD);
-  const RestorePoints points    = checkpoint.run(*mesh);
-  const auto          neighbors = checkpoint.neighbors(*mesh);
-  const State        &other     = points.last.state;
-  const StageEnds    &ends      = points.ends;
+  const Checkpoint     checkpoint(directory, MPI_COMM_WORLD);
+  const RestorePoints  points    = checkpoint.run(*mesh);
+  const NeighborPoints read      = checkpoint.neighbors(*mesh);
+  const auto          &neighbors = read.runs;
+  const State         &other     = points.last.state;
+  const StageEnds     &ends      = points.ends;
 
   bool same = true;
   for (const auto dof : mesh->locally_relevant)
@@ -98,7 +99,8 @@ main(int argc, char *argv[])
     all(neighbors.size() == 2 && neighbors[0].ends.empty() &&
         neighbors[1].last.state.resultants == end.resultants &&
         neighbors[1].ends.at(1).state.resultants == end.resultants &&
-        neighbors[1].last.progress.n_steps == 7)};
+        neighbors[1].last.progress.n_steps == 7 &&
+        read.lost_stages == std::set<unsigned int>{3})};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("displacements", found[0]);

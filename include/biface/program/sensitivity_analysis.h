@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,17 +56,20 @@ namespace Biface
     ~SensitivityAnalysis() override;
 
     /** Where the neighbors are, with resultants of zero. */
-    std::vector<RestorePoints>
+    NeighborPoints
     get_restore_points() const;
 
     /** Continue from there. */
     void
-    restore(const std::vector<RestorePoints> &points);
+    restore(const NeighborPoints &points);
 
     void
     start_stage(const std::optional<unsigned int> &before,
                 const unsigned int                 position) override;
 
+    /** If a linear system is not solved, the neighbors have lost the stage:
+     * with a warning, it has no derivatives, nor have the stages that start
+     * from its end. */
     void
     follow(const Step &step) override;
 
@@ -130,12 +134,22 @@ namespace Biface
 
     /** Correct the derivative of load parameters by the equations that
      * determine them.
-     * @param per_parameter the displacements per unit of each. */
-    void
+     * @param per_parameter the displacements per unit of each.
+     * @return whether they do. */
+    bool
     correct_loads(const Step                    &step,
                   const unsigned int             entry,
                   const std::vector<LA::Vector> &per_parameter,
                   Derivative                    &derivative) const;
+
+    /** Move all neighbors to the end of a step, until a system is not solved,
+     * see Linearization::failure. */
+    void
+    carry_along(const Step &step, Linearization &tangent);
+
+    /** Leave the neighbors where they were before a step. */
+    void
+    lose(const Step &step, const Failure &failure);
 
     /** The loads on a neighbor. */
     Loads
@@ -177,7 +191,9 @@ namespace Biface
 
     /** Two of each entry, below and above. */
     std::vector<std::unique_ptr<Neighbor>> neighbors;
-    std::vector<std::string>               warned;
+    /** See NeighborPoints. */
+    std::set<unsigned int>   lost_stages;
+    std::vector<std::string> warned;
   };
 } // namespace Biface
 

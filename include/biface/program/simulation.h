@@ -96,7 +96,7 @@ namespace Biface
     get_restore_points() const;
 
     /** The same of the runs with changed entries, see SensitivityAnalysis. */
-    std::vector<RestorePoints>
+    NeighborPoints
     get_neighbors() const;
 
     /** Continue another run of the same shell, see check_continuation(). Throws

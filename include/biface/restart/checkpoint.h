@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ namespace Biface
     };
 
     Points run;
-    /** Those of the runs with changed entries, see SensitivityAnalysis. */
+    /** Those of NeighborPoints. */
     std::vector<Points>    neighbors;
+    std::set<unsigned int> lost_stages;
     ResultsWriter::Written written;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
@@ -61,8 +63,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &stages &files &differences;
-      archive &run &neighbors &written            &summary;
+      archive &version &parameters &stages &files   &differences;
+      archive &run &neighbors &lost_stages &written &summary;
     }
   };
 
@@ -71,13 +73,13 @@ namespace Biface
    * called on all ranks. Throws OutputError.
    * @param record without the numbers of the points, which are set.
    * @param mesh of the run, whose nodes and cells are those of neighbors.
-   * @param neighbors the runs with changed entries. */
+   */
   void
-  write_checkpoint(const std::string                &directory,
-                   RunRecord                        &record,
-                   const ShellMesh                  &mesh,
-                   const RestorePoints              &run,
-                   const std::vector<RestorePoints> &neighbors = {});
+  write_checkpoint(const std::string    &directory,
+                   RunRecord            &record,
+                   const ShellMesh      &mesh,
+                   const RestorePoints  &run,
+                   const NeighborPoints &neighbors = {});
 
   /** Remove the checkpoints of a directory, before another run starts
    * there. */
@@ -119,7 +121,7 @@ namespace Biface
     run(const ShellMesh &mesh) const;
 
     /** The runs with changed entries. */
-    std::vector<RestorePoints>
+    NeighborPoints
     neighbors(const ShellMesh &mesh) const;
 
   private:

@@ -36,6 +36,13 @@ namespace Biface
   };
 
 
+  /** Possible remedies, as part of a sentence that names entries of the
+   * parameter file.
+   * @param in_contact whether the stage has contact. */
+  std::string
+  advice(const FailureCause cause, const bool in_contact);
+
+
   /** The meaning of a failure and possible remedies: sentences for the user
    * that name entries of the parameter file.
    * @param in_contact whether the stage has contact. */

@@ -4,6 +4,8 @@
 #define biface_stepping_restore_point_h
 
 #include <map>
+#include <set>
+#include <vector>
 
 #include <biface/model/internal_forces.h>
 #include <biface/model/state.h>
@@ -31,6 +33,16 @@ namespace Biface
   {
     RestorePoint last;
     StageEnds    ends;
+  };
+
+  /** All that a restart needs of the runs with changed entries, see
+   * SensitivityAnalysis. */
+  struct NeighborPoints
+  {
+    std::vector<RestorePoints> runs;
+    /** The positions of stages that they did not follow to the end, see
+     * SensitivityAnalysis::follow(). */
+    std::set<unsigned int> lost_stages;
   };
 } // namespace Biface
 

@@ -31,6 +31,8 @@ namespace Biface
     struct Step
     {
       const Stage &stage;
+      /** Of the stage. */
+      unsigned int position;
       /** Of the control, before it accepted the step. */
       const Control::Memory &memory;
       const Control::Trial  &trial;

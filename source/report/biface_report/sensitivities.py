@@ -24,8 +24,11 @@ def sensitivities(run):
     """The chart for each stage in sensitivities.csv, and the table."""
     name = "Sensitivities"
     found = run.sensitivities()
-    if found is None or len(found) == 0:
+    if found is None:
         return LeftOut(name, "No stage asks for 'Sensitivities'.")
+    if len(found) == 0:
+        return LeftOut(name, "No stage with 'Sensitivities' is complete, or a warning "
+                             "in run.log says why its derivatives are left out.")
     parts = []
     for step in dict.fromkeys(found["step"]):
         here = found.where(found["step"] == step)
