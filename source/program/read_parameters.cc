@@ -305,12 +305,10 @@ namespace Biface
                    const Parameters          &parameters,
                    const ParameterHandler    &prm)
     {
-      // With friction, displacements must change less than the elastic slip.
-      // Without it, the step balances the round-off of stiff contact and the
-      // curvature of the forces at fixed displacements, which is large if the
-      // shape changes.
-      constexpr double step = 1e-4, step_of_shape = 2e-5,
-                       step_with_friction = 1e-6;
+      // The step balances the round-off of stiff contact and the curvature of
+      // the forces, which is large if the shape changes at fixed displacements,
+      // or with friction, if a small slip changes its direction.
+      constexpr double step = 1e-4, small_step = 2e-5;
 
       const bool has_friction = std::any_of(
         parameters.stages.begin(),
@@ -341,9 +339,7 @@ namespace Biface
                           return is_in(name, {"Surface/", "Mesh/"});
                         });
           const double relative = parameters.sensitivities.step.value_or(
-            has_friction ? step_with_friction
-            : of_shape   ? step_of_shape
-                         : step);
+            has_friction || of_shape ? small_step : step);
           const double size =
             relative * (change.value == 0 ? 1 : std::abs(change.value));
           const std::array<double, 2> values{

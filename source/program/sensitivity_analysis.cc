@@ -506,7 +506,11 @@ namespace Biface
     std::array<LA::Vector, 2> forces;
     for (unsigned int side = 0; side < 2; ++side)
       {
-        const Neighbor &neighbor = *neighbors[2 * e + side];
+        Neighbor &neighbor = *neighbors[2 * e + side];
+        // Friction is linearized at these pressures. A small motion of the
+        // foundation at fixed displacements changes the pressure, which limits
+        // it, by a multiple of itself.
+        neighbor.state.multipliers = step.state.multipliers;
         forces[side] = neighbor.model.equations.out_of_balance(neighbor.state,
                                                                neighbor.loads);
       }
@@ -611,9 +615,8 @@ namespace Biface
     for (unsigned int e = 0; e < n; ++e)
       derivatives.push_back(start(step, e));
 
-    // At fixed displacements, a small motion of the foundation changes the
-    // pressure, which limits friction, by much. With friction, the forces are
-    // only linear where the neighbors have followed.
+    // with friction, the forces are only linear where the neighbors have
+    // followed: the direction of a small slip changes by much
     constexpr unsigned int max_passes = 6;
     constexpr double       exact      = 1e-7;
     for (unsigned int pass = 0; pass < max_passes && !unsettled.empty(); ++pass)

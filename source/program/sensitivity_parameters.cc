@@ -46,8 +46,7 @@ namespace Biface
       "automatic",
       "The change of an entry in differences, in parts of its value; for an "
       "entry that is 0, the change itself. 'automatic': 1e-4, for entries of "
-      "the sections Surface and Mesh 2e-5; with friction 1e-6, since the "
-      "elastic slip is small. No unit.");
+      "the sections Surface and Mesh, and with friction, 2e-5. No unit.");
   }
 
 

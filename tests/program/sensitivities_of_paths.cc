@@ -140,6 +140,13 @@ main(int argc, char **argv)
         "Contact/Friction; Stage 3/Slide[2]; " + entries,
         "force, foundation F_y, side u_y",
         3e-3);
+  // the foundation penetrates by less than it moves with the entries
+  check("stiff contact with friction",
+        tire,
+        with({"Contact/Regularization=1e4", "Stage 2/Friction=0.5"}),
+        "Stage 2/Travel; angle: Laminate/Plies[2], -Laminate/Plies[4], "
+        "Laminate/Plies[6], -Laminate/Plies[8]; Material cord/E_L",
+        "force, footprint_area, max_pressure");
   check("force",
         tire,
         with({"Stage 2/Travel=unchanged",

@@ -123,7 +123,7 @@ namespace Biface
          const Derivative  &derivative) const;
 
     /** The rate of the forces out of balance between the neighbors of an entry
-     * where they are.
+     * where they are. Sets their multipliers to those of the run.
      * @param here those of the run.
      * @param roundoff of these. */
     LA::Vector
