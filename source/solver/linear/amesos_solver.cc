@@ -76,15 +76,34 @@ namespace Biface
                       const LA::Vector &b,
                       const double /*tolerance*/)
   {
+    return solve(System::original, x, b);
+  }
+
+
+  LinearSolverResult
+  AmesosSolver::solve_transposed(LA::Vector       &x,
+                                 const LA::Vector &b,
+                                 const double /*tolerance*/)
+  {
+    return solve(System::transposed, x, b);
+  }
+
+
+  LinearSolverResult
+  AmesosSolver::solve(const System system, LA::Vector &x, const LA::Vector &b)
+  {
     Assert(solver, ExcNotInitialized());
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     return solve_with_refinement(
-      *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
+      {*matrix, system}, x, b, [&](LA::Vector &x, const LA::Vector &b) {
         x = 0;
         problem->SetLHS(&x.trilinos_vector());
         problem->SetRHS(const_cast<Epetra_MultiVector *>(
           static_cast<const Epetra_MultiVector *>(&b.trilinos_vector())));
-        if (const int status = solver->Solve(); status != 0)
+        int status = solver->SetUseTranspose(system == System::transposed);
+        if (status == 0)
+          status = solver->Solve();
+        if (status != 0)
           return failure("solution", status);
         LinearSolverResult result;
         result.success = true;

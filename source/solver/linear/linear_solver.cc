@@ -79,11 +79,32 @@ namespace Biface
   }
 
 
+  void
+  SystemMatrix::vmult(LA::Vector &product, const LA::Vector &x) const
+  {
+    if (system == System::original)
+      A.vmult(product, x);
+    else
+      A.Tvmult(product, x);
+  }
+
+
+  double
+  SystemMatrix::residual(LA::Vector       &result,
+                         const LA::Vector &x,
+                         const LA::Vector &b) const
+  {
+    vmult(result, x);
+    result.sadd(-1, 1, b);
+    return result.l2_norm();
+  }
+
+
   LinearSolverResult
   solve_with_refinement(
-    const LA::SparseMatrix &A,
-    LA::Vector             &x,
-    const LA::Vector       &b,
+    const SystemMatrix &matrix,
+    LA::Vector         &x,
+    const LA::Vector   &b,
     const std::function<LinearSolverResult(LA::Vector &, const LA::Vector &)>
       &solve)
   {
@@ -102,7 +123,7 @@ namespace Biface
     double relative;
     for (unsigned int k = 0;; ++k)
       {
-        const double norm = A.residual(residual, x, b);
+        const double norm = matrix.residual(residual, x, b);
         relative          = (norm_b > 0 ? norm / norm_b : norm);
         if (relative <= tolerance || error <= tolerance)
           {

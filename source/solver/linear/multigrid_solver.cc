@@ -315,9 +315,30 @@ namespace Biface
                          const LA::Vector &b,
                          const double      tolerance)
   {
-    Assert(matrix != nullptr, ExcNotInitialized());
     if (levels.empty())
       return coarsest->solve(x, b, tolerance);
+    return solve(System::original, x, b, tolerance);
+  }
+
+
+  LinearSolverResult
+  MultigridSolver::solve_transposed(LA::Vector       &x,
+                                    const LA::Vector &b,
+                                    const double      tolerance)
+  {
+    if (levels.empty())
+      return coarsest->solve_transposed(x, b, tolerance);
+    return solve(System::transposed, x, b, tolerance);
+  }
+
+
+  LinearSolverResult
+  MultigridSolver::solve(const System      system,
+                         LA::Vector       &x,
+                         const LA::Vector &b,
+                         const double      tolerance)
+  {
+    Assert(matrix != nullptr, ExcNotInitialized());
 
     // where the coarse matrices are those of another matrix, new ones take the
     // time of about so many iterations
@@ -325,48 +346,69 @@ namespace Biface
     if (coarse_matrices_are_kept)
       {
         const LinearSolverResult result =
-          iterate(x, b, tolerance, worth_a_set_up);
+          iterate(system, x, b, tolerance, worth_a_set_up);
         if (result.success)
           return result;
         const LinearSolverResult new_set_up = set_up();
         if (!new_set_up.success)
           return new_set_up;
       }
-    return iterate(x, b, tolerance, parameters.max_iterations);
+    return iterate(system, x, b, tolerance, parameters.max_iterations);
   }
 
 
   LinearSolverResult
-  MultigridSolver::iterate(LA::Vector        &x,
+  MultigridSolver::iterate(const System       system,
+                           LA::Vector        &x,
                            const LA::Vector  &b,
                            const double       tolerance,
                            const unsigned int max_iterations)
   {
+    // of a single run of GMRES; the smoother is in single precision
+    constexpr double minimum = 1e-6;
+
     TimerOutput::Scope scope(timer, "Linear solver: multigrid iterations");
 
-    x = 0;
-
-    // left preconditioning, so that the tolerance refers to the preconditioned
-    // residual
-    LinearSolverResult result;
-    ReductionControl   control(max_iterations, 0, tolerance);
+    LinearSolverResult                            result;
+    const SystemMatrix                            A{*matrix, system};
     const SolverGMRES<LA::Vector>::AdditionalData vectors(
       parameters.restart_length + 2);
-    try
+    LA::Vector   residual(b), correction(b);
+    unsigned int n_iterations = 0;
+    double       reached      = 1;
+    x                         = 0;
+    while (!result.success)
       {
-        SolverGMRES<LA::Vector>(control, vectors).solve(*matrix, x, b, *this);
-        result.success = true;
-      }
-    catch (const SolverControl::NoConvergence &)
-      {
-        std::ostringstream message;
-        message << "GMRES with multigrid did not converge: after "
-                << control.last_step()
-                << " iterations the preconditioned residual was "
-                << control.last_value() / control.initial_value()
-                << " of the initial one (tolerance " << tolerance << ")";
-        result.message = message.str();
-        result.cause   = FailureCause::linear_iterations;
+        // left preconditioning, so that the tolerance refers to the
+        // preconditioned residual
+        ReductionControl control(max_iterations - n_iterations,
+                                 0,
+                                 std::max(tolerance / reached, minimum));
+        correction = 0;
+        try
+          {
+            SolverGMRES<LA::Vector>(control, vectors)
+              .solve(A, correction, residual, *this);
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            std::ostringstream message;
+            message << "GMRES with multigrid did not converge: after "
+                    << n_iterations + control.last_step()
+                    << " iterations the preconditioned residual was "
+                    << reached * control.last_value() / control.initial_value()
+                    << " of the initial one (tolerance " << tolerance << ")";
+            result.message = message.str();
+            result.cause   = FailureCause::linear_iterations;
+            break;
+          }
+        n_iterations += control.last_step();
+        x += correction;
+        if (control.initial_value() > 0)
+          reached *= control.last_value() / control.initial_value();
+        result.success = (reached <= tolerance || control.initial_value() == 0);
+        if (!result.success)
+          A.residual(residual, x, b);
       }
     return result;
   }

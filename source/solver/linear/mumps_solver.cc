@@ -48,12 +48,16 @@ namespace Biface
     /** @param x, b several solutions and right hand sides. */
     virtual int
     solve(const ArrayView<LA::Vector>       &x,
-          const ArrayView<const LA::Vector> &b) = 0;
+          const ArrayView<const LA::Vector> &b,
+          const System                       system = System::original) = 0;
 
     int
-    solve(LA::Vector &x, const LA::Vector &b)
+    solve(LA::Vector       &x,
+          const LA::Vector &b,
+          const System      system = System::original)
     {
-      return solve(ArrayView<LA::Vector>(x), ArrayView<const LA::Vector>(b));
+      return solve(
+        ArrayView<LA::Vector>(x), ArrayView<const LA::Vector>(b), system);
     }
 
     /** After the analysis, the number of iterations of GMRES with factors as a
@@ -182,7 +186,8 @@ namespace Biface
 
     int
     solve(const ArrayView<LA::Vector>       &x,
-          const ArrayView<const LA::Vector> &b) override
+          const ArrayView<const LA::Vector> &b,
+          const System                       system) override
     {
       const std::size_t   n = b.size();
       std::vector<double> scales(n);
@@ -207,6 +212,7 @@ namespace Biface
         }
       mumps.nrhs       = n;
       mumps.rhs        = rhs.data();
+      icntl(9)         = (system == System::original ? 1 : 0);
       const int status = call(solution);
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -613,12 +619,36 @@ namespace Biface
 
     const auto         n_negative_pivots = result.n_negative_pivots;
     TimerOutput::Scope scope(timer, "Linear solver: solution");
-    result = solve_with_refinement(
-      *matrix, x, b, [&](LA::Vector &x, const LA::Vector &b) {
-        return solved(factors->solve(x, b));
-      });
+    result = solve_with_refinement({*matrix, System::original},
+                                   x,
+                                   b,
+                                   [&](LA::Vector &x, const LA::Vector &b) {
+                                     return solved(factors->solve(x, b));
+                                   });
     result.n_negative_pivots = n_negative_pivots;
     return result;
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::solve_transposed(LA::Vector       &x,
+                                const LA::Vector &b,
+                                const double /*tolerance*/)
+  {
+    Assert(matrix != nullptr, ExcNotInitialized());
+    if (factors_of != FactorsOf::matrix || factors->in_single_precision())
+      if (const auto result = factorize_for_many(*matrix, matrix_is_symmetric);
+          !result.success)
+        return result;
+
+    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    return solve_with_refinement({*matrix, System::transposed},
+                                 x,
+                                 b,
+                                 [&](LA::Vector &x, const LA::Vector &b) {
+                                   return solved(
+                                     factors->solve(x, b, System::transposed));
+                                 });
   }
 
 
@@ -637,12 +667,15 @@ namespace Biface
     for (unsigned int i = 0; i < b.size() && result.success; ++i)
       {
         bool known = true;
-        result     = solve_with_refinement(
-          *matrix, x[i], b[i], [&](LA::Vector &x, const LA::Vector &b) {
-            const int status = (known ? 0 : factors->solve(x, b));
-            known            = false;
-            return solved(status);
-          });
+        result     = solve_with_refinement({*matrix, System::original},
+                                       x[i],
+                                       b[i],
+                                       [&](LA::Vector &x, const LA::Vector &b) {
+                                         const int status =
+                                           (known ? 0 : factors->solve(x, b));
+                                         known = false;
+                                         return solved(status);
+                                       });
       }
     return result;
   }

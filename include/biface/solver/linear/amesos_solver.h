@@ -36,7 +36,15 @@ namespace Biface
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
+    LinearSolverResult
+    solve_transposed(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double      tolerance) override;
+
   private:
+    LinearSolverResult
+    solve(const System system, LA::Vector &x, const LA::Vector &b);
+
     dealii::TimerOutput                  &timer;
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver>    solver;

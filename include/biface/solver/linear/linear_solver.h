@@ -114,6 +114,39 @@ namespace Biface
     solve_all(std::vector<LA::Vector>       &x,
               const std::vector<LA::Vector> &b,
               const double                   tolerance);
+
+    /** Likewise solve @f$A^T x = b@f$. */
+    virtual LinearSolverResult
+    solve_transposed(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double      tolerance) = 0;
+  };
+
+
+  /** Which of two systems with the same factors is solved. */
+  enum class System
+  {
+    /** @f$A x = b@f$ */
+    original,
+    /** @f$A^T x = b@f$ */
+    transposed
+  };
+
+  /** The matrix of one of them, kept by reference. */
+  struct SystemMatrix
+  {
+    const LA::SparseMatrix &A;
+    const System            system;
+
+    void
+    vmult(LA::Vector &product, const LA::Vector &x) const;
+
+    /** Compute @p b minus the product with @p x.
+     * @return its norm. */
+    double
+    residual(LA::Vector       &result,
+             const LA::Vector &x,
+             const LA::Vector &b) const;
   };
 
 
@@ -127,7 +160,7 @@ namespace Biface
 
 
   /**
-   * Solve @f$A x = b@f$ by a direct solver and improve the solution by
+   * Solve a system by a direct solver and improve the solution by
    * iterative refinement if its residual exceeds 1e-10 of the right hand side,
    * as it does if a shell is very thin.
    *
@@ -138,9 +171,9 @@ namespace Biface
    */
   LinearSolverResult
   solve_with_refinement(
-    const LA::SparseMatrix &A,
-    LA::Vector             &x,
-    const LA::Vector       &b,
+    const SystemMatrix &matrix,
+    LA::Vector         &x,
+    const LA::Vector   &b,
     const std::function<LinearSolverResult(LA::Vector &, const LA::Vector &)>
       &solve);
 } // namespace Biface

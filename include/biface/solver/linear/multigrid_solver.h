@@ -57,6 +57,13 @@ namespace Biface
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
+    /** With the preconditioner of the matrix itself: that of a shell is nearly
+     * symmetric. */
+    LinearSolverResult
+    solve_transposed(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double      tolerance) override;
+
     /** The preconditioner: one V-cycle. */
     void
     vmult(LA::Vector &x, const LA::Vector &b) const;
@@ -97,7 +104,14 @@ namespace Biface
     initialize_smoother(Level &level, const LA::SparseMatrix &A);
 
     LinearSolverResult
-    iterate(LA::Vector        &x,
+    solve(const System      system,
+          LA::Vector       &x,
+          const LA::Vector &b,
+          const double      tolerance);
+
+    LinearSolverResult
+    iterate(const System       system,
+            LA::Vector        &x,
             const LA::Vector  &b,
             const double       tolerance,
             const unsigned int max_iterations);

@@ -58,6 +58,12 @@ namespace Biface
               const std::vector<LA::Vector> &b,
               const double                   tolerance) override;
 
+    /** By factors of the matrix in double precision. */
+    LinearSolverResult
+    solve_transposed(LA::Vector       &x,
+                     const LA::Vector &b,
+                     const double      tolerance) override;
+
   private:
     class Factors;
     template <typename number>
