@@ -108,4 +108,12 @@ namespace Biface
     matrix.get().vmult(product, v);
     mesh.constraints.set_zero(product);
   }
+
+
+  void
+  VelocityMatrix::Tvmult(LA::Vector &product, const LA::Vector &v) const
+  {
+    matrix.get().Tvmult(product, v);
+    mesh.constraints.set_zero(product);
+  }
 } // namespace Biface

@@ -107,30 +107,6 @@ namespace Biface
     }
 
 
-    /** Refuse derivatives of eigenvalues that are not stationary in the
-     * shapes.
-     * @param kind the first words of the names of such outputs. */
-    void
-    check_symmetric(const bool                   symmetric,
-                    const std::string           &kind,
-                    const SensitivityParameters &asked,
-                    const Stage                 &stage)
-    {
-      if (symmetric)
-        return;
-      const auto output = std::find_if(
-        asked.outputs.begin(), asked.outputs.end(), [&](const auto &name) {
-          return name.rfind(kind, 0) == 0;
-        });
-      throw InputError("Sensitivities/Outputs",
-                       output == asked.outputs.end() ? kind : *output,
-                       "its derivatives are not available in " + stage.name +
-                         ", where the shell rolls or spins, or the loads have "
-                         "no potential, like pressure that follows a free "
-                         "edge; use a study with two values of the entry");
-    }
-
-
     /** The gas sealed in a neighbor, if any. */
     template <typename Neighbor>
     std::optional<Gas::Sealed>
@@ -682,6 +658,14 @@ namespace Biface
   }
 
 
+  bool
+  SensitivityAnalysis::reads_left_eigenvectors(const unsigned int stage) const
+  {
+    return (results.have_frequency() || results.have_buckling()) &&
+           parameters.sensitivities.is_wanted(stage, parameters.stages.size());
+  }
+
+
   std::shared_ptr<const SensitivityTable>
   SensitivityAnalysis::end_stage(const StepReport &report, const State &state)
   {
@@ -761,20 +745,17 @@ namespace Biface
                                     Neighbor             &neighbor,
                                     const Loads          &loads)
   {
-    check_symmetric(
-      modes.symmetric, "frequency", parameters.sensitivities, neighbor.stage);
-    const auto                gas     = sealed_in(neighbor);
-    auto                      changed = std::make_shared<VibrationModes>(modes);
-    const std::vector<double> squares =
-      squares_for_shapes(neighbor.model.equations,
-                         neighbor.model.contact,
-                         timer,
-                         neighbor.state,
-                         loads,
-                         gas ? &*gas : nullptr,
-                         modes);
-    for (unsigned int m = 0; m < squares.size(); ++m)
-      changed->modes[m].omega = omega_of(squares[m]);
+    const auto gas     = sealed_in(neighbor);
+    auto       changed = std::make_shared<VibrationModes>(modes);
+    const auto omegas  = omegas_for_shapes(neighbor.model.equations,
+                                          neighbor.model.contact,
+                                          timer,
+                                          neighbor.state,
+                                          loads,
+                                          gas ? &*gas : nullptr,
+                                          modes);
+    for (unsigned int m = 0; m < omegas.size(); ++m)
+      changed->modes[m].omega = omegas[m];
     return changed;
   }
 
@@ -784,15 +765,10 @@ namespace Biface
                                        Neighbor       &neighbor,
                                        const Loads    &loads)
   {
-    check_symmetric(buckling.symmetric,
-                    "buckling factor",
-                    parameters.sensitivities,
-                    neighbor.stage);
     BucklingAnalysis analysis(
       neighbor.model.equations, neighbor.model.contact, linear_solver, timer);
     BucklingModes changed;
     changed.modes              = buckling.modes;
-    changed.symmetric          = buckling.symmetric;
     const LoadLevel    &start  = neighbor.progress.control.start;
     const BucklingStart before = buckling_start(
       neighbor.model.equations.internal_forces(),

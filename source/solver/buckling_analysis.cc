@@ -53,6 +53,8 @@ namespace Biface
     /** The last matrix that was factorized, and its shift. */
     LA::SparseMatrix            shifted;
     std::optional<GasStiffness> gas_shifted;
+    /** That of the transposed matrix, if it is wanted. */
+    std::optional<GasStiffness> gas_transposed;
     double                      shift = 0;
     /** Whether the matrices are symmetric, and with the gas. */
     bool symmetric_matrices = true, symmetric = true;
@@ -68,14 +70,16 @@ namespace Biface
     }
 
     void
-    multiply_G(LA::Vector &product, const LA::Vector &x) const
+    multiply_G(LA::Vector       &product,
+               const LA::Vector &x,
+               const System      system = System::original) const
     {
-      G.vmult(product, x);
-      if (gas_0)
-        {
-          gas_0->vmult_add(product, x);
-          gas_1->vmult_add(product, x, -1);
-        }
+      SystemMatrix{G, system}.vmult(product, x);
+      if (!gas_0)
+        return;
+      const bool as_it_is = (system == System::original);
+      (as_it_is ? *gas_0 : gas_0->transposed()).vmult_add(product, x);
+      (as_it_is ? *gas_1 : gas_1->transposed()).vmult_add(product, x, -1);
     }
   };
 
@@ -194,12 +198,17 @@ namespace Biface
   bool
   BucklingAnalysis::solve(const Pencil     &pencil,
                           LA::Vector       &x,
-                          const LA::Vector &b)
+                          const LA::Vector &b,
+                          const System      system)
   {
-    if (!linear_solver.solve(x, b, exactness).success)
+    const bool as_it_is = (system == System::original);
+    if (!(as_it_is ? linear_solver.solve(x, b, exactness)
+                   : linear_solver.solve_transposed(x, b, exactness))
+           .success)
       return false;
-    if (pencil.gas_shifted)
-      pencil.gas_shifted->correct(x);
+    const auto &gas = (as_it_is ? pencil.gas_shifted : pencil.gas_transposed);
+    if (gas)
+      gas->correct(x);
     return true;
   }
 
@@ -252,8 +261,11 @@ namespace Biface
 
 
   Eigenpairs
-  BucklingAnalysis::find_above_shift(Pencil &pencil, const unsigned int n)
+  BucklingAnalysis::find_above_shift(Pencil            &pencil,
+                                     const unsigned int n,
+                                     const System       system)
   {
+    Assert(!pencil.definite || system == System::original, ExcInternalError());
     EigenvalueProblem problem;
     problem.symmetric = pencil.definite;
     problem.wanted    = EigenvalueProblem::Wanted::next_above;
@@ -276,8 +288,8 @@ namespace Biface
           product = x;
         };
         problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
-          pencil.multiply_G(between, b);
-          return solve(pencil, x, between);
+          pencil.multiply_G(between, b, system);
+          return solve(pencil, x, between, system);
         };
       }
     Eigenpairs found = nearest_eigenpairs(problem, n, start);
@@ -285,6 +297,33 @@ namespace Biface
       for (Eigenpair &pair : found.pairs)
         pair.value = pencil.shift / (1. - pair.value);
     return found;
+  }
+
+
+  std::vector<Eigenpair>
+  BucklingAnalysis::find_left(Pencil                       &pencil,
+                              const std::vector<Eigenpair> &right,
+                              const unsigned int            n)
+  {
+    if (pencil.gas_shifted)
+      {
+        pencil.gas_transposed = pencil.gas_shifted->transposed();
+        if (!pencil.gas_transposed->prepare(
+              [&](LA::Vector &x, const LA::Vector &b) {
+                return linear_solver.solve_transposed(x, b, exactness).success;
+              }))
+          return std::vector<Eigenpair>(right.size());
+      }
+    return left_eigenpairs(
+      right,
+      find_above_shift(pencil, n, System::transposed).pairs,
+      [&](const Eigenpair &x) {
+        return product(
+          [&](LA::Vector &product, const LA::Vector &x) {
+            pencil.multiply_G(product, x);
+          },
+          x);
+      });
   }
 
 
@@ -325,13 +364,13 @@ namespace Biface
                             const Equilibrium &now,
                             const Gas         *gas,
                             const LoadRates   &rates,
-                            const unsigned int n)
+                            const unsigned int n,
+                            const bool         with_left)
   {
     const ShellMesh &mesh = equations.mesh;
     BucklingModes    result;
     Pencil           pencil;
     assemble(before, now, gas, pencil);
-    result.symmetric                   = pencil.symmetric;
     const std::optional<double> lowest = estimate_lowest(pencil, result);
     if (!lowest)
       return result;
@@ -376,17 +415,21 @@ namespace Biface
       },
       fields);
 
+    std::vector<Eigenpair> left(pairs.size());
+    if (with_left)
+      left = (pencil.symmetric ? pairs : find_left(pencil, pairs, n_computed));
+
     const NonlinearTheory theory(equations);
     const LA::Vector      loads = equations.load_direction(
       equations.internal_forces().in_shape_of_tangent(now.state),
       now.loads,
       rates);
-    for (const Eigenpair &pair : pairs)
-      if (result.modes.size() < n)
-        {
-          result.modes.push_back(finish(pair.vector, loads));
-          result.modes.back().position = pair.value.real();
-        }
+    for (unsigned int i = 0; i < pairs.size() && i < n; ++i)
+      {
+        result.modes.push_back(finish(pairs[i].vector, loads));
+        result.modes[i].position = pairs[i].value.real();
+        result.modes[i].left     = left[i];
+      }
     return result;
   }
 
@@ -399,23 +442,24 @@ namespace Biface
   {
     Pencil pencil;
     assemble(before, now, gas, pencil);
-    std::vector<LA::Vector>           shapes;
-    std::vector<std::complex<double>> positions;
+    BothEigenpairs neighbors;
     for (const BucklingMode &mode : modes)
       {
-        shapes.push_back(owned_part(mode.shape));
-        equations.mesh.constraints.set_zero(shapes.back());
-        positions.push_back(mode.position);
+        neighbors.right.push_back({mode.position, owned_part(mode.shape), {}});
+        equations.mesh.constraints.set_zero(neighbors.right.back().vector);
+        neighbors.left.push_back(mode.left);
       }
-    return rayleigh_quotients(
-      [&](LA::Vector &product, const LA::Vector &x) {
-        pencil.multiply_K_0(product, x);
-      },
-      [&](LA::Vector &product, const LA::Vector &x) {
-        pencil.multiply_G(product, x);
-      },
-      shapes,
-      positions);
+    std::vector<double> positions;
+    for (const std::complex<double> &position : rayleigh_quotients(
+           [&](LA::Vector &product, const LA::Vector &x) {
+             pencil.multiply_K_0(product, x);
+           },
+           [&](LA::Vector &product, const LA::Vector &x) {
+             pencil.multiply_G(product, x);
+           },
+           neighbors))
+      positions.push_back(position.real());
+    return positions;
   }
 
 

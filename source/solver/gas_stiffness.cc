@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <biface/solver/gas_stiffness.h>
 #include <biface/solver/held_tangent.h>
@@ -61,6 +62,15 @@ namespace Biface
   GasStiffness::sadd(const double s, const double a, const GasStiffness &other)
   {
     pressure_gradient.sadd(s, a, other.pressure_gradient);
+  }
+
+
+  GasStiffness
+  GasStiffness::transposed() const
+  {
+    GasStiffness result = *this;
+    std::swap(result.forces, result.pressure_gradient);
+    return result;
   }
 
 

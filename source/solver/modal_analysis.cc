@@ -108,7 +108,7 @@ namespace Biface
   ModalAnalysis::finish(const Eigenpair &pair, const Loads &loads) const
   {
     const ShellMesh &mesh       = equations.mesh;
-    const bool       is_complex = loads.rolling && pair.imaginary.size() > 0;
+    const bool       is_complex = pair.imaginary.size() > 0;
     VibrationMode    mode;
     mode.omega                     = pair.value;
     std::vector<LA::Vector> shapes = unit_shapes(
@@ -143,161 +143,279 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    // what an iterative solver may leave, relative to the right hand side
+    constexpr double exactness = 1e-12;
+
+
+    /** @param matrix is kept by reference. */
+    template <typename Matrix>
+    Multiply
+    multiply_by(const Matrix &matrix)
+    {
+      return [&matrix](LA::Vector &product, const LA::Vector &x) {
+        matrix.vmult(product, x);
+      };
+    }
+  } // namespace
+
+
+  /** @f$\mathbf K+i\omega\mathbf G-\omega^2\mathbf M@f$ and, with a shift
+   * @f$\sigma@f$ of @f$\omega^2@f$, the matrix with
+   * @f$i\omega=\sqrt{-\sigma}@f$. */
+  struct ModalAnalysis::Problem
+  {
+    LA::SparseMatrix K;
+    /** @f$\mathbf G@f$ of a shell that rolls or spins; else null. */
+    std::unique_ptr<const VelocityMatrix> velocity;
+    std::optional<GasStiffness>           gas;
+    /** Whether K is symmetric, and with the gas. */
+    bool symmetric_matrix = true, symmetric = true;
+    /** See QuadraticEigenvalueProblem. */
+    bool conservative = true;
+
+    double           shift = 0;
+    LA::SparseMatrix shifted;
+
+    double
+    rate_of_shift() const
+    {
+      return std::sqrt(-shift);
+    }
+
+    /** @f$\omega^2@f$ of an eigenvalue, which is @f$\omega@f$ if there are
+     * gyroscopic terms. */
+    std::complex<double>
+    square(const Eigenpair &pair) const
+    {
+      return velocity ? pair.value * pair.value : pair.value;
+    }
+  };
+
+
+  ModalAnalysis::Problem
+  ModalAnalysis::assemble(const State       &state,
+                          const Loads       &loads,
+                          const Gas::Sealed *gas)
+  {
+    Problem problem;
+    tangent.assemble(state, loads, problem.K);
+    tangent.hold(state, loads, problem.K);
+    const Loads alone = HeldTangent::without_foundation(loads);
+
+    problem.symmetric_matrix =
+      (!(loads.rolling && loads.friction) && equations.is_symmetric(alone)) ||
+      tangent.is_symmetric(problem.K);
+    problem.symmetric = problem.symmetric_matrix;
+    if (gas)
+      {
+        problem.gas.emplace(equations, state, loads, *gas);
+        problem.symmetric = problem.symmetric && problem.gas->is_symmetric();
+      }
+    if (loads.rolling)
+      problem.velocity =
+        std::make_unique<const VelocityMatrix>(contact, state, loads);
+    problem.conservative =
+      problem.symmetric && !(loads.foundation && loads.friction);
+    return problem;
+  }
+
+
+  LinearSolverResult
+  ModalAnalysis::factorize(Problem &problem) const
+  {
+    if (problem.shift == 0)
+      return linear_solver.factorize_for_many(problem.K,
+                                              problem.symmetric_matrix);
+    problem.shifted.copy_from(problem.K);
+    problem.shifted.add(-problem.shift, mass.get());
+    if (problem.velocity)
+      problem.shifted.add(problem.rate_of_shift(), problem.velocity->get());
+    return linear_solver.factorize_for_many(
+      problem.shifted, problem.symmetric_matrix && !problem.velocity);
+  }
+
+
+  Eigenpairs
+  ModalAnalysis::nearest(const Problem      &problem,
+                         const System        system,
+                         const unsigned int  n,
+                         LinearSolverResult &linear) const
+  {
+    const bool transposed        = (system == System::transposed);
+    const auto solve_without_gas = [&](LA::Vector &x, const LA::Vector &b) {
+      linear = (transposed ? linear_solver.solve_transposed(x, b, exactness)
+                           : linear_solver.solve(x, b, exactness));
+      return linear.success;
+    };
+    std::optional<GasStiffness> gas;
+    if (problem.gas)
+      {
+        gas = (transposed ? problem.gas->transposed() : *problem.gas);
+        if (!gas->prepare(solve_without_gas))
+          {
+            Eigenpairs result;
+            result.message = "the tangent with the gas is singular";
+            return result;
+          }
+      }
+    const auto solve = [&](LA::Vector &x, const LA::Vector &b) {
+      if (!solve_without_gas(x, b))
+        return false;
+      if (gas)
+        gas->correct(x);
+      return true;
+    };
+
+    if (problem.velocity)
+      {
+        QuadraticEigenvalueProblem quadratic;
+        quadratic.solve             = solve;
+        quadratic.multiply_mass     = multiply_by(mass);
+        quadratic.multiply_velocity = [&](LA::Vector       &product,
+                                          const LA::Vector &x) {
+          if (transposed)
+            problem.velocity->Tvmult(product, x);
+          else
+            problem.velocity->vmult(product, x);
+        };
+        quadratic.conservative = problem.conservative;
+        quadratic.shift        = problem.rate_of_shift();
+        return nearest_eigenpairs(quadratic, n, start);
+      }
+    EigenvalueProblem linear_problem;
+    linear_problem.solve     = solve;
+    linear_problem.multiply  = multiply_by(mass);
+    linear_problem.shift     = problem.shift;
+    linear_problem.symmetric = problem.symmetric;
+    return nearest_eigenpairs(linear_problem, n, start);
+  }
+
+
+  Eigenpairs
+  ModalAnalysis::lowest(Problem &problem, const unsigned int n) const
+  {
+    // The shift of a singular matrix as a part of its largest eigenvalue, then
+    // as a part of the largest one found. Round-off in an eigenvector next to
+    // the shift spoils those much farther away.
+    constexpr double first_shift = 1e-6, good_shift = 1e-2, max_spread = 1e5;
+    constexpr unsigned int n_passes = 4;
+
+    Eigenpairs eigenpairs;
+    for (unsigned int pass = 0; pass < n_passes; ++pass)
+      {
+        LinearSolverResult linear = factorize(problem);
+        eigenpairs                = Eigenpairs();
+        if (linear.success)
+          eigenpairs = nearest(problem, System::original, n, linear);
+        if (!eigenpairs.success)
+          {
+            if (!linear.success)
+              eigenpairs.message = linear.message;
+            if (linear.success || pass > 0 ||
+                linear.cause != FailureCause::singular_tangent)
+              break;
+            problem.shift = -first_shift * largest_eigenvalue(problem.K);
+            continue;
+          }
+        double farthest = 0, closest = std::numeric_limits<double>::infinity();
+        double largest = 0;
+        for (const Eigenpair &pair : eigenpairs.pairs)
+          {
+            const std::complex<double> square = problem.square(pair);
+            const double distance = std::abs(square - problem.shift);
+            farthest              = std::max(farthest, distance);
+            closest               = std::min(closest, distance);
+            largest               = std::max(largest, std::abs(square));
+          }
+        if (farthest <= max_spread * closest && -problem.shift <= largest)
+          break;
+        problem.shift = -good_shift * largest;
+      }
+    return eigenpairs;
+  }
+
+
+  std::vector<Eigenpair>
+  ModalAnalysis::find_left(const Problem                &problem,
+                           const std::vector<Eigenpair> &right) const
+  {
+    LinearSolverResult linear;
+    return left_eigenpairs(
+      right,
+      nearest(problem, System::transposed, right.size(), linear).pairs,
+      [&](const Eigenpair &x) {
+        const Eigenpair of_mass = product(multiply_by(mass), x);
+        if (!problem.velocity)
+          return of_mass;
+        // i G x - 2 omega M x
+        const Eigenpair of_velocity =
+          product(multiply_by(*problem.velocity), x);
+        return combination({std::complex<double>(0, 1), -2. * x.value},
+                           {of_velocity, of_mass});
+      });
+  }
+
+
   VibrationModes
   ModalAnalysis::compute(const State       &state,
                          const Loads       &loads,
                          const Gas::Sealed *gas,
-                         const unsigned int n)
+                         const unsigned int n,
+                         const bool         with_left)
   {
-    const ShellMesh &mesh = equations.mesh;
-    VibrationModes   result;
-    result.total_mass = mass.total();
-
-    LA::SparseMatrix K;
-    tangent.assemble(state, loads, K);
-    tangent.hold(state, loads, K);
-    const Loads alone = HeldTangent::without_foundation(loads);
-
-    EigenvalueProblem problem;
-    problem.symmetric =
-      (!(loads.rolling && loads.friction) && equations.is_symmetric(alone)) ||
-      tangent.is_symmetric(K);
-    std::unique_ptr<const VelocityMatrix> velocity;
-    if (loads.rolling)
-      velocity = std::make_unique<const VelocityMatrix>(contact, state, loads);
-    LinearSolverResult linear;
-    // what an iterative solver may leave, relative to the right hand side
-    constexpr double exactness = 1e-12;
-    const auto       solve     = [&](LA::Vector &x, const LA::Vector &b) {
-      linear = linear_solver.solve(x, b, exactness);
-      return linear.success;
-    };
-
-    bool                        symmetric_matrix = problem.symmetric;
-    std::optional<GasStiffness> gas_stiffness;
-    if (gas)
-      {
-        gas_stiffness.emplace(equations, state, loads, *gas);
-        problem.symmetric = problem.symmetric && gas_stiffness->is_symmetric();
-      }
-    const auto prepare = [&](const LA::SparseMatrix &A) {
-      linear = linear_solver.factorize_for_many(A, symmetric_matrix);
-      return linear.success &&
-             (!gas_stiffness || gas_stiffness->prepare(solve));
-    };
-    problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
-      if (!solve(x, b))
-        return false;
-      if (gas_stiffness)
-        gas_stiffness->correct(x);
-      return true;
-    };
-    problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
-      mass.vmult(product, x);
-    };
-
-    QuadraticEigenvalueProblem quadratic;
-    quadratic.solve             = problem.solve;
-    quadratic.multiply_mass     = problem.multiply;
-    quadratic.multiply_velocity = [&](LA::Vector       &product,
-                                      const LA::Vector &x) {
-      velocity->vmult(product, x);
-    };
-    quadratic.conservative =
-      problem.symmetric && !(loads.foundation && loads.friction);
-
-    // The shift of a singular matrix as a part of its greatest eigenvalue, then
-    // as a part of the greatest one found. Round-off in an eigenvector next to
-    // the shift spoils those much farther away.
-    constexpr double first_shift = 1e-6, good_shift = 1e-2,
-                     greatest_spread = 1e5;
     // some more, so that modes of the same frequency are complete
-    const unsigned int n_computed =
-      std::max(n, std::min<unsigned int>(n + 4, mesh.n_unknowns() / 4));
-    Eigenpairs       eigenpairs;
-    LA::SparseMatrix shifted;
-    // of omega, which is the eigenvalue if there are gyroscopic terms
-    const auto square = [&](const Eigenpair &pair) {
-      return velocity ? pair.value * pair.value : pair.value;
-    };
-    for (unsigned int pass = 0; pass < 4; ++pass)
-      {
-        quadratic.shift = std::sqrt(-problem.shift);
-        if (pass > 0)
-          {
-            shifted.copy_from(K);
-            shifted.add(-problem.shift, mass.get());
-            if (velocity)
-              shifted.add(quadratic.shift, velocity->get());
-          }
-        eigenpairs = Eigenpairs();
-        if (prepare(pass > 0 ? shifted : K))
-          eigenpairs =
-            (velocity ? nearest_eigenpairs(quadratic, n_computed, start)
-                      : nearest_eigenpairs(problem, n_computed, start));
+    const unsigned int n_computed = std::max(
+      n, std::min<unsigned int>(n + 4, equations.mesh.n_unknowns() / 4));
 
-        if (!eigenpairs.success)
-          {
-            if (linear.success || pass > 0 ||
-                linear.cause != FailureCause::singular_tangent)
-              break;
-            problem.shift    = -first_shift * largest_eigenvalue(K);
-            symmetric_matrix = symmetric_matrix && !velocity;
-            continue;
-          }
-        double largest = 0, nearest = std::numeric_limits<double>::infinity();
-        double greatest = 0;
-        for (const Eigenpair &pair : eigenpairs.pairs)
-          {
-            const double distance = std::abs(square(pair) - problem.shift);
-            largest               = std::max(largest, distance);
-            nearest               = std::min(nearest, distance);
-            greatest              = std::max(greatest, std::abs(square(pair)));
-          }
-        if (largest <= greatest_spread * nearest && -problem.shift <= greatest)
-          break;
-        problem.shift    = -good_shift * greatest;
-        symmetric_matrix = symmetric_matrix && !velocity;
-      }
-    if (!eigenpairs.success)
-      {
-        result.message = linear.success ? eigenpairs.message : linear.message;
-        return result;
-      }
+    Problem          problem    = assemble(state, loads, gas);
+    const Eigenpairs eigenpairs = lowest(problem, n_computed);
+    VibrationModes   result;
+    result.success    = eigenpairs.success;
+    result.message    = eigenpairs.message;
+    result.total_mass = mass.total();
+    result.symmetric  = problem.symmetric && !problem.velocity;
 
-    for (Eigenpair &pair : eigenpairs.pairs)
+    std::vector<Eigenpair> pairs = eigenpairs.pairs;
+    for (Eigenpair &pair : pairs)
       {
         constexpr double real = 1e-8;
         if (std::abs(pair.value.imag()) <= real * std::abs(pair.value))
-          pair.value.imag(0);
-        if (is_zero(K, square(pair), pair.vector))
+          {
+            pair.value.imag(0);
+            if (!problem.velocity)
+              pair.imaginary.clear();
+          }
+        if (is_zero(problem.K, problem.square(pair), pair.vector))
           pair.value = 0;
       }
-    if (velocity)
-      settle_phases(eigenpairs.pairs, problem.multiply, fields);
+    if (problem.velocity)
+      settle_phases(pairs, multiply_by(mass), fields);
     else
+      settle(pairs, multiply_by(mass), fields);
+    std::vector<Eigenpair> left(pairs.size());
+    if (with_left)
+      left = (result.symmetric ? pairs : find_left(problem, pairs));
+    for (unsigned int i = 0; i < pairs.size() && i < n; ++i)
       {
-        settle(eigenpairs.pairs, problem.multiply, fields);
-        for (Eigenpair &pair : eigenpairs.pairs)
-          pair.value = omega_of(pair.value);
+        if (!problem.velocity)
+          pairs[i].value = omega_of(pairs[i].value);
+        result.modes.push_back(finish(pairs[i], loads));
+        result.modes[i].left = left[i];
       }
-    result.symmetric = problem.symmetric && !velocity;
-    for (const Eigenpair &pair : eigenpairs.pairs)
-      if (result.modes.size() < n)
-        result.modes.push_back(finish(pair, loads));
-    result.success = true;
     return result;
   }
 
 
-  std::vector<double>
-  squares_for_shapes(ShellEquations           &equations,
-                     const ContactInteraction &contact,
-                     TimerOutput              &timer,
-                     const State              &state,
-                     const Loads              &loads,
-                     const Gas::Sealed        *gas,
-                     const VibrationModes     &modes)
+  std::vector<std::complex<double>>
+  omegas_for_shapes(ShellEquations           &equations,
+                    const ContactInteraction &contact,
+                    TimerOutput              &timer,
+                    const State              &state,
+                    const Loads              &loads,
+                    const Gas::Sealed        *gas,
+                    const VibrationModes     &modes)
   {
     const ShellMesh &mesh = equations.mesh;
     HeldTangent      tangent(equations, contact, timer);
@@ -308,23 +426,35 @@ namespace Biface
     if (gas)
       gas_stiffness.emplace(equations, state, loads, *gas);
     const MassMatrix mass(mesh);
+    const Multiply multiply_k = [&](LA::Vector &product, const LA::Vector &x) {
+      K.vmult(product, x);
+      if (gas_stiffness)
+        gas_stiffness->vmult_add(product, x);
+    };
 
-    std::vector<LA::Vector>           shapes;
-    std::vector<std::complex<double>> squares;
+    BothEigenpairs neighbors;
     for (const VibrationMode &mode : modes.modes)
       {
-        shapes.push_back(owned_part(mode.shape));
-        mesh.constraints.set_zero(shapes.back());
-        squares.push_back(mode.square());
+        Eigenpair right{mode.omega, owned_part(mode.shape), {}};
+        mesh.constraints.set_zero(right.vector);
+        if (mode.imaginary.size() > 0)
+          {
+            right.imaginary = owned_part(mode.imaginary);
+            mesh.constraints.set_zero(right.imaginary);
+          }
+        neighbors.right.push_back(right);
+        neighbors.left.push_back(mode.left);
       }
-    return rayleigh_quotients(
-      [&](LA::Vector &product, const LA::Vector &x) {
-        K.vmult(product, x);
-        if (gas_stiffness)
-          gas_stiffness->vmult_add(product, x);
-      },
-      [&](LA::Vector &product, const LA::Vector &x) { mass.vmult(product, x); },
-      shapes,
-      squares);
+    if (loads.rolling)
+      {
+        const VelocityMatrix velocity(contact, state, loads);
+        return rayleigh_roots(
+          multiply_k, multiply_by(velocity), multiply_by(mass), neighbors);
+      }
+    std::vector<std::complex<double>> omegas =
+      rayleigh_quotients(multiply_k, multiply_by(mass), neighbors);
+    for (std::complex<double> &omega : omegas)
+      omega = omega_of(omega);
+    return omegas;
   }
 } // namespace Biface

@@ -33,8 +33,7 @@ namespace Biface
       from.pressure = reached.pressure = second.pressure;
     const double begin = part_of_loads(from, reached, second);
     Buckling     result;
-    result.modes     = found.modes;
-    result.symmetric = found.symmetric;
+    result.modes = found.modes;
     for (const BucklingMode &mode : found.modes)
       result.loads.push_back({begin + mode.position * (1 - begin),
                               loads_on_line(first, second, mode.position)});

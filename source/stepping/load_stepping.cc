@@ -807,7 +807,11 @@ namespace Biface
     if (run.progress.gas_content)
       sealed.emplace(*gas, *run.progress.gas_content);
     auto modes = std::make_shared<const VibrationModes>(modal_analysis->compute(
-      run.state, loads, sealed ? &*sealed : nullptr, run.stage.n_modes));
+      run.state,
+      loads,
+      sealed ? &*sealed : nullptr,
+      run.stage.n_modes,
+      follower && follower->reads_left_eigenvectors(run.progress.stage)));
     if (!modes->success)
       {
         out << "  Warning: the modes of " << run.stage.name
@@ -838,12 +842,13 @@ namespace Biface
     LoadRates   change = change_of(before.level, level);
     if (run.stage.sealed)
       change.pressure = 0;
-    const BucklingModes found =
-      buckling_analysis->compute({before.state, before.loads},
-                                 {run.state, loads},
-                                 run.stage.sealed ? gas : nullptr,
-                                 change,
-                                 run.stage.n_buckling);
+    const BucklingModes found = buckling_analysis->compute(
+      {before.state, before.loads},
+      {run.state, loads},
+      run.stage.sealed ? gas : nullptr,
+      change,
+      run.stage.n_buckling,
+      follower && follower->reads_left_eigenvectors(run.progress.stage));
     if (!found.success)
       {
         out << "  Warning: the buckling loads of " << run.stage.name

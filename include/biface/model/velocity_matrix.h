@@ -48,6 +48,10 @@ namespace Biface
     void
     vmult(LA::Vector &product, const LA::Vector &v) const;
 
+    /** Likewise with the transposed matrix. */
+    void
+    Tvmult(LA::Vector &product, const LA::Vector &v) const;
+
   private:
     const ShellMesh &mesh;
     TangentMatrix    matrix;

@@ -73,6 +73,9 @@ namespace Biface
     void
     follow(const Step &step) override;
 
+    bool
+    reads_left_eigenvectors(const unsigned int stage) const override;
+
     std::shared_ptr<const SensitivityTable>
     end_stage(const StepReport &report, const State &state) override;
 

@@ -32,6 +32,12 @@ namespace Biface
      * a face is 1. */
     LA::Vector shape;
 
+    /** The left eigenvector @f$\mathbf y@f$ with
+     * @f$\mathbf y^T(\mathbf K_0-s\,\mathbf G)=\mathbf 0@f$, see
+     * left_eigenpairs(), in the owned unknowns. Empty if it was not wanted or
+     * does not exist. */
+    Eigenpair left;
+
     /** The work of the change of the loads on the shape, relative to that on a
      * motion of all nodes by the largest displacement: 0 at a bifurcation, but
      * not at a limit point. */
@@ -50,9 +56,6 @@ namespace Biface
     std::string message;
     /** In ascending order of the position. */
     std::vector<BucklingMode> modes;
-    /** Whether both tangents are symmetric, so that positions are stationary in
-     * the shapes. */
-    bool symmetric = false;
   };
 
 
@@ -101,20 +104,20 @@ namespace Biface
      * @param rates the change of the loads from one to the other, in any unit,
      * without the pressure of a sealed gas.
      * @param n the number of shapes; there may be fewer.
+     * @param with_left whether left eigenvectors are wanted, too.
      */
     BucklingModes
     compute(const Equilibrium &before,
             const Equilibrium &now,
             const Gas         *gas,
             const LoadRates   &rates,
-            const unsigned int n);
+            const unsigned int n,
+            const bool         with_left = false);
 
     /**
-     * The quotients @f$\boldsymbol\varphi^T\mathbf K_0\boldsymbol\varphi/
-     * \boldsymbol\varphi^T\mathbf G\boldsymbol\varphi@f$ for the shapes of a
-     * neighboring shell. They deviate from the positions of this one by terms
-     * of second order if both tangents are symmetric; modes of the same
-     * position have their mean. The last assembly of the equations is lost.
+     * The positions up to terms of second order by the right and left
+     * eigenvectors of a neighboring shell, see rayleigh_quotients(); not a
+     * number without a left one. The last assembly of the equations is lost.
      *
      * @param before, now, gas see compute().
      * @param modes of the neighbor, whose degrees of freedom are the same.
@@ -169,17 +172,29 @@ namespace Biface
     LinearSolverResult
     factorize(Pencil &pencil, const double shift);
 
-    /** Solve such a system. */
+    /** Solve such a system, or the transposed one. */
     bool
-    solve(const Pencil &pencil, LA::Vector &x, const LA::Vector &b);
+    solve(const Pencil     &pencil,
+          LA::Vector       &x,
+          const LA::Vector &b,
+          const System      system = System::original);
 
     /** The lowest position, roughly; none if there is none. */
     std::optional<double>
     estimate_lowest(Pencil &pencil, BucklingModes &result);
 
-    /** The next positions above the shift. */
+    /** The next positions above the shift, with right or left eigenvectors. */
     Eigenpairs
-    find_above_shift(Pencil &pencil, const unsigned int n);
+    find_above_shift(Pencil            &pencil,
+                     const unsigned int n,
+                     const System       system = System::original);
+
+    /** The left eigenvectors for right ones, with the factors at hand.
+     * @param n the number of eigenvalues among which they are sought. */
+    std::vector<Eigenpair>
+    find_left(Pencil                       &pencil,
+              const std::vector<Eigenpair> &right,
+              const unsigned int            n);
 
     /** Keep the pairs with a real positive value, in whose shapes the loads
      * soften the shell. */

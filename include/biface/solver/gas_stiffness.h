@@ -45,6 +45,10 @@ namespace Biface
     void
     sadd(const double s, const double a, const GasStiffness &other);
 
+    /** The transposed term, not prepared. */
+    GasStiffness
+    transposed() const;
+
     /** Solve a system with a matrix, and return whether this succeeded. */
     using Solve = std::function<bool(LA::Vector &x, const LA::Vector &b)>;
 

@@ -38,10 +38,16 @@ namespace Biface
     LA::Vector shape;
 
     /** The imaginary part of @f$\boldsymbol\varphi@f$, a quarter of a period
-     * earlier, of a shell that rolls or spins; else empty. The largest
-     * displacement is then that of both parts together, with the sum of their
-     * squares. */
+     * earlier, of a shell that rolls or spins, or flutters; else empty. The
+     * largest displacement is then that of both parts together, with the sum of
+     * their squares. */
     LA::Vector imaginary;
+
+    /** The left eigenvector @f$\mathbf y@f$ with
+     * @f$\mathbf y^T(\mathbf K+i\omega\mathbf G-\omega^2\mathbf
+     * M)=\mathbf 0@f$, see left_eigenpairs(), in the owned unknowns. Empty if
+     * it was not wanted or does not exist. */
+    Eigenpair left;
 
     /** @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$. Unit: mass. */
     double mass = 0;
@@ -99,8 +105,8 @@ namespace Biface
     std::vector<VibrationMode> modes;
     /** Of the whole shell. */
     double total_mass = 0;
-    /** Whether the shell stands and its tangent is symmetric, so that
-     * frequencies are stationary in the shapes. */
+    /** Whether the shell stands and its tangent is symmetric, so that left
+     * eigenvectors are the shapes. */
     bool symmetric = false;
   };
 
@@ -145,14 +151,38 @@ namespace Biface
      *
      * @param gas the gas sealed in; null for none.
      * @param n the number of modes.
+     * @param with_left whether left eigenvectors are wanted, too.
      */
     VibrationModes
     compute(const State       &state,
             const Loads       &loads,
             const Gas::Sealed *gas,
-            const unsigned int n);
+            const unsigned int n,
+            const bool         with_left = false);
 
   private:
+    struct Problem;
+
+    Problem
+    assemble(const State &state, const Loads &loads, const Gas::Sealed *gas);
+
+    /** Prepare to solve systems with the matrix at the shift of the problem. */
+    LinearSolverResult
+    factorize(Problem &problem) const;
+
+    /** The eigenpairs closest to the shift with the factors at hand, or those
+     * of the transposed problem.
+     * @param linear the last result of the linear solver. */
+    Eigenpairs
+    nearest(const Problem      &problem,
+            const System        system,
+            const unsigned int  n,
+            LinearSolverResult &linear) const;
+
+    /** The eigenpairs closest to zero, for which a shift is chosen. */
+    Eigenpairs
+    lowest(Problem &problem, const unsigned int n) const;
+
     /** An estimate of the largest eigenvalue. */
     double
     largest_eigenvalue(const LA::SparseMatrix &K) const;
@@ -166,6 +196,11 @@ namespace Biface
     /** @param pair with @f$\omega@f$ for the eigenvalue. */
     VibrationMode
     finish(const Eigenpair &pair, const Loads &loads) const;
+
+    /** The left eigenvectors for right ones, with the factors at hand. */
+    std::vector<Eigenpair>
+    find_left(const Problem                &problem,
+              const std::vector<Eigenpair> &right) const;
 
     ShellEquations           &equations;
     const ContactInteraction &contact;
@@ -184,24 +219,22 @@ namespace Biface
 
 
   /**
-   * Rayleigh's quotients
-   * @f$\boldsymbol\varphi^T\mathbf K\boldsymbol\varphi/
-   * \boldsymbol\varphi^T\mathbf M\boldsymbol\varphi@f$ of a shell for the
-   * shapes of a neighboring one. They deviate from its @f$\omega^2@f$ by terms
-   * of second order if the tangent is symmetric; modes of the same frequency
-   * have their mean. The last assembly of the equations is lost.
+   * The frequencies @f$\omega@f$ of a shell up to terms of second order by the
+   * right and left eigenvectors of a neighboring one, see rayleigh_quotients()
+   * and rayleigh_roots(); not a number without a left one. The last assembly of
+   * the equations is lost.
    *
    * @param modes of the neighbor, whose degrees of freedom are the same.
    * @param gas the gas sealed in; null for none.
    */
-  std::vector<double>
-  squares_for_shapes(ShellEquations           &equations,
-                     const ContactInteraction &contact,
-                     dealii::TimerOutput      &timer,
-                     const State              &state,
-                     const Loads              &loads,
-                     const Gas::Sealed        *gas,
-                     const VibrationModes     &modes);
+  std::vector<std::complex<double>>
+  omegas_for_shapes(ShellEquations           &equations,
+                    const ContactInteraction &contact,
+                    dealii::TimerOutput      &timer,
+                    const State              &state,
+                    const Loads              &loads,
+                    const Gas::Sealed        *gas,
+                    const VibrationModes     &modes);
 } // namespace Biface
 
 #endif

@@ -30,8 +30,6 @@ namespace Biface
     std::vector<BucklingMode> modes;
     /** For each of the modes. */
     std::vector<CriticalLoads> loads;
-    /** See BucklingModes. */
-    bool symmetric = false;
   };
 
 

@@ -48,6 +48,11 @@ namespace Biface
     virtual void
     follow(const Step &step) = 0;
 
+    /** Whether end_stage() reads the left eigenvectors of the modes of
+     * vibration or buckling at the end of a stage. */
+    virtual bool
+    reads_left_eigenvectors(const unsigned int stage) const = 0;
+
     /** The derivatives at the end of a stage, null if there are none. */
     virtual std::shared_ptr<const SensitivityTable>
     end_stage(const StepReport &report, const State &state) = 0;

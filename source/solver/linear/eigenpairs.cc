@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/parpack_solver.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include <biface/solver/linear/eigenpairs.h>
 
@@ -16,10 +17,6 @@ namespace Biface
 
   namespace
   {
-    using Multiply =
-      std::function<void(LA::Vector &product, const LA::Vector &x)>;
-
-
     /** A linear system was not solved. */
     struct NotSolved
     {};
@@ -300,35 +297,228 @@ namespace Biface
   }
 
 
-  std::vector<double>
-  rayleigh_quotients(const Multiply                          &multiply_a,
-                     const Multiply                          &multiply_b,
-                     const std::vector<LA::Vector>           &vectors,
-                     const std::vector<std::complex<double>> &eigenvalues)
+  Eigenpair
+  product(const Multiply &multiply, const Eigenpair &x)
   {
-    AssertDimension(eigenvalues.size(), vectors.size());
-    std::vector<double> quotients;
-    for (const LA::Vector &x : vectors)
+    Eigenpair result = x;
+    multiply(result.vector, x.vector);
+    if (x.imaginary.size() > 0)
+      multiply(result.imaginary, x.imaginary);
+    return result;
+  }
+
+
+  std::complex<double>
+  product(const Eigenpair &y, const Eigenpair &x)
+  {
+    const bool           complex_x = (x.imaginary.size() > 0);
+    std::complex<double> result(y.vector * x.vector,
+                                complex_x ? y.vector * x.imaginary : 0);
+    if (y.imaginary.size() > 0)
+      result += std::complex<double>(
+        complex_x ? -(y.imaginary * x.imaginary) : 0, y.imaginary * x.vector);
+    return result;
+  }
+
+
+  Eigenpair
+  combination(const std::vector<std::complex<double>> &factors,
+              const std::vector<Eigenpair>            &pairs)
+  {
+    Eigenpair result = pairs[0];
+    result.vector    = 0;
+    result.imaginary = result.vector;
+    for (unsigned int j = 0; j < pairs.size(); ++j)
       {
-        LA::Vector product(x);
-        multiply_a(product, x);
-        const double form = product * x;
-        multiply_b(product, x);
-        quotients.push_back(form / (product * x));
+        const std::complex<double> c = factors[j];
+        result.vector.add(c.real(), pairs[j].vector);
+        result.imaginary.add(c.imag(), pairs[j].vector);
+        if (pairs[j].imaginary.size() == 0)
+          continue;
+        result.vector.add(-c.imag(), pairs[j].imaginary);
+        result.imaginary.add(c.real(), pairs[j].imaginary);
       }
-    for (unsigned int begin = 0, end = 0; begin < quotients.size(); begin = end)
+    return result;
+  }
+
+
+  namespace
+  {
+    double
+    norm(const Eigenpair &x)
+    {
+      return std::hypot(x.vector.l2_norm(),
+                        x.imaginary.size() > 0 ? x.imaginary.l2_norm() : 0);
+    }
+
+
+    /** The positions of pairs with the same eigenvalue; conjugate ones may
+     * alternate with each other. */
+    std::vector<std::vector<unsigned int>>
+    groups_of(const std::vector<Eigenpair> &pairs)
+    {
+      std::vector<std::vector<unsigned int>> groups;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          const auto group =
+            std::find_if(groups.rbegin(), groups.rend(), [&](const auto &g) {
+              return are_same(pairs[g.back()].value, pairs[i].value);
+            });
+          if (group != groups.rend())
+            group->push_back(i);
+          else
+            groups.push_back({i});
+        }
+      return groups;
+    }
+
+
+    /** Take those out of a list whose eigenvalues are closest to a given one.
+     */
+    std::vector<Eigenpair>
+    take_closest(const std::complex<double> &value,
+                 const unsigned int          n,
+                 std::vector<Eigenpair>     &from)
+    {
+      std::vector<Eigenpair> taken;
+      while (taken.size() < n && !from.empty())
+        {
+          const auto closest = std::min_element(
+            from.begin(), from.end(), [&](const auto &a, const auto &b) {
+              return std::abs(a.value - value) < std::abs(b.value - value);
+            });
+          taken.push_back(*closest);
+          from.erase(closest);
+        }
+      return taken;
+    }
+
+
+    /** Replace the values of the same eigenvalue by their mean. */
+    void
+    average(std::vector<std::complex<double>> &values,
+            const std::vector<Eigenpair>      &pairs)
+    {
+      for (const auto &group : groups_of(pairs))
+        {
+          std::complex<double> sum = 0;
+          for (const unsigned int i : group)
+            sum += values[i];
+          for (const unsigned int i : group)
+            values[i] = sum / double(group.size());
+        }
+    }
+
+
+    const std::complex<double> not_a_number =
+      std::numeric_limits<double>::quiet_NaN();
+  } // namespace
+
+
+  std::vector<Eigenpair>
+  left_eigenpairs(
+    const std::vector<Eigenpair>                      &right,
+    std::vector<Eigenpair>                             found,
+    const std::function<Eigenpair(const Eigenpair &)> &multiply_derivative)
+  {
+    // The sensitivity of an eigenvalue beyond which it counts as defective. The
+    // vectors of others are orthogonal up to round-off.
+    constexpr double maximum = 1e7;
+
+    std::vector<Eigenpair> result(right.size());
+    for (const auto &group : groups_of(right))
       {
-        end = begin + 1;
-        while (end < quotients.size() &&
-               are_same(eigenvalues[end - 1], eigenvalues[end]))
-          ++end;
-        const double mean = std::accumulate(&quotients[begin],
-                                            &quotients[begin] + (end - begin),
-                                            0.) /
-                            (end - begin);
-        std::fill(&quotients[begin], &quotients[begin] + (end - begin), mean);
+        const unsigned int           n = group.size();
+        const std::vector<Eigenpair> left =
+          take_closest(right[group[0]].value, n, found);
+        if (left.size() < n)
+          break;
+
+        std::vector<Eigenpair>           images;
+        std::vector<double>              sizes;
+        FullMatrix<std::complex<double>> products(n, n), inverse(n, n);
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            images.push_back(multiply_derivative(right[group[j]]));
+            sizes.push_back(norm(images[j]));
+            for (unsigned int i = 0; i < n; ++i)
+              products(i, j) =
+                product(left[i], images[j]) / (norm(left[i]) * sizes[j]);
+          }
+        try
+          {
+            inverse.invert(products);
+          }
+        catch (const ExceptionBase &)
+          {
+            continue;
+          }
+        if (!(inverse.frobenius_norm() <= maximum))
+          continue;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            std::vector<std::complex<double>> factors;
+            for (unsigned int j = 0; j < n; ++j)
+              factors.push_back(inverse(i, j) / (sizes[i] * norm(left[j])));
+            result[group[i]] = combination(factors, left);
+          }
       }
+    return result;
+  }
+
+
+  std::vector<std::complex<double>>
+  rayleigh_quotients(const Multiply       &multiply_a,
+                     const Multiply       &multiply_b,
+                     const BothEigenpairs &neighbors)
+  {
+    AssertDimension(neighbors.left.size(), neighbors.right.size());
+    std::vector<std::complex<double>> quotients;
+    for (unsigned int i = 0; i < neighbors.right.size(); ++i)
+      {
+        const Eigenpair &x = neighbors.right[i];
+        const Eigenpair &y = neighbors.left[i];
+        quotients.push_back(y.vector.size() == 0
+                              ? not_a_number
+                              : product(y, product(multiply_a, x)) /
+                                  product(y, product(multiply_b, x)));
+      }
+    average(quotients, neighbors.right);
     return quotients;
+  }
+
+
+  std::vector<std::complex<double>>
+  rayleigh_roots(const Multiply       &multiply_k,
+                 const Multiply       &multiply_g,
+                 const Multiply       &multiply_m,
+                 const BothEigenpairs &neighbors)
+  {
+    AssertDimension(neighbors.left.size(), neighbors.right.size());
+    const std::complex<double>        i_unit(0, 1);
+    std::vector<std::complex<double>> roots;
+    for (unsigned int i = 0; i < neighbors.right.size(); ++i)
+      {
+        const Eigenpair &x = neighbors.right[i];
+        const Eigenpair &y = neighbors.left[i];
+        if (y.vector.size() == 0)
+          {
+            roots.push_back(not_a_number);
+            continue;
+          }
+        const std::complex<double> k = product(y, product(multiply_k, x));
+        const std::complex<double> g =
+          i_unit * product(y, product(multiply_g, x));
+        const std::complex<double> m     = product(y, product(multiply_m, x));
+        const std::complex<double> d     = std::sqrt(g * g + 4. * m * k);
+        const std::complex<double> upper = (g + d) / (2. * m);
+        const std::complex<double> lower = (g - d) / (2. * m);
+        roots.push_back(std::abs(upper - x.value) < std::abs(lower - x.value)
+                          ? upper
+                          : lower);
+      }
+    average(roots, neighbors.right);
+    return roots;
   }
 
 

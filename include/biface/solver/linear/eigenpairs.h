@@ -88,21 +88,76 @@ namespace Biface
   bool
   are_same(const std::complex<double> &a, const std::complex<double> &b);
 
-  /** Rayleigh's quotients @f$\mathbf x^T\mathbf A\mathbf x/\mathbf
-   * x^T\mathbf B\mathbf x@f$ for the eigenvectors of a neighboring problem.
-   * Those of the same eigenvalue are replaced by their mean: the vectors of
-   * such an eigenvalue are arbitrary, but not this mean.
+  /** The product with a matrix. */
+  using Multiply =
+    std::function<void(LA::Vector &product, const LA::Vector &x)>;
+
+  /** The product of a matrix with the vector of a pair. */
+  Eigenpair
+  product(const Multiply &multiply, const Eigenpair &x);
+
+  /** @f$\mathbf y^T\mathbf x@f$ of the vectors of two pairs. */
+  std::complex<double>
+  product(const Eigenpair &y, const Eigenpair &x);
+
+
+  /** A linear combination of the vectors of pairs. */
+  Eigenpair
+  combination(const std::vector<std::complex<double>> &factors,
+              const std::vector<Eigenpair>            &pairs);
+
+
+  /**
+   * The left eigenvectors of a problem @f$\mathbf P(\lambda)@f$,
+   * @f$\mathbf y^T\mathbf P=\mathbf 0@f$, such that
+   * @f$\mathbf y_i^T\mathbf P'\mathbf x_j=\delta_{ij}@f$ for the right ones
+   * @f$\mathbf x_i@f$ of the same eigenvalue.
+   *
+   * @param right in the order of the eigenvalues.
+   * @param found eigenpairs of the transposed problem.
+   * @param multiply_derivative the product of the derivative
+   * @f$\mathbf P'@f$ at the eigenvalue of a pair with its vector.
+   * @return for each of the right ones; with an empty vector, if its eigenvalue
+   * was not found or is defective, so that it has no derivative.
+   */
+  std::vector<Eigenpair>
+  left_eigenpairs(
+    const std::vector<Eigenpair>                      &right,
+    std::vector<Eigenpair>                             found,
+    const std::function<Eigenpair(const Eigenpair &)> &multiply_derivative);
+
+
+  /** Right eigenvectors @f$\mathbf x@f$, in the order of the eigenvalues, and
+   * the left ones @f$\mathbf y@f$ with the same eigenvalues, which may be
+   * missing, see left_eigenpairs(). */
+  struct BothEigenpairs
+  {
+    std::vector<Eigenpair> right, left;
+  };
+
+  /**
+   * Rayleigh's quotients @f$\mathbf y^T\mathbf A\mathbf x/\mathbf
+   * y^T\mathbf B\mathbf x@f$ for the eigenvectors of a neighboring problem,
+   * from whose eigenvalues they deviate by terms of second order
+   * @cite Lancaster1964. Those of the same eigenvalue are replaced by their
+   * mean: the vectors of such an eigenvalue are arbitrary, but not this mean.
+   * Without a left vector, the quotient is not a number.
    *
    * @param multiply_a, multiply_b the products with both matrices.
-   * @param eigenvalues those of the neighboring problem, in ascending order. */
-  std::vector<double>
-  rayleigh_quotients(
-    const std::function<void(LA::Vector &product, const LA::Vector &x)>
-      &multiply_a,
-    const std::function<void(LA::Vector &product, const LA::Vector &x)>
-                                            &multiply_b,
-    const std::vector<LA::Vector>           &vectors,
-    const std::vector<std::complex<double>> &eigenvalues);
+   */
+  std::vector<std::complex<double>>
+  rayleigh_quotients(const Multiply       &multiply_a,
+                     const Multiply       &multiply_b,
+                     const BothEigenpairs &neighbors);
+
+  /** Likewise the roots @f$\omega@f$ of
+   * @f$\mathbf y^T(\mathbf K+i\omega\,\mathbf G-\omega^2\,\mathbf
+   * M)\mathbf x=0@f$ closest to those of the neighboring problem. */
+  std::vector<std::complex<double>>
+  rayleigh_roots(const Multiply       &multiply_k,
+                 const Multiply       &multiply_g,
+                 const Multiply       &multiply_m,
+                 const BothEigenpairs &neighbors);
 
 
   struct Eigenpairs
