@@ -736,6 +736,16 @@ namespace Biface
                        "'" + names[o] + "'");
           }
       }
+    for (unsigned int o = 0; o < names.size(); ++o)
+      if (std::isfinite(here[o]) &&
+          std::any_of(
+            table->derivatives.begin(),
+            table->derivatives.end(),
+            [&](const auto &of_entry) { return !std::isfinite(of_entry[o]); }))
+        out << "  Warning: '" << names[o]
+            << "' has no derivatives here, like a frequency at the onset of "
+               "flutter, where two modes become one"
+            << std::endl;
     return table;
   }
 

@@ -2,7 +2,8 @@
 
 // With right and left eigenvectors, Rayleigh's quotients predict the
 // eigenvalues of a neighboring unsymmetric problem up to terms of second order:
-// real and complex ones, and the mean of double ones.
+// real and complex ones, and the mean of double ones. A defective eigenvalue
+// has no left eigenvector whose product with the right one is not zero.
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
@@ -140,6 +141,36 @@ namespace
               << std::endl;
     check_range("  order", std::log2(errors[0] / errors[1]), 1.9, 2.1);
   }
+
+
+  void
+  test_defective()
+  {
+    // the first two unknowns of the first chain are a Jordan block
+    Chains chains(0, 0, false, 0);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (auto entry = chains.matrix.begin(i); entry != chains.matrix.end(i);
+           ++entry)
+        entry->value() =
+          (entry->column() == i || entry->column() == i + 1 ? 1 : 0);
+    for (auto entry = chains.matrix.begin(1); entry != chains.matrix.end(1);
+         ++entry)
+      if (entry->column() == 2)
+        entry->value() = 0;
+    const Multiply multiply_b = [](LA::Vector &product, const LA::Vector &x) {
+      product = x;
+    };
+    const auto right = lowest(chains.matrix, multiply_b, System::original);
+    const auto left =
+      left_eigenpairs(right,
+                      lowest(chains.matrix, multiply_b, System::transposed),
+                      [](const Eigenpair &x) { return x; });
+    unsigned int n_missing = 0;
+    for (const Eigenpair &pair : left)
+      n_missing += (pair.vector.size() == 0);
+    std::cout << "defective: " << n_missing << " left eigenvectors are missing"
+              << std::endl;
+  }
 } // namespace
 
 
@@ -151,4 +182,5 @@ main(int argc, char *argv[])
   test("double", 0.9, 0.2, true);
   test("single pairs", 0.9, -0.9, false);
   test("double pairs", 0.9, -0.9, true);
+  test_defective();
 }
