@@ -375,8 +375,9 @@ namespace Biface
       parameters.restart_length + 2);
     LA::Vector   residual(b), correction(b);
     unsigned int n_iterations = 0;
-    double       reached      = 1;
-    x                         = 0;
+    // by the estimates of GMRES, which do not see round-off
+    double reached = 1;
+    x              = 0;
     while (!result.success)
       {
         // left preconditioning, so that the tolerance refers to the
