@@ -24,6 +24,14 @@ public:
     return done();
   }
 
+  Biface::LinearSolverResult
+  solve_transposed(Biface::LA::Vector       &x,
+                   const Biface::LA::Vector &b,
+                   const double              tolerance) override
+  {
+    return solve(x, b, tolerance);
+  }
+
 private:
   static Biface::LinearSolverResult
   done()
