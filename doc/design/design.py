@@ -142,6 +142,16 @@ The `variation` of the table, `pressure_variation`, is the standard deviation of
 pressure relative to its mean, with the same weights. As an objective it is less smooth,
 since it is a small difference of large numbers: nodes enter and leave the footprint one by
 one, and derivatives, which hold the nodes in contact fixed, then differ from the trend.
+
+## What does it cost?
+
+One run of [tire_modes.prm](../prm/tire_modes.prm) on one rank, with all of it at the end
+of the last stage, beside the mean of its four contact steps of 5 mm:
+
+{cost}
+
+Derivatives include two more models for each number, which follow all steps of the loading
+that later ones read.
 """
 
 
@@ -232,6 +242,31 @@ class Pages:
         self.save(report.draw(report.bars_of(Run(directory).sensitivities())),
                   "sensitivities")
         plt.close("all")
+
+    def cost(self):
+        """The table of times relative to a contact step."""
+        directory = self.run(
+            "cost", self.prm / "tire_modes.prm", "Output/Write VTU=false",
+            "Stage 1/Modes=0", "Stage 2/Modes=0", "Stage 3/Modes=10",
+            "Stage 3/Buckling=2",
+            "Sensitivities/Entries=Stage 2/Pressure; Stage 3/Travel; "
+            "Laminate/Plies[2]; Laminate/Plies[4]; Material cord/E_L; "
+            "Material cord/E_T; Material cord/G_LT; Material cord/G_TT; "
+            "Surface/Circular arc/Radius; Contact/Regularization",
+            "Sensitivities/Outputs=force, mean_pressure, max_pressure, "
+            "footprint_length, footprint_area, max_fiber_tension")
+        steps = [float(line["seconds"]) for line in read(directory / "history.csv")
+                 if line["approach"] and float(line["approach"]) > 0]
+        log = (directory / "run.log").read_text(encoding="utf-8")
+        rows = [["", "contact steps"]]
+        for section, what in [("Modes", "ten modes"),
+                              ("Buckling", "two buckling loads"),
+                              ("Sensitivities",
+                               "derivatives of six results by ten numbers")]:
+            seconds = float(re.search(
+                rf"\| {section} +\| +[0-9]+ \| +([0-9.e+-]+)s", log).group(1))
+            rows.append([what, f"{seconds / np.mean(steps):.1f}"])
+        return table(rows)
 
     def study(self, plt, ranks):
         """The chart of main effects; returns a sentence on the cost."""
@@ -348,11 +383,13 @@ def main():
     lowest = pages.modes(plt)
     buckling = pages.buckling()
     pages.sensitivities(plt)
+    cost = pages.cost()
     study = pages.study(plt, ranks)
     check, best = pages.even(plt, ranks)
     (arguments.output / "design.md").write_text(PAGE.format(
         unloaded=lowest["unloaded"], inflated=lowest["inflated"], buckling=buckling,
-        study=study, force=even.FORCE, check=check, best=best), encoding="utf-8")
+        study=study, force=even.FORCE, check=check, best=best,
+        cost=cost), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -91,6 +91,7 @@ namespace Biface
     : equations(equations)
     , contact(contact)
     , linear_solver(linear_solver)
+    , timer(timer)
     , tangent(equations, contact, timer)
     , start(arbitrary_displacements(equations.mesh, 0))
   {
@@ -367,6 +368,8 @@ namespace Biface
                             const unsigned int n,
                             const bool         with_left)
   {
+    TimerOutput::Scope scope(timer, "Buckling");
+
     const ShellMesh &mesh = equations.mesh;
     BucklingModes    result;
     Pencil           pencil;

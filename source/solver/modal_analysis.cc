@@ -48,6 +48,7 @@ namespace Biface
     : equations(equations)
     , contact(contact)
     , linear_solver(linear_solver)
+    , timer(timer)
     , tangent(equations, contact, timer)
     , mass(equations.mesh)
     , start(arbitrary_displacements(equations.mesh, 0))
@@ -365,6 +366,8 @@ namespace Biface
                          const unsigned int n,
                          const bool         with_left)
   {
+    TimerOutput::Scope scope(timer, "Modes");
+
     // some more, so that modes of the same frequency are complete
     const unsigned int n_computed = std::max(
       n, std::min<unsigned int>(n + 4, equations.mesh.n_unknowns() / 4));

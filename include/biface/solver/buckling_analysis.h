@@ -82,7 +82,8 @@ namespace Biface
   class BucklingAnalysis
   {
   public:
-    /** The objects are kept by reference. */
+    /** The objects are kept by reference.
+     * @param timer receives the section "Buckling". */
     BucklingAnalysis(ShellEquations           &equations,
                      const ContactInteraction &contact,
                      LinearSolver             &linear_solver,
@@ -208,6 +209,7 @@ namespace Biface
     ShellEquations           &equations;
     const ContactInteraction &contact;
     LinearSolver             &linear_solver;
+    dealii::TimerOutput      &timer;
     HeldTangent               tangent;
     /** Arbitrary displacements. */
     const LA::Vector        start;

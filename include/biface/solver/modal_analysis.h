@@ -139,7 +139,8 @@ namespace Biface
   class ModalAnalysis
   {
   public:
-    /** The objects are kept by reference. */
+    /** The objects are kept by reference.
+     * @param timer receives the section "Modes". */
     ModalAnalysis(ShellEquations           &equations,
                   const ContactInteraction &contact,
                   LinearSolver             &linear_solver,
@@ -205,6 +206,7 @@ namespace Biface
     ShellEquations           &equations;
     const ContactInteraction &contact;
     LinearSolver             &linear_solver;
+    dealii::TimerOutput      &timer;
     HeldTangent               tangent;
     const MassMatrix          mass;
 
