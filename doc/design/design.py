@@ -286,7 +286,7 @@ class Pages:
         done = re.search(r"([0-9.]+) s, groups busy for ([0-9.]+) %", log)
         return textwrap.fill(f"The {len(study.status)} tires took {float(done.group(1)):.0f} s on "
                 f"two ranks, which were busy for {done.group(2)} % of that time, "
-                "on a machine of two cores that had other work, too.", 88)
+                "on a machine of two cores.", 88)
 
     def even(self, plt, ranks):
         """The map of the objective with the path of the optimizer; returns the
