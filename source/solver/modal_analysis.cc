@@ -330,7 +330,10 @@ namespace Biface
             closest               = std::min(closest, distance);
             largest               = std::max(largest, std::abs(square));
           }
-        if (farthest <= max_spread * closest && -problem.shift <= largest)
+        const bool is_good =
+          (farthest <= max_spread * closest && -problem.shift <= largest);
+        // the shift remains that of the factors
+        if (is_good || pass + 1 == n_passes)
           break;
         problem.shift = -good_shift * largest;
       }
@@ -379,6 +382,8 @@ namespace Biface
     result.message    = eigenpairs.message;
     result.total_mass = mass.total();
     result.symmetric  = problem.symmetric && !problem.velocity;
+    if (!result.success)
+      return result;
 
     std::vector<Eigenpair> pairs = eigenpairs.pairs;
     for (Eigenpair &pair : pairs)
