@@ -107,6 +107,31 @@ namespace Biface
     }
 
 
+    /** The forces on the nodes, with those of the foundation that balance the
+     * others where it is in contact: stiff contact makes the round-off of
+     * positions large, but equilibrium is known. */
+    NodalForces
+    forces_in_equilibrium(const ShellEquations &equations,
+                          const State          &state,
+                          const Loads          &loads)
+    {
+      const ShellMesh &mesh       = equations.mesh;
+      NodalForces      forces     = equations.nodal_forces(state, loads);
+      LA::Vector      &foundation = forces[ForceTerm::Source::foundation];
+      LA::Vector       sum        = foundation;
+      sum += forces[ForceTerm::Source::shell];
+      sum += forces[ForceTerm::Source::loads];
+      mesh.condense(sum);
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].locally_owned && state.active[n])
+          for (const auto dof : mesh.nodes[n].dofs)
+            if (!mesh.constraints.is_constrained(dof))
+              foundation(dof) -= sum(dof);
+      foundation.compress(VectorOperation::add);
+      return forces;
+    }
+
+
     /** The gas sealed in a neighbor, if any. */
     template <typename Neighbor>
     std::optional<Gas::Sealed>
@@ -711,9 +736,9 @@ namespace Biface
             changed.footprint =
               find_footprint(contact, neighbor.state, changed.loads);
             if (results.have_force())
-              changed.forces = std::make_shared<const NodalForces>(
-                neighbor.model.equations.nodal_forces(neighbor.state,
-                                                      changed.loads));
+              changed.forces =
+                std::make_shared<const NodalForces>(forces_in_equilibrium(
+                  neighbor.model.equations, neighbor.state, changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, neighbor, changed.loads);

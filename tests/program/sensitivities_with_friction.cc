@@ -32,7 +32,8 @@ main(int argc, char **argv)
      "Newton/Residual tolerance=1e-11",
      "Sensitivities/Entries=p: Stage 1/Pressure, Stage 2/Pressure;"
      "Stage 2/Travel; Material cord/E_L; Material cord/G_LT",
-     "Sensitivities/Outputs=force, footprint_area, max_pressure"});
+     "Sensitivities/Outputs=force, footprint_area, max_pressure, "
+     "foundation F_x"});
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
 
