@@ -542,25 +542,36 @@ namespace Biface
     const std::vector<LA::Vector> &per_parameter,
     Derivative                    &derivative) const
   {
-    const LA::Vector none = model.mesh->owned_vector();
-    LoadParameters   further(step.mu.size());
+    const double   change = parameters.sensitivities.changes[e].step;
+    LoadParameters further(step.mu.size());
     for (unsigned int side = 0; side < 2; ++side)
       {
         const Neighbor &neighbor = *neighbors[2 * e + side];
-        LA::Vector      total    = owned_part(neighbor.state.displacement);
+        const double    sign     = (side == 0 ? -1 : 1);
+
+        // like the balance of forces: where they were evaluated, and linearly
+        // from there
+        State at            = neighbor.state;
+        at.multipliers      = step.state.multipliers;
+        LA::Vector balanced = derivative.fixed[side];
+        balanced.add(sign * change / 2, derivative.balanced);
+        at.displacement  = balanced;
+        LA::Vector total = balanced;
         total -= owned_part(neighbor.before.displacement);
+        LA::Vector since = derivative.displacements;
+        since -= derivative.balanced;
+        since *= sign * change / 2;
+
         const LoadParameters mu =
           neighbor.trial.equations->parameter_changes({neighbor.model.equations,
                                                        neighbor.model.contact,
-                                                       neighbor.state,
+                                                       at,
                                                        neighbor.loads,
                                                        total,
                                                        {}},
-                                                      none,
+                                                      since,
                                                       per_parameter);
-        add(further,
-            (side == 0 ? -1 : 1) / parameters.sensitivities.changes[e].step,
-            mu);
+        add(further, sign / change, mu);
       }
     if (!std::all_of(further.begin(), further.end(), [](const double mu) {
           return std::isfinite(mu);
