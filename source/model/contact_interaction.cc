@@ -294,9 +294,13 @@ namespace Biface
     State                            &state,
     const Loads                      &loads,
     const std::vector<Linearization> &before,
-    const LA::Vector                 &increment) const
+    const LA::Vector                 &increment,
+    const double                      travel) const
   {
     AssertDimension(before.size(), mesh.nodes.size());
+    const Tensor<1, 3> of_foundation =
+      (loads.foundation ? -travel * loads.foundation->direction()
+                        : Tensor<1, 3>());
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         state.multipliers[n] = 0;
@@ -305,8 +309,8 @@ namespace Biface
         const Node        &node   = mesh.nodes[n];
         const Tensor<1, 3> motion = node.surface.from_frame(
           mesh.displacement(increment, node, Resultants::outer));
-        state.multipliers[n][0] =
-          condition.multiplier(before[n].clearance - before[n].normal * motion);
+        state.multipliers[n][0] = condition.multiplier(
+          before[n].clearance - before[n].normal * (motion - of_foundation));
         if (rubs(state, loads, n))
           set_tangential_multipliers(
             state, loads, n, contact_at(state, loads, n));

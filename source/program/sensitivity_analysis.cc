@@ -451,6 +451,7 @@ namespace Biface
                             propose(step, *neighbors[2 * e + 1])}},
                           model.mesh->owned_vector(),
                           model.mesh->owned_vector(),
+                          LoadParameters(step.mu.size()),
                           LoadParameters(step.mu.size())};
     move(step, e, derivative);
     return derivative;
@@ -477,9 +478,15 @@ namespace Biface
         moved.add(half, derivative.balanced);
         // the very positions for which the forces were evaluated: contact is so
         // stiff that the last digit matters
-        state.displacement = moved;
-        const auto contact_before =
-          neighbor.model.contact.linearize(state, neighbor.loads);
+        state.displacement         = moved;
+        LoadParameters balanced_mu = step.mu;
+        add(balanced_mu, half, derivative.balanced_mu);
+        const auto contact_before = neighbor.model.contact.linearize(
+          state, loads_on(neighbor, neighbor.trial.level(balanced_mu)));
+        double travel = 0;
+        for (unsigned int i = 0; neighbor.trial.equations && i < mu.size(); ++i)
+          travel += half * (derivative.mu[i] - derivative.balanced_mu[i]) *
+                    neighbor.trial.equations->rates[i].travel;
         LA::Vector increment = derivative.displacements;
         increment -= derivative.balanced;
         increment *= half;
@@ -492,7 +499,7 @@ namespace Biface
           neighbor.loads.pressure = neighbor.level.pressure =
             gas->pressure(neighbor.state);
         neighbor.model.contact.compute_multipliers(
-          state, neighbor.loads, contact_before, ghosted_increment);
+          state, neighbor.loads, contact_before, ghosted_increment, travel);
       }
   }
 
@@ -637,7 +644,8 @@ namespace Biface
         for (const unsigned int e : unsettled)
           {
             rates.push_back(force_rate(step, e, here, roundoff));
-            derivatives[e].balanced = derivatives[e].displacements;
+            derivatives[e].balanced    = derivatives[e].displacements;
+            derivatives[e].balanced_mu = derivatives[e].mu;
           }
         const std::vector<LA::Vector> corrections = tangent.solve(rates);
         if (tangent.failure)

@@ -184,17 +184,19 @@ namespace Biface
     unsigned int
     settle(State &state, const Loads &loads) const;
 
-    /** After a tiny increment of the displacements, compute the multipliers for
-     * the active set and the slipping nodes of the state. Those along the
-     * normal are linear in the increment: the round-off of positions, which is
-     * large beside the penetration, is that before the increment.
-     * @param before the contact before the increment, under the same loads.
-     * @param increment a vector with ghosts. */
+    /** After tiny increments of the displacements and of the travel of the
+     * foundation, compute the multipliers for the active set and the slipping
+     * nodes of the state. Those along the normal are linear in the increments:
+     * the round-off of positions, which is large beside the penetration, is
+     * that before.
+     * @param before the contact before the increments.
+     * @param increment of the displacements, a vector with ghosts. */
     void
     compute_multipliers(State                            &state,
                         const Loads                      &loads,
                         const std::vector<Linearization> &before,
-                        const LA::Vector                 &increment) const;
+                        const LA::Vector                 &increment,
+                        const double                      travel) const;
 
     /** Let all nodes stick that have a stick point, where nothing is known
      * about the slip: too many slipping nodes have too little stiffness. */

@@ -94,6 +94,8 @@ namespace Biface
        * their positions is balanced by the displacements since. */
       LA::Vector     balanced;
       LoadParameters mu;
+      /** The load parameters for which the forces were evaluated last. */
+      LoadParameters balanced_mu;
     };
 
     using Change = SensitivityParameters::Change;
