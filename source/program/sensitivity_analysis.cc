@@ -416,6 +416,34 @@ namespace Biface
 
 
   LA::Vector
+  SensitivityAnalysis::Derivative::balanced_at(const unsigned int side,
+                                               const double       half) const
+  {
+    LA::Vector result = fixed[side];
+    result.add(half, balanced);
+    return result;
+  }
+
+
+  LA::Vector
+  SensitivityAnalysis::Derivative::since_balanced(const double half) const
+  {
+    LA::Vector result = displacements;
+    result -= balanced;
+    result *= half;
+    return result;
+  }
+
+
+  double
+  SensitivityAnalysis::half_step(const unsigned int e,
+                                 const unsigned int side) const
+  {
+    return (side == 0 ? -0.5 : 0.5) * parameters.sensitivities.changes[e].step;
+  }
+
+
+  LA::Vector
   SensitivityAnalysis::propose(const Step &step, Neighbor &neighbor) const
   {
     // the proposal of the run, from the start of the neighbor
@@ -465,32 +493,29 @@ namespace Biface
   {
     for (unsigned int side = 0; side < 2; ++side)
       {
-        Neighbor    &neighbor = *neighbors[2 * e + side];
-        const double half =
-          (side == 0 ? -0.5 : 0.5) * parameters.sensitivities.changes[e].step;
-        LoadParameters mu = step.mu;
+        Neighbor      &neighbor = *neighbors[2 * e + side];
+        const double   half     = half_step(e, side);
+        LoadParameters mu       = step.mu;
         add(mu, half, derivative.mu);
         neighbor.level = neighbor.trial.level(mu);
         neighbor.loads = loads_on(neighbor, neighbor.level);
 
-        State     &state = neighbor.state;
-        LA::Vector moved = derivative.fixed[side];
-        moved.add(half, derivative.balanced);
+        State &state = neighbor.state;
         // the very positions for which the forces were evaluated: contact is so
         // stiff that the last digit matters
-        state.displacement         = moved;
+        const LA::Vector balanced  = derivative.balanced_at(side, half);
+        state.displacement         = balanced;
         LoadParameters balanced_mu = step.mu;
         add(balanced_mu, half, derivative.balanced_mu);
         const auto contact_before = neighbor.model.contact.linearize(
           state, loads_on(neighbor, neighbor.trial.level(balanced_mu)));
         double travel = 0;
-        for (unsigned int i = 0; neighbor.trial.equations && i < mu.size(); ++i)
-          travel += half * (derivative.mu[i] - derivative.balanced_mu[i]) *
-                    neighbor.trial.equations->rates[i].travel;
-        LA::Vector increment = derivative.displacements;
-        increment -= derivative.balanced;
-        increment *= half;
-        moved = derivative.fixed[side];
+        if (neighbor.trial.equations)
+          for (unsigned int i = 0; i < mu.size(); ++i)
+            travel += half * (derivative.mu[i] - derivative.balanced_mu[i]) *
+                      neighbor.trial.equations->rates[i].travel;
+        const LA::Vector increment = derivative.since_balanced(half);
+        LA::Vector       moved     = derivative.fixed[side];
         moved.add(half, derivative.displacements);
         state.displacement           = moved;
         LA::Vector ghosted_increment = model.mesh->ghosted_vector();
@@ -549,36 +574,30 @@ namespace Biface
     const std::vector<LA::Vector> &per_parameter,
     Derivative                    &derivative) const
   {
-    const double   change = parameters.sensitivities.changes[e].step;
     LoadParameters further(step.mu.size());
     for (unsigned int side = 0; side < 2; ++side)
       {
         const Neighbor &neighbor = *neighbors[2 * e + side];
-        const double    sign     = (side == 0 ? -1 : 1);
+        const double    half     = half_step(e, side);
 
         // like the balance of forces: where they were evaluated, and linearly
         // from there
-        State at            = neighbor.state;
-        at.multipliers      = step.state.multipliers;
-        LA::Vector balanced = derivative.fixed[side];
-        balanced.add(sign * change / 2, derivative.balanced);
-        at.displacement  = balanced;
-        LA::Vector total = balanced;
+        State at         = neighbor.state;
+        at.multipliers   = step.state.multipliers;
+        LA::Vector total = derivative.balanced_at(side, half);
+        at.displacement  = total;
         total -= owned_part(neighbor.before.displacement);
-        LA::Vector since = derivative.displacements;
-        since -= derivative.balanced;
-        since *= sign * change / 2;
 
-        const LoadParameters mu =
-          neighbor.trial.equations->parameter_changes({neighbor.model.equations,
-                                                       neighbor.model.contact,
-                                                       at,
-                                                       neighbor.loads,
-                                                       total,
-                                                       {}},
-                                                      since,
-                                                      per_parameter);
-        add(further, sign / change, mu);
+        const LoadParameters mu = neighbor.trial.equations->parameter_changes(
+          {neighbor.model.equations,
+           neighbor.model.contact,
+           at,
+           neighbor.loads,
+           total,
+           {}},
+          derivative.since_balanced(half),
+          per_parameter);
+        add(further, 1 / (2 * half), mu);
       }
     if (!std::all_of(further.begin(), further.end(), [](const double mu) {
           return std::isfinite(mu);

@@ -77,9 +77,16 @@ namespace Biface
       SystemMatrix{G, system}.vmult(product, x);
       if (!gas_0)
         return;
-      const bool as_it_is = (system == System::original);
-      (as_it_is ? *gas_0 : gas_0->transposed()).vmult_add(product, x);
-      (as_it_is ? *gas_1 : gas_1->transposed()).vmult_add(product, x, -1);
+      if (system == System::original)
+        {
+          gas_0->vmult_add(product, x);
+          gas_1->vmult_add(product, x, -1);
+        }
+      else
+        {
+          gas_0->Tvmult_add(product, x);
+          gas_1->Tvmult_add(product, x, -1);
+        }
     }
   };
 
@@ -202,12 +209,10 @@ namespace Biface
                           const LA::Vector &b,
                           const System      system)
   {
-    const bool as_it_is = (system == System::original);
-    if (!(as_it_is ? linear_solver.solve(x, b, exactness)
-                   : linear_solver.solve_transposed(x, b, exactness))
-           .success)
+    if (!linear_solver.solve_system(system, x, b, exactness).success)
       return false;
-    const auto &gas = (as_it_is ? pencil.gas_shifted : pencil.gas_transposed);
+    const auto &gas =
+      (system == System::original ? pencil.gas_shifted : pencil.gas_transposed);
     if (gas)
       gas->correct(x);
     return true;

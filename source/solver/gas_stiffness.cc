@@ -59,6 +59,15 @@ namespace Biface
 
 
   void
+  GasStiffness::Tvmult_add(LA::Vector       &product,
+                           const LA::Vector &x,
+                           const double      factor) const
+  {
+    product.add(-factor * (forces * x), pressure_gradient);
+  }
+
+
+  void
   GasStiffness::sadd(const double s, const double a, const GasStiffness &other)
   {
     pressure_gradient.sadd(s, a, other.pressure_gradient);

@@ -246,8 +246,7 @@ namespace Biface
   {
     const bool transposed        = (system == System::transposed);
     const auto solve_without_gas = [&](LA::Vector &x, const LA::Vector &b) {
-      linear = (transposed ? linear_solver.solve_transposed(x, b, exactness)
-                           : linear_solver.solve(x, b, exactness));
+      linear = linear_solver.solve_system(system, x, b, exactness);
       return linear.success;
     };
     std::optional<GasStiffness> gas;

@@ -799,6 +799,13 @@ namespace Biface
   }
 
 
+  bool
+  LoadStepping::wants_left_eigenvectors(const StageRun &run) const
+  {
+    return follower && follower->reads_left_eigenvectors(run.progress.stage);
+  }
+
+
   std::shared_ptr<const VibrationModes>
   LoadStepping::find_modes(const StageRun &run, const Loads &loads)
   {
@@ -806,12 +813,12 @@ namespace Biface
     std::optional<Gas::Sealed> sealed;
     if (run.progress.gas_content)
       sealed.emplace(*gas, *run.progress.gas_content);
-    auto modes = std::make_shared<const VibrationModes>(modal_analysis->compute(
-      run.state,
-      loads,
-      sealed ? &*sealed : nullptr,
-      run.stage.n_modes,
-      follower && follower->reads_left_eigenvectors(run.progress.stage)));
+    auto modes = std::make_shared<const VibrationModes>(
+      modal_analysis->compute(run.state,
+                              loads,
+                              sealed ? &*sealed : nullptr,
+                              run.stage.n_modes,
+                              wants_left_eigenvectors(run)));
     if (!modes->success)
       {
         out << "  Warning: the modes of " << run.stage.name
@@ -842,13 +849,13 @@ namespace Biface
     LoadRates   change = change_of(before.level, level);
     if (run.stage.sealed)
       change.pressure = 0;
-    const BucklingModes found = buckling_analysis->compute(
-      {before.state, before.loads},
-      {run.state, loads},
-      run.stage.sealed ? gas : nullptr,
-      change,
-      run.stage.n_buckling,
-      follower && follower->reads_left_eigenvectors(run.progress.stage));
+    const BucklingModes found =
+      buckling_analysis->compute({before.state, before.loads},
+                                 {run.state, loads},
+                                 run.stage.sealed ? gas : nullptr,
+                                 change,
+                                 run.stage.n_buckling,
+                                 wants_left_eigenvectors(run));
     if (!found.success)
       {
         out << "  Warning: the buckling loads of " << run.stage.name

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -25,6 +26,20 @@ table_of(const std::string &file, const std::vector<Override> &overrides)
 {
   const auto reports = run_analysis(file, overrides);
   return *reports.back().sensitivities;
+}
+
+
+/** Print 100 times the logarithmic derivatives, of which the absolute error
+ * counts.
+ * @param first the first of the outputs that are printed. */
+inline void
+print_logarithmic(const SensitivityTable &table, const unsigned int first = 0)
+{
+  std::cout << std::setprecision(10);
+  for (unsigned int e = 0; e < table.entries.size(); ++e)
+    for (unsigned int o = first; o < table.outputs.size(); ++o)
+      std::cout << table.outputs[o].name << " by " << table.entries[e].name
+                << ": " << 100 * table.logarithmic(e, o) << std::endl;
 }
 
 

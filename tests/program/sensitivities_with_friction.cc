@@ -6,23 +6,14 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <iomanip>
-#include <iostream>
-
-#include <biface/stepping/sensitivity_table.h>
-
-#include <run_analysis.h>
-#include <tests.h>
-
-using namespace dealii;
-using namespace Biface;
+#include "sensitivities.h"
 
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const auto reports = run_analysis(
+  const SensitivityTable table = table_of(
     PRM_DIR "/bias_tire.prm",
     {"Mesh/Intervals alpha_1=-120:120:16",
      "Mesh/Intervals alpha_2=-180:-30:5:smooth,-30:30:8,30:180:5:smooth",
@@ -34,13 +25,6 @@ main(int argc, char **argv)
      "Stage 2/Travel; Material cord/E_L; Material cord/G_LT",
      "Sensitivities/Outputs=force, footprint_area, max_pressure, "
      "foundation F_x"});
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-    return 0;
-
-  const SensitivityTable &table = *reports.back().sensitivities;
-  std::cout << std::setprecision(10);
-  for (unsigned int e = 0; e < table.entries.size(); ++e)
-    for (unsigned int o = 0; o < table.outputs.size(); ++o)
-      std::cout << table.outputs[o].name << " by " << table.entries[e].name
-                << ": " << 100 * table.logarithmic(e, o) << std::endl;
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    print_logarithmic(table);
 }

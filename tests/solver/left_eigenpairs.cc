@@ -84,9 +84,7 @@ namespace
     problem.symmetric = false;
     problem.multiply  = multiply_b;
     problem.solve     = [&](LA::Vector &x, const LA::Vector &b) {
-      return (system == System::original ? solver.solve(x, b, 1e-12)
-                                             : solver.solve_transposed(x, b, 1e-12))
-        .success;
+      return solver.solve_system(system, x, b, 1e-12).success;
     };
     LA::Vector start(complete_index_set(2 * n), MPI_COMM_SELF);
     for (unsigned int i = 0; i < 2 * n; ++i)

@@ -31,11 +31,9 @@ namespace
     for (const System system :
          {System::transposed, System::original, System::transposed})
       {
-        const bool as_it_is = (system == System::original);
-        LA::Vector x(b), residual(b);
-        const bool solved = (as_it_is ? solver.solve(x, b, 1e-12)
-                                      : solver.solve_transposed(x, b, 1e-12))
-                              .success;
+        const bool   as_it_is = (system == System::original);
+        LA::Vector   x(b), residual(b);
+        const bool   solved = solver.solve_system(system, x, b, 1e-12).success;
         const double relative =
           SystemMatrix{A, system}.residual(residual, x, b) / b.l2_norm();
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)

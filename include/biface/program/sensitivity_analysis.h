@@ -96,6 +96,14 @@ namespace Biface
       LoadParameters mu;
       /** The load parameters for which the forces were evaluated last. */
       LoadParameters balanced_mu;
+
+      /** The displacements of a neighbor for which they were. */
+      LA::Vector
+      balanced_at(const unsigned int side, const double half_step) const;
+
+      /** Its displacements since. */
+      LA::Vector
+      since_balanced(const double half_step) const;
     };
 
     using Change = SensitivityParameters::Change;
@@ -103,6 +111,10 @@ namespace Biface
     /** Set what belongs to the current stage of a neighbor. */
     void
     enter_stage(Neighbor &neighbor) const;
+
+    /** The change of an entry in one of its neighbors. */
+    double
+    half_step(const unsigned int entry, const unsigned int side) const;
 
     /** Whether a step must be followed: if later steps read its state, or if
      * derivatives are wanted, which those of buckling factors read from the

@@ -40,6 +40,12 @@ namespace Biface
               const LA::Vector &x,
               const double      factor = 1) const;
 
+    /** Likewise with the transposed term. */
+    void
+    Tvmult_add(LA::Vector       &product,
+               const LA::Vector &x,
+               const double      factor = 1) const;
+
     /** Replace this by @p s times this plus @p a times @p other, which has the
      * same displacements. */
     void

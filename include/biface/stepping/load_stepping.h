@@ -242,6 +242,11 @@ namespace Biface
     stiffness(const StageRun                          &run,
               const std::optional<FoundationReaction> &before) const;
 
+    /** Whether the follower reads the left eigenvectors at the end of a stage.
+     */
+    bool
+    wants_left_eigenvectors(const StageRun &run) const;
+
     /** Compute the modes of the end of a stage and print their frequencies.
      * @return null if they were not found. */
     std::shared_ptr<const VibrationModes>

@@ -394,12 +394,21 @@ namespace Biface
     }
 
 
-    /** Replace the values of the same eigenvalue by their mean. */
-    void
-    average(std::vector<std::complex<double>> &values,
-            const std::vector<Eigenpair>      &pairs)
+    /** A value for each pair of a right and a left eigenvector, not a number
+     * without a left one; those of the same eigenvalue are replaced by their
+     * mean. */
+    std::vector<std::complex<double>>
+    mean_values(const BothEigenpairs                       &neighbors,
+                const std::function<std::complex<double>(
+                  const Eigenpair &x, const Eigenpair &y)> &value)
     {
-      for (const auto &group : groups_of(pairs))
+      AssertDimension(neighbors.left.size(), neighbors.right.size());
+      std::vector<std::complex<double>> values;
+      for (unsigned int i = 0; i < neighbors.right.size(); ++i)
+        values.push_back(neighbors.left[i].vector.size() == 0
+                           ? std::numeric_limits<double>::quiet_NaN()
+                           : value(neighbors.right[i], neighbors.left[i]));
+      for (const auto &group : groups_of(neighbors.right))
         {
           std::complex<double> sum = 0;
           for (const unsigned int i : group)
@@ -407,11 +416,8 @@ namespace Biface
           for (const unsigned int i : group)
             values[i] = sum / double(group.size());
         }
+      return values;
     }
-
-
-    const std::complex<double> not_a_number =
-      std::numeric_limits<double>::quiet_NaN();
   } // namespace
 
 
@@ -472,19 +478,10 @@ namespace Biface
                      const Multiply       &multiply_b,
                      const BothEigenpairs &neighbors)
   {
-    AssertDimension(neighbors.left.size(), neighbors.right.size());
-    std::vector<std::complex<double>> quotients;
-    for (unsigned int i = 0; i < neighbors.right.size(); ++i)
-      {
-        const Eigenpair &x = neighbors.right[i];
-        const Eigenpair &y = neighbors.left[i];
-        quotients.push_back(y.vector.size() == 0
-                              ? not_a_number
-                              : product(y, product(multiply_a, x)) /
-                                  product(y, product(multiply_b, x)));
-      }
-    average(quotients, neighbors.right);
-    return quotients;
+    return mean_values(neighbors, [&](const Eigenpair &x, const Eigenpair &y) {
+      return product(y, product(multiply_a, x)) /
+             product(y, product(multiply_b, x));
+    });
   }
 
 
@@ -494,31 +491,18 @@ namespace Biface
                  const Multiply       &multiply_m,
                  const BothEigenpairs &neighbors)
   {
-    AssertDimension(neighbors.left.size(), neighbors.right.size());
-    const std::complex<double>        i_unit(0, 1);
-    std::vector<std::complex<double>> roots;
-    for (unsigned int i = 0; i < neighbors.right.size(); ++i)
-      {
-        const Eigenpair &x = neighbors.right[i];
-        const Eigenpair &y = neighbors.left[i];
-        if (y.vector.size() == 0)
-          {
-            roots.push_back(not_a_number);
-            continue;
-          }
-        const std::complex<double> k = product(y, product(multiply_k, x));
-        const std::complex<double> g =
-          i_unit * product(y, product(multiply_g, x));
-        const std::complex<double> m     = product(y, product(multiply_m, x));
-        const std::complex<double> d     = std::sqrt(g * g + 4. * m * k);
-        const std::complex<double> upper = (g + d) / (2. * m);
-        const std::complex<double> lower = (g - d) / (2. * m);
-        roots.push_back(std::abs(upper - x.value) < std::abs(lower - x.value)
-                          ? upper
-                          : lower);
-      }
-    average(roots, neighbors.right);
-    return roots;
+    const std::complex<double> i_unit(0, 1);
+    return mean_values(neighbors, [&](const Eigenpair &x, const Eigenpair &y) {
+      const std::complex<double> k = product(y, product(multiply_k, x));
+      const std::complex<double> g =
+        i_unit * product(y, product(multiply_g, x));
+      const std::complex<double> m     = product(y, product(multiply_m, x));
+      const std::complex<double> d     = std::sqrt(g * g + 4. * m * k);
+      const std::complex<double> upper = (g + d) / (2. * m);
+      const std::complex<double> lower = (g - d) / (2. * m);
+      return std::abs(upper - x.value) < std::abs(lower - x.value) ? upper
+                                                                   : lower;
+    });
   }
 
 

@@ -34,6 +34,16 @@ namespace Biface
   };
 
 
+  /** Which of two systems with the same factors is solved. */
+  enum class System
+  {
+    /** @f$A x = b@f$ */
+    original,
+    /** @f$A^T x = b@f$ */
+    transposed
+  };
+
+
   /**
    * Solves a sequence of linear systems whose matrices have the same sparsity
    * pattern.
@@ -120,19 +130,21 @@ namespace Biface
     solve_transposed(LA::Vector       &x,
                      const LA::Vector &b,
                      const double      tolerance) = 0;
+
+    /** Solve one of both systems. */
+    LinearSolverResult
+    solve_system(const System      system,
+                 LA::Vector       &x,
+                 const LA::Vector &b,
+                 const double      tolerance)
+    {
+      return system == System::original ? solve(x, b, tolerance)
+                                        : solve_transposed(x, b, tolerance);
+    }
   };
 
 
-  /** Which of two systems with the same factors is solved. */
-  enum class System
-  {
-    /** @f$A x = b@f$ */
-    original,
-    /** @f$A^T x = b@f$ */
-    transposed
-  };
-
-  /** The matrix of one of them, kept by reference. */
+  /** The matrix of one of the systems, kept by reference. */
   struct SystemMatrix
   {
     const LA::SparseMatrix &A;
