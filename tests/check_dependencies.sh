@@ -25,6 +25,20 @@ may_include()
   esac
 }
 
+# the rooms of model, likewise
+may_include_in_model()
+{
+  case $1 in
+    mesh) echo ;;
+    state) echo mesh ;;
+    forces) echo mesh state ;;
+    contact) echo mesh state forces ;;
+    equations) echo mesh state forces contact ;;
+    quantities) echo mesh state forces contact equations ;;
+    *) return 1 ;;
+  esac
+}
+
 failed=0
 complain()
 {
@@ -32,25 +46,33 @@ complain()
   failed=1
 }
 
-for path in include/biface/*/ source/*/; do
-  folder=$(basename "$path")
-  # a separate program, in Python
-  [ "$folder" != report ] || continue
-  allowed=$(may_include "$folder") || {
-    complain "$path: no folder of this name is known; tell $0 its place."
-    continue
-  }
-  # lines of the form file:included_folder
-  # shellcheck disable=SC2013
-  for line in $(grep -rH '^ *# *include *[<"]biface/' "$path" |
-    sed 's|^\([^:]*\):[^<"]*[<"]biface/\([^/]*\)/.*|\1:\2|'); do
-    included=${line#*:}
-    case " $folder $allowed " in
-      *" $included "*) ;;
-      *) complain "${line%:*} includes a header of $included, but $folder may include only: $folder $allowed" ;;
-    esac
+# check_folders PARENT RULE: that the folders in include/biface/PARENT and
+# source/PARENT include each other only as RULE allows
+check_folders()
+{
+  for path in include/biface/"$1"*/ source/"$1"*/; do
+    folder=$(basename "$path")
+    # a separate program, in Python
+    [ "$folder" != report ] || continue
+    allowed=$("$2" "$folder") || {
+      complain "$path: no folder of this name is known; tell $0 its place."
+      continue
+    }
+    # lines of the form file:included_folder
+    # shellcheck disable=SC2013
+    for line in $(grep -rH "^ *# *include *[<\"]biface/$1" "$path" |
+      sed "s|^\([^:]*\):[^<\"]*[<\"]biface/$1\([^/]*\)/.*|\1:\2|"); do
+      included=${line#*:}
+      case " $folder $allowed " in
+        *" $included "*) ;;
+        *) complain "${line%:*} includes a header of $included, but $folder may include only: $folder $allowed" ;;
+      esac
+    done
   done
-done
+}
+
+check_folders "" may_include
+check_folders model/ may_include_in_model
 
 # main.cc uses the folder program only
 if grep -H '#include <biface/' source/main.cc | grep -v '<biface/program/'; then

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include <biface/laminate/material.h>
-#include <biface/model/largest_cell.h>
+#include <biface/model/mesh/largest_cell.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <biface/laminate/material.h>
-#include <biface/model/largest_cell.h>
+#include <biface/model/mesh/largest_cell.h>
 #include <biface/output/fiber_tension.h>
 
 namespace Biface

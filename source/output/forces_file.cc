@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/input/parameter_tools.h>
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/output/csv.h>
 #include <biface/output/forces_file.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/model/contact_interaction.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/output/shell_vtu.h>
 
 namespace Biface

@@ -9,7 +9,7 @@
 
 #include <biface/base/version.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/program/messages.h>
 
 namespace Biface

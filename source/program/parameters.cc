@@ -7,7 +7,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/model/plies_on_surface.h>
+#include <biface/model/mesh/plies_on_surface.h>
 #include <biface/program/parameters.h>
 
 namespace Biface

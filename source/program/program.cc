@@ -6,7 +6,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/program/analysis.h>
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>

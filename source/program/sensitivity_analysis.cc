@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
-#include <biface/model/footprint.h>
+#include <biface/model/quantities/footprint.h>
 #include <biface/program/sensitivity_analysis.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/gas_stiffness.h>

@@ -10,7 +10,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/model/plies_on_surface.h>
+#include <biface/model/mesh/plies_on_surface.h>
 #include <biface/program/shell_model.h>
 
 #include <unistd.h>

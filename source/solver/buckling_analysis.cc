@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/gas_stiffness.h>
 

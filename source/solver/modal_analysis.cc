@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include <biface/model/rigid_motions.h>
-#include <biface/model/velocity_matrix.h>
+#include <biface/model/equations/velocity_matrix.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/gas_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 

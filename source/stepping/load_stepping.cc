@@ -11,8 +11,8 @@
 #include <utility>
 
 #include <biface/input/parameter_tools.h>
-#include <biface/model/forces_on_shell.h>
-#include <biface/model/work.h>
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/quantities/work.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>

@@ -5,7 +5,7 @@
 // about half of its footprint; with the coefficient 0.1 it slips everywhere,
 // and the force is the coefficient times the vertical one.
 
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

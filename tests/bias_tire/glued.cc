@@ -5,7 +5,7 @@
 // 0.1 %: lateral (with the longitudinal force by which a bias tire couples the
 // two), longitudinal and torsional.
 
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

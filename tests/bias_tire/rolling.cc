@@ -7,7 +7,7 @@
 // vertical force at 100 radians per second. Braking, the powers balance within
 // 0.5 %.
 
-#include <biface/model/rolling_summary.h>
+#include <biface/model/quantities/rolling_summary.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -5,7 +5,7 @@
 // which pushes the wheel back into its plane; and with the slip ratio that
 // brakes it.
 
-#include <biface/model/rolling_summary.h>
+#include <biface/model/quantities/rolling_summary.h>
 
 #include <run_analysis.h>
 #include <tests.h>

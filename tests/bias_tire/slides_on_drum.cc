@@ -6,7 +6,7 @@
 // integral of the pressure; where they slip around it, the moment about the
 // axis is that times the radius of the drum.
 
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

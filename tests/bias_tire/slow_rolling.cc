@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include <biface/input/parameter_tools.h>
-#include <biface/model/forces_on_shell.h>
-#include <biface/model/rolling_summary.h>
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/quantities/rolling_summary.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

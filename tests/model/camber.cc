@@ -5,7 +5,7 @@
 // side to which it leans; and the forces of ground, rim and pressure are in
 // balance.
 
-#include <biface/model/rolling_summary.h>
+#include <biface/model/quantities/rolling_summary.h>
 
 #include "forces.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
-#include <biface/model/cavity.h>
+#include <biface/model/forces/cavity.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -3,7 +3,7 @@
 // The cavity below a plate that lifts and moves sideways grows by the area
 // times the lift, wherever the plate lies in its plane.
 
-#include <biface/model/cavity.h>
+#include <biface/model/forces/cavity.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <iostream>
 
-#include <biface/model/coarse_spaces.h>
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/coarse_spaces.h>
+#include <biface/model/mesh/rigid_motions.h>
 
 #include "cord_shells.h"
 #include <tests.h>

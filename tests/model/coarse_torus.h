@@ -8,7 +8,7 @@
 #include <memory>
 
 #include <biface/laminate/layup.h>
-#include <biface/model/shell_equations.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/plane.h>
 #include <biface/surface/straight_line.h>

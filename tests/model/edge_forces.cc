@@ -5,7 +5,7 @@
 // face or the ply where the force acts, about which it turns the shell.
 
 #include <biface/base/errors.h>
-#include <biface/model/dead_loads.h>
+#include <biface/model/forces/dead_loads.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -4,7 +4,7 @@
 // times the length of the edge, which pushes the outer face outward beyond the
 // edge; so are those of a follower moment in the undeformed shell.
 
-#include <biface/model/shell_equations.h>
+#include <biface/model/equations/shell_equations.h>
 
 #include "cord_shells.h"
 #include <tests.h>

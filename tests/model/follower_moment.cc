@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include <biface/model/edge_moments.h>
+#include <biface/model/forces/edge_moments.h>
 
 #include <tests.h>
 

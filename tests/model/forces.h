@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

@@ -9,7 +9,7 @@
 
 #include <map>
 
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>
 

@@ -3,7 +3,7 @@
 // A state can be evaluated anywhere, on every rank: bilinear between the grid
 // lines, also across the seam of a closed grid, and exact at the nodes.
 
-#include <biface/model/grid_state.h>
+#include <biface/model/state/grid_state.h>
 
 #include "../bias_tire/bias_tire.h"
 #include <tests.h>

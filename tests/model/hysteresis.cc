@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 
-#include <biface/model/cyclic_loss.h>
-#include <biface/model/hysteresis.h>
+#include <biface/model/quantities/cyclic_loss.h>
+#include <biface/model/quantities/hysteresis.h>
 #include <biface/surface/straight_line.h>
 #include <biface/surface/surface_of_revolution.h>
 

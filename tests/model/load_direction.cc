@@ -4,7 +4,7 @@
 // pressure, of the load factor and of the foundation's travel, is that of its
 // differences, with dead and with follower loads.
 
-#include <biface/model/shell_equations.h>
+#include <biface/model/equations/shell_equations.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -6,8 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <biface/model/mass_matrix.h>
-#include <biface/model/rigid_motions.h>
+#include <biface/model/equations/mass_matrix.h>
+#include <biface/model/mesh/rigid_motions.h>
 
 #include <run_analysis.h>
 #include <tests.h>

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 

@@ -6,7 +6,7 @@
 
 #include <iostream>
 
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/rigid_motions.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include <biface/model/foundation_resultants.h>
+#include <biface/model/quantities/foundation_resultants.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

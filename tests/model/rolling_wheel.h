@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/rolling_summary.h>
+#include <biface/model/quantities/rolling_summary.h>
 
 #include <run_analysis.h>
 #include <tests.h>

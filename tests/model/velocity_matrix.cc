@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include <biface/model/rigid_motions.h>
-#include <biface/model/velocity_matrix.h>
+#include <biface/model/equations/velocity_matrix.h>
+#include <biface/model/mesh/rigid_motions.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include <biface/model/contact_interaction.h>
+#include <biface/model/contact/contact_interaction.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include <biface/model/forces_on_shell.h>
+#include <biface/model/quantities/forces_on_shell.h>
 
 #include "rolling_wheel.h"
 

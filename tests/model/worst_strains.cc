@@ -3,7 +3,7 @@
 // The place at which a plate is compressed most and that at which it is sheared
 // most are found, with their strains, on any number of ranks.
 
-#include <biface/model/worst_strains.h>
+#include <biface/model/quantities/worst_strains.h>
 
 #include "cord_shells.h"
 #include <tests.h>

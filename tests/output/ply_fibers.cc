@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-#include <biface/model/shell_equations.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/plies_vtu.h>
 
 #include "../model/cord_shells.h"

@@ -12,7 +12,7 @@
 #include <limits>
 #include <sstream>
 
-#include <biface/model/shell_equations.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/plies_vtu.h>
 
 #include "../model/cord_shells.h"

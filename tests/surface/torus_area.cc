@@ -11,7 +11,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_manifold.h>
 
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/surface_of_revolution.h>
 

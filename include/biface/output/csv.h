@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/wave_numbers.h>
+#include <biface/model/mesh/wave_numbers.h>
 
 namespace Biface
 {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
 #include <biface/output/ply_results.h>
 
 namespace Biface

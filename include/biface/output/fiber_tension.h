@@ -10,8 +10,8 @@
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/resultants.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

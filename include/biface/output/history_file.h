@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/cavity.h>
+#include <biface/model/forces/cavity.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/cavity.h>
+#include <biface/model/forces/cavity.h>
 #include <biface/output/history_file.h>
 #include <biface/output/ply_results.h>
 #include <biface/stepping/stage.h>

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <vector>
 
-#include <biface/model/shell_mesh.h>
-#include <biface/model/state.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/stepping/step_report.h>
 

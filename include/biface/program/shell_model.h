@@ -7,10 +7,10 @@
 
 #include <memory>
 
-#include <biface/model/contact_interaction.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/shell_mesh.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/program/parameters.h>
 #include <biface/surface/chart_grid.h>
 

@@ -9,9 +9,9 @@
 #include <iosfwd>
 #include <memory>
 
-#include <biface/model/contact_interaction.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/shell_mesh.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/program/parameters.h>
 #include <biface/program/shell_model.h>
 #include <biface/restart/checkpoint.h>

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>

@@ -8,8 +8,8 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/modes.h>
-#include <biface/model/shell_mesh.h>
-#include <biface/model/state.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

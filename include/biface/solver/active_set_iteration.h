@@ -11,9 +11,9 @@
 #include <string>
 
 #include <biface/contact/contact_condition.h>
-#include <biface/model/contact_interaction.h>
-#include <biface/model/shell_mesh.h>
-#include <biface/model/state.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact_interaction.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
-#include <biface/model/wave_numbers.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/mesh/wave_numbers.h>
+#include <biface/model/state/state.h>
 #include <biface/solver/held_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/linear_solver.h>

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact_interaction.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -6,9 +6,9 @@
 #include <functional>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/contact_interaction.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/linear/linear_solver.h>

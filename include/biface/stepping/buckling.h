@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include <biface/model/internal_forces.h>
-#include <biface/model/state.h>
+#include <biface/model/forces/internal_forces.h>
+#include <biface/model/state/state.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/load_level.h>
 

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-#include <biface/model/contact_interaction.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
-#include <biface/model/worst_strains.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/quantities/worst_strains.h>
+#include <biface/model/state/state.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/buckling.h>

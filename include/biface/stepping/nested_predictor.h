@@ -6,9 +6,9 @@
 #include <map>
 #include <vector>
 
-#include <biface/model/grid_state.h>
-#include <biface/model/shell_mesh.h>
-#include <biface/model/state.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/grid_state.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface

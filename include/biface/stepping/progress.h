@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include <biface/model/work.h>
+#include <biface/model/quantities/work.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/secant_predictor.h>

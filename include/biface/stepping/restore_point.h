@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include <biface/model/internal_forces.h>
-#include <biface/model/state.h>
+#include <biface/model/forces/internal_forces.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/progress.h>
 
 namespace Biface

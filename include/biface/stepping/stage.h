@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/state.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/load_level.h>
 
 namespace Biface

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include <biface/contact/friction.h>
-#include <biface/model/contact_interaction.h>
-#include <biface/model/gas.h>
-#include <biface/model/shell_equations.h>
-#include <biface/model/state.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/progress.h>
 #include <biface/stepping/stage.h>
 

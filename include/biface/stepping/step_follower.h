@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include <biface/model/state.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/sensitivity_table.h>
 #include <biface/stepping/stage.h>

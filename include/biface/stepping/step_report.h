@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <biface/model/footprint.h>
-#include <biface/model/nodal_forces.h>
-#include <biface/model/rolling_summary.h>
-#include <biface/model/state.h>
-#include <biface/model/work.h>
+#include <biface/model/forces/nodal_forces.h>
+#include <biface/model/quantities/footprint.h>
+#include <biface/model/quantities/rolling_summary.h>
+#include <biface/model/quantities/work.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/stage.h>
 

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include <biface/model/rigid_motions.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
 #include <ml_epetra_utils.h>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/coarse_spaces.h>
+#include <biface/model/mesh/coarse_spaces.h>
 
 namespace Biface
 {

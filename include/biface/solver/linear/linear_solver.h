@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/solver/failure.h>
 
 namespace Biface

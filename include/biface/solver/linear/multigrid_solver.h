@@ -11,8 +11,8 @@
 #include <memory>
 #include <utility>
 
-#include <biface/model/coarse_spaces.h>
-#include <biface/model/shell_mesh.h>
+#include <biface/model/mesh/coarse_spaces.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/solver/linear/line_gauss_seidel.h>
 #include <biface/solver/linear/linear_solver.h>
 

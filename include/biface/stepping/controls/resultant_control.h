@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/foundation_resultants.h>
+#include <biface/model/quantities/foundation_resultants.h>
 #include <biface/stepping/controls/equal_steps.h>
 
 namespace Biface

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_contact_forces_h
+#define biface_model_contact_contact_forces_h
+
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/forces/force_term.h>
+
+namespace Biface
+{
+  /**
+   * The forces of the foundation on the active nodes.
+   *
+   * The force on node r is
+   * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
+   * node s, like the multipliers: the traction is interpolated. The forces
+   * therefore add up to foundation_force() for both multiplier masses.
+   * Without friction, with the lumped mass, they have the potential
+   * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
+   * symmetric tangent. Neither would be true with the normal at node r. With
+   * friction, the tangent is not symmetric.
+   */
+  class ContactForces : public ForceTerm
+  {
+  public:
+    /** The object is kept by reference. */
+    explicit ContactForces(const ContactInteraction &contact) : contact(contact)
+    {}
+
+    bool
+    acts_on(const unsigned int cell,
+            const State       &state,
+            const Loads       &loads) const override;
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+    bool
+    is_symmetric(const Loads &loads) const override
+    {
+      return !loads.foundation ||
+             (contact.condition.mass() == MultiplierMass::lumped &&
+              !loads.friction);
+    }
+
+    Source
+    source() const override
+    {
+      return Source::foundation;
+    }
+
+    /** Contact remains unilateral. */
+    bool
+    is_linearized() const override
+    {
+      return false;
+    }
+
+  private:
+    /** Add the derivative of the force at a vertex of a rolling shell by the
+     * displacement of its neighbor along the flow in the same cell. The cells
+     * on either side of a node add what depends on the neighbor on this side,
+     * for the whole area of the node: the sparsity pattern does not grow. Only
+     * for the lumped mass. */
+    void
+    add_neighbor(const Cell                         &cell,
+                 const unsigned int                  vertex,
+                 const ContactInteraction::Traction &traction,
+                 MixedElement::NodalMatrix          &K) const;
+
+    const ContactInteraction &contact;
+  };
+} // namespace Biface
+
+#endif

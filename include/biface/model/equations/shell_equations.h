@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_equations_shell_equations_h
+#define biface_model_equations_shell_equations_h
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/tangent_matrix.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/force_term.h>
+#include <biface/model/forces/internal_forces.h>
+#include <biface/model/forces/nodal_forces.h>
+#include <biface/model/forces/pressure_load.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  using ForceTerms = std::vector<std::unique_ptr<const ForceTerm>>;
+
+
+  /** The forces on the shell except its internal forces; a new kind of force is
+   * one more line here. The mesh and the contact are kept by reference. Throws
+   * InputError if the loads are invalid. */
+  ForceTerms
+  make_force_terms(const ShellMesh          &mesh,
+                   const ContactInteraction &contact,
+                   const DeadLoads          &dead_loads = DeadLoads(),
+                   const PressureLoad       &pressure   = PressureLoad());
+
+
+  /**
+   * The discrete equilibrium equations of the shell: the sum of its forces,
+   * each kind a ForceTerm, the tangent, and the update of the state by an
+   * increment.
+   */
+  class ShellEquations
+  {
+  public:
+    /** The mesh is kept by reference.
+     * @param terms the forces except the internal forces. */
+    explicit ShellEquations(const ShellMesh &mesh, ForceTerms terms = {});
+
+    InternalForces &
+    internal_forces()
+    {
+      return internal;
+    }
+
+    const InternalForces &
+    internal_forces() const
+    {
+      return internal;
+    }
+
+    /** Compute residual() and tangent() for a state. */
+    void
+    assemble(const State &state, const Loads &loads);
+
+    /** Compute residual() alone, in a fraction of the time; tangent() remains
+     * that of an earlier state. Prescribed displacements must be those of the
+     * supports. */
+    void
+    assemble_residual(const State &state, const Loads &loads);
+
+    /** The sum of all forces on the nodes, which depends only on the
+     * displacements, not on the resultants of the state. */
+    const LA::Vector &
+    residual() const
+    {
+      return rhs;
+    }
+
+    /** Minus the derivative of residual() for a fixed active set. */
+    const LA::SparseMatrix &
+    tangent() const
+    {
+      Assert(matrix, dealii::ExcNotInitialized());
+      return matrix->get();
+    }
+
+    /** Whether the tangent is symmetric for these loads. */
+    bool
+    is_symmetric(const Loads &loads) const;
+
+    /** The same as residual() for any state. The displacements at the supports
+     * are those of the state. */
+    LA::Vector
+    out_of_balance(const State &state, const Loads &loads) const;
+
+    /** Set the displacements of the supports in a state, at which other
+     * displacements are kept. */
+    void
+    move_supports(State &state, const Loads &loads) const;
+
+    /** The derivative of residual() for the given rates of the loads and a
+     * fixed active set; not for linear strain theory. */
+    LA::Vector
+    load_direction(const State     &state,
+                   const Loads     &loads,
+                   const LoadRates &rates) const;
+
+    /** What is out of balance in a shape with given resultants and loads: norms
+     * of nodal forces. Unit: force. */
+    struct Unbalance
+    {
+      double forces;
+      double loads;
+      /** Of the forces on all nodes, supported ones included. */
+      double with_supports;
+    };
+
+    /** Turn the resultants of the state into initial resultants of the
+     * undeformed shape, to which its displacements return, see
+     * InternalForces::take_as_prestress(). The loads go on; from now on
+     * constant forces take up what is out of balance.
+     * @param loads without a foundation. */
+    Unbalance
+    start_from_prestress(State &state, const Loads &loads);
+
+    /** The forces on the nodes by their sources, regardless of supports. */
+    NodalForces
+    nodal_forces(const State &state, const Loads &loads) const;
+
+    const std::vector<const ForceTerm *> &
+    get_terms() const
+    {
+      return terms;
+    }
+
+    /** The norm of residual() relative to that of the forces that cancel in it:
+     * a pure number. */
+    double
+    relative_residual() const;
+
+    /** The level of round-off in relative_residual(): products of the
+     * displacements with stiff entries of the tangent, such as those across a
+     * thin shell, cancel only up to round-off. */
+    double
+    relative_roundoff(const State &state) const;
+
+    /** The maximum deviation from the prescribed displacements at the last
+     * assembly. Unit: length. */
+    double
+    support_violation() const
+    {
+      return largest_violation;
+    }
+
+    /** Set the entries of the increment at the supports. */
+    void
+    distribute(LA::Vector &increment) const
+    {
+      constraints.distribute(increment);
+    }
+
+    /**
+     * Add an increment to the displacements of a state, and update the
+     * resultants: to
+     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$ in the mixed
+     * iteration, to @f$\mathbf D\mathbf E(\mathbf V+d\mathbf V)@f$ in the
+     * substituted one.
+     */
+    void
+    update(State                &state,
+           const LA::Vector     &increment,
+           const NewtonIteration iteration) const;
+
+    const ShellMesh &mesh;
+
+  private:
+    /** Add the forces of the terms in a range, which linear theory linearizes
+     * either all or not at all, on a cell. */
+    void
+    add_forces(const unsigned int     begin,
+               const unsigned int     end,
+               const unsigned int     cell,
+               const State           &state,
+               const Loads           &loads,
+               ForceTerm::CellForces &forces) const;
+
+    /** The sum of all forces on the free unknowns, and the norm of those that
+     * cancel in it. */
+    struct Balance
+    {
+      LA::Vector sum;
+      double     scale;
+    };
+
+    Balance
+    balance(const State &state, const Loads &loads) const;
+
+    /** Compute the forces of all terms on a cell. */
+    void
+    sum_forces(const unsigned int     cell,
+               const State           &state,
+               const Loads           &loads,
+               ForceTerm::CellForces &forces) const;
+
+    /** Set the inhomogeneities of the constraints to the missing part of the
+     * prescribed displacements. */
+    void
+    update_constraints(const State &state, const Loads &loads);
+
+    InternalForces   internal;
+    const ForceTerms other_terms;
+    /** All terms, starting with those that linear theory linearizes. */
+    std::vector<const ForceTerm *> terms;
+    unsigned int                   n_linearized = 0;
+
+    /** The supports, for increments. */
+    dealii::AffineConstraints<double> constraints;
+    double                            largest_violation = 0;
+
+    /** Created by the first assembly. */
+    std::unique_ptr<TangentMatrix> matrix;
+    LA::Vector                     rhs;
+    double                         force_scale = 0;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_equations_tangent_matrix_h
+#define biface_model_equations_tangent_matrix_h
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/element/mixed_element.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /**
+   * The global tangent, to which cell matrices are added.
+   *
+   * The sparsity pattern is fixed, and the six columns of a node are contiguous
+   * in every row. For a cell without constraints whose rows all belong to this
+   * rank, the positions of its entries are therefore found once. Other cells
+   * are added by AffineConstraints.
+   */
+  class TangentMatrix
+  {
+  public:
+    /** The arguments are kept by reference; the inhomogeneities of the
+     * constraints may change. */
+    TangentMatrix(const ShellMesh                         &mesh,
+                  const dealii::AffineConstraints<double> &constraints);
+
+    /** It points into the values of its matrix. */
+    TangentMatrix(const TangentMatrix &) = delete;
+
+    /** Set all entries to zero. */
+    void
+    clear()
+    {
+      matrix = 0;
+    }
+
+    /** Add the matrix of a cell, given by its position in ShellMesh::cells, and
+     * its vector to @p global_vector, including the effect of inhomogeneous
+     * constraints. */
+    void
+    add(const unsigned int               cell,
+        const MixedElement::NodalMatrix &cell_matrix,
+        const MixedElement::NodalVector &cell_vector,
+        LA::Vector                      &global_vector);
+
+    /** Collect what other ranks have added. */
+    void
+    compress()
+    {
+      matrix.compress(dealii::VectorOperation::add);
+    }
+
+    const LA::SparseMatrix &
+    get() const
+    {
+      return matrix;
+    }
+
+  private:
+    /** Add what refers to the unknowns of the nodes. */
+    void
+    add_to_nodes(const unsigned int               cell,
+                 const MixedElement::NodalMatrix &cell_matrix,
+                 const MixedElement::NodalVector &cell_vector,
+                 LA::Vector                      &global_vector);
+
+    /** For each row of a cell and each of its four nodes, the position of the
+     * first of the six columns of the node among the values of the matrix. */
+    using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
+
+    const ShellMesh                         &mesh;
+    const dealii::AffineConstraints<double> &constraints;
+    LA::SparseMatrix                         matrix;
+    std::vector<Places>                      places;
+    /** Position of the cell in @p places, or an invalid number. */
+    std::vector<unsigned int> fast_cell;
+    /** The values of the matrix, as Epetra stores them. */
+    double *values = nullptr;
+
+    dealii::FullMatrix<double>                   scratch_matrix;
+    dealii::Vector<double>                       scratch_vector;
+    std::vector<dealii::types::global_dof_index> scratch_dofs;
+  };
+} // namespace Biface
+
+#endif

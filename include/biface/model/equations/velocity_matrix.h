@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_equations_velocity_matrix_h
+#define biface_model_equations_velocity_matrix_h
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/tangent_matrix.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * What the forces on a rolling or spinning shell owe to small velocities
+   * @f$\dot{\mathbf u}@f$ of its nodes in the frame of the axle, to first
+   * order, with the constraints and the sparsity pattern of the tangent.
+   *
+   * A particle has the acceleration
+   * @f$\ddot{\mathbf u}-2\Omega\,\dot{\mathbf u}'+\Omega^2\mathbf x''@f$, see
+   * Rolling. The second term is that of Coriolis and of the flow through the
+   * mesh; around the closed turn, by parts, its virtual work is
+   * @f[
+   *   \int\varrho\,\Omega\left(\delta\mathbf u'\cdot\dot{\mathbf u}-
+   *   \delta\mathbf u\cdot\dot{\mathbf u}'\right)dV,
+   * @f]
+   * so that the matrix is skew and does no work. It is summed over the vertices
+   * of the cells as in CentrifugalForces. Friction by slip velocity adds the
+   * damping of the nodes in contact.
+   */
+  class VelocityMatrix
+  {
+  public:
+    /** The mesh is that of @p contact, and is kept by reference.
+     * @param loads with Loads::rolling. */
+    VelocityMatrix(const ContactInteraction &contact,
+                   const State              &state,
+                   const Loads              &loads);
+
+    const LA::SparseMatrix &
+    get() const
+    {
+      return matrix.get();
+    }
+
+    /** The product with a vector whose constrained entries do not matter; it
+     * leaves nothing on these. */
+    void
+    vmult(LA::Vector &product, const LA::Vector &v) const;
+
+    /** Likewise with the transposed matrix. */
+    void
+    Tvmult(LA::Vector &product, const LA::Vector &v) const;
+
+  private:
+    const ShellMesh &mesh;
+    TangentMatrix    matrix;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_cavity_h
+#define biface_model_forces_cavity_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <optional>
+#include <utility>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/laminate/resultants.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The space inside the shell that a gas fills. Its volume is the flux through
+   * the face under pressure of a vector field @f$\mathbf F@f$ with the
+   * divergence 1,
+   * @f[
+   *   V = \int \mathbf F\cdot\mathbf n\,dA,\qquad
+   *   \mathbf F = \frac{r^2-r_0^2}{2r}\,\mathbf e_r
+   * @f]
+   * for a surface of revolution. No flux passes through the cylinder of the
+   * rim, of radius @f$r_0@f$, nor through planes that contain the axis or are
+   * orthogonal to it: these may close the cavity. For a plane
+   * @f$\mathbf F=z\,\mathbf e_z@f$: its edges may move in the plane, or in
+   * planes orthogonal to it. Then only the change of the volume follows from
+   * the shell.
+   *
+   * The undeformed volume is integrated over the exact surface, its change at
+   * the nodes, as the forces of the pressure.
+   */
+  class Cavity
+  {
+  public:
+    /** Entries of the section 'Gas' on the cavity. */
+    struct Parameters
+    {
+      /** Of the undeformed shell; if not set, computed. Unit: length^3. */
+      std::optional<double> volume;
+      /** @f$r_0@f$; if not set, the smallest radius of the face at the edges of
+       * the first coordinate. Unit: length. */
+      std::optional<double> rim_radius;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError if a value is invalid.
+       * @param has_axis whether the shell is a surface of revolution, without
+       * which the volume must be given. */
+      void
+      check(const bool has_axis) const;
+    };
+
+    /** Throws InputError on all ranks if the volume is not positive.
+     * @param mesh kept by reference.
+     * @param face the face under pressure. */
+    Cavity(const ShellMesh       &mesh,
+           const Parameters      &parameters,
+           const Resultants::Face face);
+
+    /** The volume, on all ranks. Unit: length^3. */
+    double
+    volume(const State &state) const;
+
+    /** The derivative of the volume with respect to the nodal unknowns. */
+    LA::Vector
+    volume_gradient(const State &state) const;
+
+  private:
+    /** @f$\mathbf F@f$ and its derivative. */
+    std::pair<dealii::Tensor<1, 3>, dealii::Tensor<2, 3>>
+    field(const dealii::Point<3> &x) const;
+
+    /** The flux through a cell with the given nodal displacements, integrated
+     * at the vertices.
+     * @param gradient its derivative is added, unless null. */
+    double
+    flux(const Cell                      &cell,
+         const MixedElement::NodalVector &V,
+         MixedElement::NodalVector       *gradient = nullptr) const;
+
+    /** The flux through the undeformed face of a cell. */
+    double
+    exact_flux(const Cell &cell) const;
+
+    /** The height of the face of a cell at a vertex. */
+    double
+    height(const Cell &cell, const unsigned int vertex) const;
+
+    /** The smallest radius of the undeformed face at the edges of the first
+     * coordinate; zero without an axis. */
+    double
+    radius_of_edges() const;
+
+    const ShellMesh       &mesh;
+    const Resultants::Face face;
+    /** The axis of revolution; zero if there is none. */
+    const dealii::Tensor<1, 3> axis;
+    const double               rim_radius;
+    /** What is added to the flux. */
+    double constant = 0;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_edge_moments_h
+#define biface_model_forces_edge_moments_h
+
+#include <deal.II/base/tensor.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <biface/model/forces/force_term.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /** A moment along an edge. */
+  struct EdgeMoment
+  {
+    /** The text of the user. */
+    std::string text;
+    Edge        edge;
+    /** Per length on the reference surface, for the load factor 1. Unit:
+     * force. */
+    double moment;
+    /** Whether it does work on the rotation of the director, or is a couple of
+     * forces with constant directions. */
+    bool follower;
+  };
+
+  /** Read a comma-separated list of moments along edges, 'edge: M dead' or
+   * 'edge: M follower'. Throws InputError if it is malformed. */
+  std::vector<EdgeMoment>
+  parse_edge_moments(const std::string &entry, const std::string &text);
+
+
+  /** A moment along an edge, lumped at a vertex of a cell. */
+  struct VertexMoment
+  {
+    unsigned int cell;
+    /** Of the cell. */
+    unsigned int vertex;
+    /** The moment, per unit of the load factor. Unit: force times length. */
+    double moment;
+    /** The axis of the moment in the frame of the node: the moment pushes the
+     * outer face outward beyond the edge, in the direction
+     * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
+    dealii::Tensor<1, 3> axis;
+  };
+
+
+  /** The moments along edges on the cells of this rank.
+   * @param follower whether to return follower or dead moments. */
+  std::vector<VertexMoment>
+  vertex_moments(const std::vector<EdgeMoment> &moments,
+                 const bool                     follower,
+                 const ShellMesh               &mesh);
+
+
+  /**
+   * The couple of opposite forces on the outer and the inner face of a moment
+   * about a fixed axis @f$\boldsymbol\omega@f$ that does work on the angle by
+   * which the director @f$\mathbf d@f$ (from the inner to the outer face)
+   * rotates about it, whatever its length:
+   * @f$\mathbf F = M\,\boldsymbol\omega\times\mathbf d/|\mathbf d_\perp|^2@f$,
+   * where @f$\mathbf d_\perp@f$ is the part of the director normal to the axis.
+   * It has a potential, so that its derivative is symmetric.
+   */
+  struct FollowerCouple
+  {
+    dealii::Tensor<1, 3> force;
+    /** With respect to the director. */
+    dealii::Tensor<2, 3> derivative;
+
+    FollowerCouple(const double                moment,
+                   const dealii::Tensor<1, 3> &axis,
+                   const dealii::Tensor<1, 3> &director);
+  };
+
+
+  /** The forces of follower moments along edges. */
+  class FollowerMoments : public ForceTerm
+  {
+  public:
+    FollowerMoments(const ShellMesh               &mesh,
+                    const std::vector<EdgeMoment> &edge_moments);
+
+    bool
+    acts_on(const unsigned int cell,
+            const State &,
+            const Loads &) const override
+    {
+      return moments.count(cell) > 0;
+    }
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+  private:
+    /** The couple of a moment for the load factor 1. */
+    static FollowerCouple
+    couple(const CellState &at, const VertexMoment &moment);
+
+    /** By cell. */
+    std::map<unsigned int, std::vector<VertexMoment>> moments;
+  };
+} // namespace Biface
+
+#endif

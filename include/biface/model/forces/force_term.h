@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_force_term_h
+#define biface_model_forces_force_term_h
+
+#include <biface/base/linear_algebra.h>
+#include <biface/element/mixed_element.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * A kind of force on the shell: one term of the sum that vanishes in
+   * equilibrium, see ShellEquations. Cell by cell, a term adds its forces,
+   * their exact derivative by the displacements and, if it depends on the
+   * loads, that by the loads. Forces that do not depend on the displacements
+   * are added once for the whole shell.
+   */
+  class ForceTerm
+  {
+  public:
+    virtual ~ForceTerm() = default;
+
+    /** A cell with everything its forces may depend on. */
+    struct CellState
+    {
+      /** Its position in ShellMesh::cells. */
+      unsigned int index;
+      const Cell  &cell;
+      /** Its nodal displacements in the state, see MixedElement::dof(). */
+      const MixedElement::NodalVector &V;
+      const State                     &state;
+      const Loads                     &loads;
+    };
+
+    /** The forces on the nodes of a cell. */
+    struct CellForces
+    {
+      /** Internal forces and contact forces. */
+      MixedElement::NodalVector force;
+
+      /** Loads, which do not cancel between the cells at a node. */
+      MixedElement::NodalVector load;
+
+      /** Minus the derivative of both with respect to the nodal displacements.
+       */
+      MixedElement::NodalMatrix tangent;
+
+      /** Sum of the squares of everything added to @p force: the forces that
+       * cancel in equilibrium. */
+      double square;
+
+      /** Whether @p tangent is needed. */
+      bool with_tangent = true;
+
+      /** Set everything that is needed to zero. */
+      void
+      clear();
+    };
+
+    /** Whether the term contributes to a cell. A term that acts on few cells
+     * costs nothing on the others. */
+    virtual bool
+    acts_on(const unsigned int cell,
+            const State       &state,
+            const Loads       &loads) const = 0;
+
+    /** Add the contribution of the term to a cell on which it acts. */
+    virtual void
+    add(const CellState &at, CellForces &forces) const = 0;
+
+    /** Add the derivative of the forces on a cell for the given rates of the
+     * loads. */
+    virtual void
+    add_load_derivative(const CellState & /*at*/,
+                        const LoadRates & /*rates*/,
+                        MixedElement::NodalVector & /*force*/) const
+    {}
+
+    /** Add the forces that do not depend on the displacements, regardless of
+     * supports; they are proportional to the given loads. */
+    virtual void
+    add_dead_forces(const LoadRates & /*loads*/,
+                    LA::Vector & /*nodal_forces*/) const
+    {}
+
+    /** Whether the tangent of the term is symmetric for these loads. */
+    virtual bool
+    is_symmetric(const Loads & /*loads*/) const
+    {
+      return true;
+    }
+
+    /** What exerts the forces. */
+    enum class Source
+    {
+      shell,
+      loads,
+      foundation
+    };
+
+    virtual Source
+    source() const
+    {
+      return Source::loads;
+    }
+
+    /** Whether linear strain theory also linearizes these forces. */
+    virtual bool
+    is_linearized() const
+    {
+      return true;
+    }
+  };
+
+
+  inline void
+  ForceTerm::CellForces::clear()
+  {
+    force = 0;
+    load  = 0;
+    if (with_tangent)
+      for (auto &row : tangent)
+        row.fill(0);
+    square = 0;
+  }
+} // namespace Biface
+
+#endif

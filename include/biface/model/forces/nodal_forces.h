@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_nodal_forces_h
+#define biface_model_forces_nodal_forces_h
+
+#include <array>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/forces/force_term.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /** The forces on the nodes in one state by what exerts them, regardless of
+   * supports, whose forces are what is missing for equilibrium: see
+   * ShellEquations::nodal_forces(). The vectors contain the locally owned
+   * entries. */
+  class NodalForces
+  {
+  public:
+    /** No forces. */
+    explicit NodalForces(const ShellMesh &mesh)
+      : forces{{mesh.owned_vector(), mesh.owned_vector(), mesh.owned_vector()}}
+    {}
+
+    const LA::Vector &
+    operator[](const ForceTerm::Source source) const
+    {
+      return forces[static_cast<unsigned int>(source)];
+    }
+
+    LA::Vector &
+    operator[](const ForceTerm::Source source)
+    {
+      return forces[static_cast<unsigned int>(source)];
+    }
+
+    /** Collect what other ranks have added. */
+    void
+    compress()
+    {
+      for (LA::Vector &vector : forces)
+        vector.compress(dealii::VectorOperation::add);
+    }
+
+  private:
+    std::array<LA::Vector, 3> forces;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_pressure_load_h
+#define biface_model_forces_pressure_load_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/element/follower_pressure.h>
+#include <biface/input/formula.h>
+#include <biface/model/forces/force_term.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /** How a pressure depends on the motion of the face. */
+  enum class PressureKind
+  {
+    /** It keeps its initial direction and acts on an undeformed area, see
+     * AreaMeasure. */
+    dead,
+    /** True pressure on the deformed face, along its normal. The tangent is not
+     * symmetric. */
+    follower
+  };
+
+
+  /** The undeformed area to which a dead load on a face refers. */
+  enum class AreaMeasure
+  {
+    /** The area of the middle surface, as in
+     * @cite GrigolyukKulikovPlotnikova2004. */
+    middle,
+    /** The area of the face itself. */
+    face
+  };
+
+
+  /** The face on which the pressure of the stages acts, and how. Positive
+   * pressure pushes the face toward the shell. */
+  struct PressureLoad
+  {
+    PressureKind     kind = PressureKind::dead;
+    Resultants::Face face = Resultants::inner;
+    AreaMeasure      area = AreaMeasure::middle;
+    /** Formula of the position that multiplies the pressure. */
+    Formula distribution =
+      parse_position_formula("Loads/Pressure distribution", "1");
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Whether the distribution is that of a gas. */
+    bool
+    is_uniform() const
+    {
+      return distribution.get_text() == PressureLoad().distribution.get_text();
+    }
+
+    /** The distribution at all nodes of this rank. Throws InputError on all
+     * ranks if it is not finite at some node. */
+    std::vector<double>
+    values(const ShellMesh &mesh) const;
+
+    /** The nodal forces of a dead unit pressure. */
+    LA::Vector
+    assemble_dead(const ShellMesh &mesh) const;
+  };
+
+
+  /** The forces of dead or follower pressure. */
+  class PressureForces : public ForceTerm
+  {
+  public:
+    /** Throws InputError like PressureLoad::values(). */
+    PressureForces(const ShellMesh &mesh, const PressureLoad &pressure);
+
+    bool
+    acts_on(const unsigned int, const State &, const Loads &) const override
+    {
+      return kind == PressureKind::follower;
+    }
+
+    void
+    add(const CellState &at, CellForces &forces) const override;
+
+    void
+    add_load_derivative(const CellState           &at,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const override;
+
+    void
+    add_dead_forces(const LoadRates &loads,
+                    LA::Vector      &nodal_forces) const override;
+
+    bool
+    is_symmetric(const Loads &loads) const override
+    {
+      return kind == PressureKind::dead || loads.pressure == 0;
+    }
+
+  private:
+    /** The unit pressure on the deformed face. */
+    FollowerPressure
+    unit_pressure(const CellState &at) const;
+
+    const PressureKind     kind;
+    const Resultants::Face face;
+    /** At the nodes of this rank, see PressureLoad::values(). */
+    const std::vector<double> distribution;
+    /** Nodal forces of a dead unit pressure. */
+    LA::Vector at_unit_pressure;
+  };
+
+
+  /** The quarter of the area of a cell at one of its vertices. */
+  double
+  vertex_area(const Cell        &cell,
+              const unsigned int vertex,
+              const AreaMeasure  area,
+              const unsigned int face);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_mesh_circumferential_slope_h
+#define biface_model_mesh_circumferential_slope_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <utility>
+
+#include <biface/element/mixed_element.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /**
+   * The derivative of the positions of a face by the angle around the axis of
+   * a surface of revolution, at a vertex of a cell, in the frame of the
+   * vertex: @f$\mathbf x'=A_2(\zeta_2\mathbf e_2+\mathbf v_{,2}/A_2)@f$, with
+   * the rotation of the frame. It depends on the displacements of the vertex
+   * and of its neighbor along the line of the mesh.
+   */
+  struct CircumferentialSlope
+  {
+    /** @param q the vertex; its neighbor is q ^ 2. */
+    CircumferentialSlope(const ShellMesh   &mesh,
+                         const Cell        &cell,
+                         const unsigned int q)
+      : q(q)
+    {
+      const double lame = mesh.nodes[cell.nodes[q]].surface.lame[1];
+      const ElementGeometry::Vertex &vertex = cell.geometry.vertices[q];
+      neighbor                              = -lame * vertex.slope[1];
+      own                                   = lame * vertex.connection[1];
+      for (unsigned int i = 0; i < 3; ++i)
+        own[i][i] -= neighbor;
+      for (unsigned int face = 0; face < 2; ++face)
+        undeformed[face] = lame * vertex.metric.zeta[face][1];
+    }
+
+    unsigned int q;
+    /** By the displacement of the vertex. */
+    dealii::Tensor<2, 3> own;
+    /** By that of the neighbor, times the unit tensor. */
+    double neighbor;
+    /** Of the undeformed faces, along the second vector of the frame. */
+    std::array<double, 2> undeformed;
+
+    /** That of a deformed face. */
+    dealii::Tensor<1, 3>
+    of(const MixedElement::NodalVector &V, const unsigned int face) const
+    {
+      dealii::Tensor<1, 3> x =
+        own * MixedElement::face_displacement(V, q, face) +
+        neighbor * MixedElement::face_displacement(V, q ^ 2, face);
+      x[1] += undeformed[face];
+      return x;
+    }
+
+    /** The two vertices on which it depends, with the derivatives. */
+    std::array<std::pair<unsigned int, dealii::Tensor<2, 3>>, 2>
+    parts() const
+    {
+      return {{{q, own},
+               {q ^ 2,
+                neighbor *
+                  dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())}}};
+    }
+  };
+} // namespace Biface
+
+#endif

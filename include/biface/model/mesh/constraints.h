@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_mesh_constraints_h
+#define biface_model_mesh_constraints_h
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/model/mesh/supports.h>
+
+namespace Biface
+{
+  class ShellMesh;
+
+  /** A constrained unknown whose constraint is not homogeneous: @p value is
+   * multiplied by the load factor and added to the entries of the constraint.
+   */
+  struct PrescribedDisplacement
+  {
+    dealii::types::global_dof_index dof;
+    double                          value;
+  };
+
+
+  /** An equation of a support for the displacements of the faces at a node. */
+  struct SupportEquation
+  {
+    /** The coefficients of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. The
+     * forces of the support on the faces are a multiple of them. */
+    dealii::Tensor<1, 6> coefficients;
+    /** The right-hand side for the load factor 1. */
+    double value;
+    /** Which support: a position in SupportedNodes::bodies. */
+    unsigned int body;
+    /** Between cyclic edges, the fraction of its forces on the node itself; the
+     * rest acts on the partner. */
+    double share;
+  };
+
+
+  /** The nodes of this rank that supports hold, and the supports. */
+  struct SupportedNodes
+  {
+    struct Item
+    {
+      /** Position in ShellMesh::nodes. */
+      unsigned int node;
+      /** Between cyclic edges: the node with the same displacements on the
+       * second edge, while @p node is on the first; invalid otherwise. */
+      unsigned int partner;
+      /** Linearly independent. If several supports hold a displacement, the
+       * equation is that of the first one, in the order of @p bodies. */
+      std::vector<SupportEquation> equations;
+    };
+
+    /** The names of the supports: points, then edges. */
+    std::vector<std::string> bodies;
+    /** Those of the edges of alpha_2, if they are cyclic. */
+    std::array<unsigned int, 2> cyclic_bodies;
+    std::vector<Item>           items;
+  };
+
+
+  /**
+   * The constraints of the supports on the displacements of a mesh.
+   *
+   * The equations of all supports at a node are eliminated together, each for
+   * the unknown with the largest coefficient.
+   *
+   * Between cyclic edges, the unknowns on the edge alpha_2 max depend on those
+   * on the edge alpha_2 min, and supports of either hold both.
+   *
+   * Throws InputError if they contradict each other, or if a supported point
+   * does not exist.
+   *
+   * @param constraints the supports with zero prescribed displacements, closed.
+   * @param prescribed the prescribed displacements that are not zero.
+   * @param supported the equations themselves.
+   */
+  void
+  make_constraints(const Supports                      &supports,
+                   const ShellMesh                     &mesh,
+                   dealii::AffineConstraints<double>   &constraints,
+                   std::vector<PrescribedDisplacement> &prescribed,
+                   SupportedNodes                      &supported);
+} // namespace Biface
+
+#endif

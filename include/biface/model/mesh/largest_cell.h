@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_mesh_largest_cell_h
+#define biface_model_mesh_largest_cell_h
+
+#include <deal.II/base/types.h>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  /** The cell of a mesh in which a value is largest. Values within 1e-6 of the
+   * largest are taken as equal, so that round-off does not decide between
+   * places that mirror each other; of these cells it is the one with the lowest
+   * number, on any number of ranks. */
+  struct LargestCell
+  {
+    /** The value of a cell that has none. */
+    static constexpr double none = -std::numeric_limits<double>::infinity();
+    /** Relative; well above the round-off of a solution, below what matters. */
+    static constexpr double tolerance = 1e-6;
+
+    /** The largest value of all cells. */
+    double value = none;
+    /** See ChartGrid::cell_number(). */
+    dealii::types::global_cell_index number = 0;
+    /** The place of the cell among those of this rank, on the one rank that
+     * owns it. */
+    std::optional<unsigned int> position;
+
+    /** The minimum value that is taken as equal to the largest. */
+    double
+    bound() const
+    {
+      return value - tolerance * (value < 0 ? -value : value);
+    }
+  };
+
+  /** Find it among all ranks; nothing if no cell has a value. Must be called on
+   * all ranks.
+   * @param values of the cells of this rank, in their order. */
+  std::optional<LargestCell>
+  find_largest_cell(const ShellMesh &mesh, const std::vector<double> &values);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_mesh_supports_h
+#define biface_model_mesh_supports_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <biface/model/mesh/component.h>
+
+namespace Biface
+{
+  /**
+   * A prescribed displacement of a node, in one component:
+   * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ is multiplied by
+   * the load factor.
+   */
+  struct SupportCondition
+  {
+    Component component;
+    /** @f$(c^-, c^+)@f$ */
+    std::array<double, 2> coefficients;
+    /** @f$\bar v@f$ for the load factor 1. Unit: length. */
+    double value;
+  };
+
+
+  /**
+   * Read the conditions of a support.
+   *
+   * The text is one of the words `free`, `fixed`, `hinged` (on the middle
+   * surface), `hinged inner`, `hinged outer`, `symmetry` (only for edges, see
+   * @p across); or a list, separated by semicolons, of `COMPONENT FACE` or
+   * `COMPONENT FACE = value` with COMPONENT one of component_names() and FACE
+   * one of `inner`, `outer`, `both`, `middle`, `difference` (outer minus
+   * inner).
+   *
+   * @param entry its name, for error messages.
+   * @param across the position in the frame of the component normal to an edge,
+   * or a number above 2 for a point.
+   *
+   * Throws InputError if the text is anything else.
+   */
+  std::vector<SupportCondition>
+  parse_support(const std::string &entry,
+                const std::string &text,
+                const unsigned int across);
+
+
+  /** A support of a named point. */
+  struct PointSupport
+  {
+    std::string                   point;
+    std::vector<SupportCondition> conditions;
+  };
+
+  /** Read a comma-separated list of supports of points, 'name: support'. Throws
+   * InputError if it is malformed. */
+  std::vector<PointSupport>
+  parse_point_supports(const std::string &entry, const std::string &text);
+
+
+  /** The supports of the shell: conditions on its edges, indexed by Edge, and
+   * on named points. */
+  struct Supports
+  {
+    std::array<std::vector<SupportCondition>, 4> edges;
+    /** Whether an edge is cyclic: the edges of alpha_2 have the same
+     * displacements in their frames. */
+    std::array<bool, 4>       cyclic{{false, false, false, false}};
+    std::vector<PointSupport> points;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Whether the edges of alpha_2 are coupled. Both must be cyclic. */
+    bool
+    is_cyclic() const
+    {
+      return cyclic[2] && cyclic[3];
+    }
+
+    /** Throw InputError if only one edge of alpha_2 is cyclic. */
+    void
+    check() const;
+
+    /** Whether a displacement other than 0 is prescribed. */
+    bool
+    prescribe() const;
+  };
+} // namespace Biface
+
+#endif

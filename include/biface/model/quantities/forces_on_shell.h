@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_forces_on_shell_h
+#define biface_model_quantities_forces_on_shell_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** The resultant of the forces of a body on the shell. */
+  struct ForceOnShell
+  {
+    std::string          body;
+    dealii::Tensor<1, 3> force;
+    dealii::Tensor<1, 3> moment;
+  };
+
+
+  /** That of the foundation alone, see forces_on_shell(). */
+  ForceOnShell
+  force_of_foundation(const ShellEquations   &equations,
+                      const State            &state,
+                      const NodalForces      &forces,
+                      const dealii::Point<3> &center);
+
+
+  /** The names of the bodies, in the order of forces_on_shell(). */
+  std::vector<std::string>
+  bodies_on_shell(const ShellMesh &mesh);
+
+
+  /**
+   * The forces and moments on the shell of each of its supports, of the
+   * foundation and of the loads, in Cartesian components.
+   *
+   * The forces of the supports are what is missing for equilibrium at the nodes
+   * that they hold, @f$\sum_k\lambda_k\mathbf c_k@f$ with the coefficients
+   * @f$\mathbf c_k@f$ of their equations, see SupportEquation. All nodal forces
+   * act on the faces in their deformed positions; in linear theory, in those
+   * about which it is linearized.
+   *
+   * In equilibrium, the sums over all bodies vanish. Two of them are no bodies
+   * in the proper sense:
+   * - `prestress`: the constant forces that are not among the loads, see
+   *   InternalForces::unlisted_forces(), without those at supports, which count
+   *   as forces of the supports;
+   * - `interpolation`: the sum of all internal forces. It vanishes if the shell
+   *   is flat; if it is curved, rigid motions are interpolated only up to an
+   *   error of second order in the size of the cells, and this is their work.
+   *
+   * Must be called on all ranks, for a converged state.
+   *
+   * @param forces on the nodes in this state.
+   * @param center the point to which the moments refer.
+   */
+  std::vector<ForceOnShell>
+  forces_on_shell(const ShellEquations   &equations,
+                  const State            &state,
+                  const NodalForces      &forces,
+                  const dealii::Point<3> &center);
+} // namespace Biface
+
+#endif

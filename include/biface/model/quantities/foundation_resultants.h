@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_foundation_resultants_h
+#define biface_model_quantities_foundation_resultants_h
+
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** A component of the resultant of the forces between shell and foundation,
+   * with its derivatives for a fixed active set. */
+  struct FoundationResultant
+  {
+    double value = 0;
+    /** With respect to the displacements. */
+    LA::Vector gradient;
+    /** With respect to load parameters: for each of the given rates of the
+     * loads. */
+    std::vector<double> per_load;
+  };
+
+
+  /** The compressive force on the foundation, along its direction. Unit: force.
+   *
+   * Must be called on all ranks. */
+  FoundationResultant
+  foundation_force(const ShellEquations         &equations,
+                   const State                  &state,
+                   const Loads                  &loads,
+                   const std::vector<LoadRates> &rates = {});
+
+
+  /**
+   * The moment of the axle on a wheel about the y axis. It is what balances the
+   * moment of the foundation about the axle, @f$-\mathbf r\cdot\mathbf f@f$
+   * with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf x@f$ of the
+   * deformed outer face. The rim exerts it in addition to what dead loads need:
+   * only with it the power of the axle is what the ground takes, since the work
+   * of a dead pressure on the particles that flow through a constant shape is
+   * minus that of its moment on the rotation. A true pressure has none. Unit:
+   * force times length.
+   *
+   * Must be called on all ranks.
+   */
+  FoundationResultant
+  axle_moment(const ShellEquations         &equations,
+              const State                  &state,
+              const Loads                  &loads,
+              const std::vector<LoadRates> &rates = {});
+} // namespace Biface
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_hysteresis_h
+#define biface_model_quantities_hysteresis_h
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <vector>
+
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The energy that the plies of a rolling wheel dissipate in a turn, by their
+   * loss factors, see CyclicLoss. A cell stands for the particles in it: while
+   * they flow around the axle, they pass through the strains and stresses of
+   * all cells of their line. Nothing of this acts back on the deformation.
+   */
+  struct Hysteresis
+  {
+    /** Those counted apart, to see whether the mesh resolves the cycles. */
+    static constexpr unsigned int n_first_harmonics = 8;
+
+    /** Unit: force times length. */
+    struct OfPly
+    {
+      double energy = 0;
+      /** Of this, that of the first harmonics. */
+      double of_first_harmonics = 0;
+    };
+
+    /** By the plies of the layup. */
+    std::vector<OfPly> plies;
+
+    /** The power of an energy per turn. Unit: force times length per time. */
+    static double
+    power(const double energy, const double angular_velocity)
+    {
+      return energy * std::abs(angular_velocity) / (2 * dealii::numbers::PI);
+    }
+
+    /** The sum over all plies. */
+    double
+    energy() const;
+  };
+
+
+  /** The hysteresis of a converged state on a mesh closed around the axle. Must
+   * be called on all ranks. */
+  Hysteresis
+  find_hysteresis(const ShellEquations &equations, const State &state);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_rolling_summary_h
+#define biface_model_quantities_rolling_summary_h
+
+#include <deal.II/base/tensor.h>
+
+#include <optional>
+#include <vector>
+
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/quantities/hysteresis.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** The forces and powers of a wheel that rolls over a plane or a drum. */
+  struct RollingSummary
+  {
+    /** Of the ground on the wheel; the moment is about the contact center,
+     * where the line from the center of the wheel down in its middle plane
+     * meets the ground. In the axes of WheelAxes there. */
+    dealii::Tensor<1, 3> force, moment;
+
+    /** See axle_moment(). */
+    double axle_moment = 0;
+
+    /** The speed over the ground, see GroundMotion::under_wheel(), per angular
+     * velocity; not a number without
+     * one. Unit: length. */
+    double rolling_radius = 0;
+
+    /** Powers. Of the axle on the wheel, of the ground on the wheel, and what
+     * friction turns into heat. Their balance is @p mismatch, axle + ground -
+     * friction: the error of the mesh, which is zero in the limit. Most of it
+     * is @p normal, the power of the contact pressure on particles that cross
+     * the surface of the ground at the edge of contact, where a segment of the
+     * mesh is half in contact; @p mismatch plus @p normal is the rest. */
+    double axle_power = 0, ground_power = 0, friction_power = 0,
+           normal_power = 0, mismatch = 0;
+
+    /** The slip velocity at each node of this rank, see
+     * RollingFriction::slip_velocity(); zero at nodes that are not in contact.
+     * Unit: length/time. */
+    std::vector<dealii::Tensor<1, 3>> slip_velocities;
+
+    /** If any ply has a loss factor. */
+    std::optional<Hysteresis> hysteresis;
+
+    /** The power of the hysteresis, and the drag that has this power at the
+     * speed over the ground, which is no part of @p force; not a number
+     * without a speed. */
+    double hysteresis_power = 0, rolling_resistance = 0;
+  };
+
+
+  /** The figures of a converged state. Must be called on all ranks.
+   * @param forces on the nodes in this state. */
+  RollingSummary
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &contact,
+                    const State              &state,
+                    const Loads              &loads,
+                    const NodalForces        &forces);
+} // namespace Biface
+
+#endif

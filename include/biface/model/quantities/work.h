@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_work_h
+#define biface_model_quantities_work_h
+
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/forces/nodal_forces.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** Work done on the shell. Unit: force times length. */
+  struct Work
+  {
+    /** Of the loads and of prescribed displacements. */
+    double loads = 0;
+    /** Of the moving foundation on what it touches. */
+    double foundation = 0;
+    /** Of this, what friction turns into heat. */
+    double friction = 0;
+
+    Work &
+    operator+=(const Work &other)
+    {
+      loads += other.loads;
+      foundation += other.foundation;
+      friction += other.friction;
+      return *this;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &loads &foundation &friction;
+    }
+  };
+
+
+  /** A converged state, its loads, and the forces on its nodes. */
+  struct LoadedState
+  {
+    const State       &state;
+    const Loads       &loads;
+    const NodalForces &forces;
+  };
+
+
+  /**
+   * The work in a step, by the trapezoidal rule: mean forces times
+   * displacements. Its error decreases with the square of the size of the step.
+   * Loads and foundation do as much work as the strain energy increases by,
+   * plus that of friction, and the small elastic energy in the regularization
+   * of contact.
+   *
+   * Must be called on all ranks.
+   *
+   * @param before, after the start and the end of the step, both with a
+   * foundation or both without.
+   */
+  Work
+  work_of_step(const ContactInteraction &contact,
+               const LoadedState        &before,
+               const LoadedState        &after);
+} // namespace Biface
+
+#endif

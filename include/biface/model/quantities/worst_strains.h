@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_worst_strains_h
+#define biface_model_quantities_worst_strains_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <optional>
+#include <string>
+
+#include <biface/model/forces/internal_forces.h>
+
+namespace Biface
+{
+  /** A strain at a vertex of a cell. */
+  struct StrainAtPlace
+  {
+    double value = 0;
+    /** The inner or the outer face; none for the thickness strain. */
+    std::optional<unsigned int> face;
+    /** Coordinates in the unit of parameter files. */
+    dealii::Point<2> alpha;
+    /** Position on the undeformed reference surface. */
+    dealii::Point<3> position;
+    /** See ChartGrid::cell_number(). */
+    dealii::types::global_cell_index cell = 0;
+  };
+
+
+  /** Where a shell is worst off: the places to look at if a step fails. */
+  struct WorstStrains
+  {
+    /** The maximum compression: the minimum of the principal tangential strains
+     * of both faces and of the thickness strains. */
+    StrainAtPlace compression;
+    /** The maximum transverse shear, the length of
+     * @f$(2E_{13},2E_{23})@f$. */
+    StrainAtPlace shear;
+  };
+
+  /**
+   * Green's strain at which a St. Venant-Kirchhoff material has no stiffness
+   * left in uniaxial stress: the force @f$\lambda E@f$ has its minimum at
+   * @f$\lambda=1/\sqrt3@f$.
+   */
+  constexpr double least_stable_strain = -1. / 3;
+
+  /** The worst strains of a state, the same on all ranks and on any number of
+   * them: of equal strains, that in the cell of the lowest number. Must be
+   * called on all ranks. */
+  WorstStrains
+  worst_strains(const ShellMesh      &mesh,
+                const InternalForces &forces,
+                const State          &state);
+
+  /** "the shell is compressed most at ..." and further sentences for the user;
+   * they name the material if it is close to its end. */
+  std::string
+  describe(const WorstStrains &worst);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_state_grid_state_h
+#define biface_model_state_grid_state_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+#include <biface/element/modes.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+#include <biface/surface/chart_grid.h>
+
+namespace Biface
+{
+  /**
+   * A state stored by grid lines, which can be evaluated at any position of the
+   * surface and on any rank, independently of the distribution of its mesh.
+   * Displacements are interpolated bilinearly, with components in the frame of
+   * the surface; resultants are those of each cell.
+   */
+  class GridState
+  {
+  public:
+    /** The undeformed state of a grid. */
+    explicit GridState(const ChartGrid &grid);
+
+    /** Must be called on all ranks. */
+    GridState(const ShellMesh &mesh, const State &state);
+
+    /** The unknowns of a node, in the order of MixedElement::dof(), at a
+     * position within the grid. Unit: length. */
+    dealii::Tensor<1, 6>
+    displacement(const dealii::Point<2> &alpha) const;
+
+    /** The indicator of contact: 1 at active nodes, 0 at the others, bilinear
+     * in between. */
+    double
+    contact(const dealii::Point<2> &alpha) const;
+
+    /** The modes of the resultants in a cell with the given vertices that lies
+     * within a cell of this grid. */
+    Modes::Vector
+    resultants(const std::array<dealii::Point<2>, 4> &vertices) const;
+
+  private:
+    /** A cell of the grid, and reference coordinates from 0 to 1 in it. */
+    struct Place
+    {
+      GridIndex        cell;
+      dealii::Point<2> xi;
+    };
+
+    Place
+    place(const dealii::Point<2> &alpha) const;
+
+    template <typename T>
+    T
+    interpolate(const std::vector<T> &values, const Place &place) const;
+
+    ChartGrid grid;
+    /** By node numbers. */
+    std::vector<dealii::Tensor<1, 6>> displacements;
+    std::vector<double>               contacts;
+    /** By cell numbers. */
+    std::vector<Modes::Vector> cell_resultants;
+  };
+} // namespace Biface
+
+#endif

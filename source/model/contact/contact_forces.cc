@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/contact/contact_forces.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  bool
+  ContactForces::acts_on(const unsigned int cell,
+                         const State       &state,
+                         const Loads       &loads) const
+  {
+    if (!loads.foundation)
+      return false;
+    for (const unsigned int node : contact.mesh.cells[cell].nodes)
+      if (state.active[node])
+        return true;
+    return false;
+  }
+
+
+  void
+  ContactForces::add(const CellState &at, CellForces &forces) const
+  {
+    const ShellMesh &mesh = contact.mesh;
+    const auto       M =
+      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
+    const auto frame =
+      [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
+      return mesh.nodes[at.cell.nodes[v]].surface.frame;
+    };
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = at.cell.nodes[s];
+        if (!at.state.active[node])
+          continue;
+        const ContactInteraction::Traction traction =
+          contact.traction(at.state, at.loads, node);
+        std::array<Tensor<1, 3>, 3> columns;
+        for (unsigned int j = 0; j < 3; ++j)
+          columns[j] = traction.stiffness * frame(s)[j];
+
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            Tensor<1, 3> force;
+            Tensor<2, 3> stiffness;
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                force[i] = M[r][s] * (frame(r)[i] * traction.value);
+                for (unsigned int j = 0; j < 3; ++j)
+                  stiffness[i][j] = M[r][s] * (frame(r)[i] * columns[j]);
+              }
+            MixedElement::add_force(
+              force, r, at.cell.sign_of_outer_face(r), forces.force);
+            forces.square += 2 * force.norm_square();
+            MixedElement::add_stiffness(stiffness,
+                                        r,
+                                        at.cell.sign_of_outer_face(r),
+                                        s,
+                                        at.cell.sign_of_outer_face(s),
+                                        forces.tangent);
+          }
+        if (at.loads.rolling)
+          add_neighbor(at.cell, s, traction, forces.tangent);
+      }
+  }
+
+
+  void
+  ContactForces::add_neighbor(const Cell                         &cell,
+                              const unsigned int                  s,
+                              const ContactInteraction::Traction &traction,
+                              MixedElement::NodalMatrix          &K) const
+  {
+    const ShellMesh &mesh = contact.mesh;
+    const auto &stencil = contact.rolling_friction.flow_lines.at(cell.nodes[s]);
+    if (!stencil)
+      return;
+    const unsigned int r    = s ^ 2;
+    const unsigned int side = (r > s ? 1 : 0);
+    // The node's area on both sides; on a surface of revolution areas are
+    // proportional to angles
+    const double area = cell.geometry.weight / 4 *
+                        (stencil->angles[0] + stencil->angles[1]) /
+                        stencil->angles[side];
+    const auto  &own      = mesh.nodes[cell.nodes[s]].surface.frame;
+    const auto  &neighbor = mesh.nodes[cell.nodes[r]].surface.frame;
+    Tensor<2, 3> stiffness;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        stiffness[i][j] =
+          area *
+          (own[i] * (traction.stiffness_of_neighbors[side] * neighbor[j]));
+    MixedElement::add_stiffness(stiffness,
+                                s,
+                                cell.sign_of_outer_face(s),
+                                r,
+                                cell.sign_of_outer_face(r),
+                                K);
+  }
+
+
+  void
+  ContactForces::add_load_derivative(const CellState           &at,
+                                     const LoadRates           &rates,
+                                     MixedElement::NodalVector &force) const
+  {
+    if (rates.travel == 0 && rates.angular_velocity == 0)
+      return;
+    const ShellMesh &mesh = contact.mesh;
+    const auto       M =
+      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        const unsigned int node = at.cell.nodes[s];
+        if (!at.state.active[node])
+          continue;
+        // a travel of the foundation is equivalent to the opposite displacement
+        // of the node
+        const ContactInteraction::Traction traction =
+          contact.traction(at.state, at.loads, node);
+        const Tensor<1, 3> change =
+          -rates.travel *
+            (traction.stiffness * at.loads.foundation->direction()) +
+          rates.angular_velocity * traction.per_angular_velocity;
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const Tensor<1, 3> m =
+              mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
+            MixedElement::add_force(
+              M[r][s] * m, r, at.cell.sign_of_outer_face(r), force);
+          }
+      }
+  }
+} // namespace Biface

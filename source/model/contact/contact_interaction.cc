@@ -1,0 +1,625 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/model/contact/contact_interaction.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ContactTraction
+  contact_traction(const ShellMesh   &mesh,
+                   const State       &state,
+                   const Loads       &loads,
+                   const unsigned int node)
+  {
+    ContactTraction result;
+    if (!loads.foundation || !state.active[node])
+      return result;
+    const Tensor<1, 3> &lambda = state.multipliers[node];
+    const Tensor<1, 3>  normal =
+      loads.foundation
+        ->evaluate(mesh.deformed_position(
+          state.displacement, mesh.nodes[node], Resultants::outer))
+        .normal;
+    if (loads.friction)
+      {
+        const auto tangents = loads.foundation->tangents(normal);
+        for (unsigned int i = 0; i < 2; ++i)
+          result.friction += lambda[1 + i] * tangents[i];
+      }
+    result.total = lambda[0] * normal + result.friction;
+    return result;
+  }
+
+
+  void
+  ContactInteraction::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    foundation.add_parameters(prm);
+    condition.add_parameters(prm);
+    friction.add_parameters(prm);
+  }
+
+
+  void
+  ContactInteraction::Parameters::check() const
+  {
+    condition.check();
+    friction.check();
+    foundation.check();
+  }
+
+
+  ContactInteraction::ContactInteraction(const ShellMesh  &mesh,
+                                         const Parameters &parameters)
+    : mesh(mesh)
+    , condition(parameters.condition)
+    , rolling_friction(mesh, condition)
+    , foundation_at_rest(parameters.foundation)
+    , friction_parameters(parameters.friction)
+  {}
+
+
+  std::shared_ptr<const FrictionLaw>
+  ContactInteraction::friction(const std::string &entry,
+                               const std::string &coefficient,
+                               const bool         glued) const
+  {
+    const bool own = !coefficient.empty();
+    auto       law = std::make_shared<const FrictionLaw>(
+      own ? entry : "Contact/Friction",
+      own ? coefficient : friction_parameters.coefficient,
+      friction_parameters.regularization,
+      friction_parameters.critical_velocity);
+    return law->is_zero() && !glued ? nullptr : law;
+  }
+
+
+  double
+  ContactInteraction::touching_travel(const State &state) const
+  {
+    const RigidFoundation at_rest = foundation(0);
+    const double          travel  = minimum_travel(state, at_rest);
+    if (travel == std::numeric_limits<double>::infinity())
+      throw InputError("the foundation of the section 'Contact' misses the "
+                       "shell; its path must meet a node.");
+
+    // the shell may not fit into a hollow foundation
+    const RigidFoundation touching = at_rest.moved(travel);
+    bool                  fits     = std::isfinite(travel);
+    for (const Node &node : mesh.nodes)
+      if (node.outer_face_free)
+        fits = fits && touching.clearance(mesh.deformed_position(
+                         state.displacement, node, Resultants::outer)) >
+                         -1e-9 * mesh.size();
+    if (Utilities::MPI::logical_or(!fits, mesh.communicator))
+      throw InputError("the shell does not fit into the hollow foundation of "
+                       "the section 'Contact'.");
+    return travel;
+  }
+
+
+  Point<3>
+  ContactInteraction::touched_point(const State &state,
+                                    const double touching_travel) const
+  {
+    // nodes that would touch together but for round-off
+    const double tolerance = 1e-6 * mesh.thickness();
+
+    const RigidFoundation at_rest = foundation(0);
+    std::vector<double>   sums(4);
+    for (const Node &node : mesh.nodes)
+      {
+        if (!node.outer_face_free || !node.locally_owned)
+          continue;
+        const Point<3> x =
+          mesh.deformed_position(state.displacement, node, Resultants::outer);
+        if (at_rest.travel_to(x) > touching_travel + tolerance)
+          continue;
+        for (unsigned int i = 0; i < 3; ++i)
+          sums[i] += x[i];
+        sums[3] += 1;
+      }
+    Utilities::MPI::sum(sums, mesh.communicator, sums);
+    return Point<3>(sums[0], sums[1], sums[2]) / sums[3];
+  }
+
+
+  ActiveSet
+  ContactInteraction::pierced_nodes(const State &state,
+                                    const Loads &loads) const
+  {
+    const double small = 1e-3 * mesh.thickness();
+    ActiveSet    pierced(mesh.nodes.size(), 0);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      pierced[n] = (!mesh.nodes[n].outer_face_free &&
+                    clearance(state, loads, mesh.nodes[n]) < -small);
+    return pierced;
+  }
+
+
+  double
+  ContactInteraction::remaining_travel(const State &state,
+                                       const Loads &loads) const
+  {
+    return minimum_travel(state, *loads.foundation);
+  }
+
+
+  double
+  ContactInteraction::minimum_travel(const State           &state,
+                                     const RigidFoundation &foundation) const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (const Node &node : mesh.nodes)
+      if (node.outer_face_free)
+        minimum = std::min(minimum,
+                           foundation.travel_to(mesh.deformed_position(
+                             state.displacement, node, Resultants::outer)));
+    return Utilities::MPI::min(minimum, mesh.communicator);
+  }
+
+
+  double
+  ContactInteraction::clearance(const State &state,
+                                const Loads &loads,
+                                const Node  &node) const
+  {
+    return loads.foundation->clearance(
+      mesh.deformed_position(state.displacement, node, Resultants::outer));
+  }
+
+
+  unsigned int
+  ContactInteraction::update_active_set(State           &state,
+                                        const Loads     &loads,
+                                        const ActiveSet &held) const
+  {
+    Assert(held.empty() || held.size() == mesh.nodes.size(),
+           ExcDimensionMismatch(held.size(), mesh.nodes.size()));
+    unsigned int n_changes = 0;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const Node        &node   = mesh.nodes[n];
+        const Tensor<1, 3> last   = state.multipliers[n];
+        bool               active = false;
+        Contact            at{};
+        if (loads.foundation && node.outer_face_free)
+          {
+            at = contact_at(state, loads, n);
+            active =
+              (!held.empty() && held[n]) ||
+              condition.should_be_active(last[0], at.foundation.clearance);
+          }
+        if (active != static_cast<bool>(state.active[n]))
+          {
+            state.active[n] = active;
+            if (node.locally_owned)
+              ++n_changes;
+          }
+        state.multipliers[n] = 0;
+        if (!active)
+          continue;
+        state.multipliers[n][0] = last[0];
+        if (!rubs(state, loads, n))
+          continue;
+        const auto tangents = loads.foundation->tangents(at.foundation.normal);
+        if (loads.rolling)
+          state.grips[n] =
+            (rolling_friction.slips(state, loads, n) ? Grip::slip
+                                                     : Grip::stick);
+        else if (state.grips[n] != Grip::glued)
+          {
+            const Tensor<1, 3> trial =
+              loads.friction->trial(slip(state, loads, n, at).tangential);
+            // A node that slips meets no resistance along its traction and
+            // moves too far. Where it has passed its stick point, the reversed
+            // traction would throw it back, and so forth.
+            const bool reversed =
+              state.grips[n] == Grip::slip &&
+              trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
+            const bool beyond = loads.friction->should_slip(trial, -last[0]);
+            state.grips[n] = (beyond && !reversed ? Grip::slip : Grip::stick);
+            // the iteration has to go on until the node obeys the law
+            if (beyond && reversed && node.locally_owned)
+              ++n_changes;
+          }
+        set_tangential_multipliers(state, loads, n, at);
+      }
+    return Utilities::MPI::sum(n_changes, mesh.communicator);
+  }
+
+
+  std::vector<ContactInteraction::Linearization>
+  ContactInteraction::linearize(const State &state, const Loads &loads) const
+  {
+    std::vector<Linearization> result(mesh.nodes.size());
+    if (loads.foundation)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (state.active[n])
+          {
+            const Contact at = contact_at(state, loads, n);
+            result[n]        = {loads.foundation->at_rest(at.x),
+                                at.foundation.clearance,
+                                at.foundation.normal};
+          }
+    return result;
+  }
+
+
+  void
+  ContactInteraction::predict_multipliers(
+    State                            &state,
+    const Loads                      &loads,
+    const std::vector<Linearization> &before) const
+  {
+    AssertDimension(before.size(), mesh.nodes.size());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (loads.foundation && state.active[n])
+        {
+          const Tensor<1, 3> motion =
+            mesh.deformed_position(
+              state.displacement, mesh.nodes[n], Resultants::outer) -
+            loads.foundation->present(before[n].at_rest);
+          state.multipliers[n][0] = condition.multiplier(
+            before[n].clearance - before[n].normal * motion);
+        }
+      else
+        state.multipliers[n] = 0;
+  }
+
+
+  unsigned int
+  ContactInteraction::settle(State &state, const Loads &loads) const
+  {
+    if (loads.foundation)
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].outer_face_free)
+          state.multipliers[n][0] = std::min(
+            0., condition.multiplier(clearance(state, loads, mesh.nodes[n])));
+    return update_active_set(state, loads);
+  }
+
+
+  void
+  ContactInteraction::compute_multipliers(
+    State                            &state,
+    const Loads                      &loads,
+    const std::vector<Linearization> &before,
+    const LA::Vector                 &increment,
+    const double                      travel) const
+  {
+    AssertDimension(before.size(), mesh.nodes.size());
+    const Tensor<1, 3> of_foundation =
+      (loads.foundation ? -travel * loads.foundation->direction()
+                        : Tensor<1, 3>());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        state.multipliers[n] = 0;
+        if (!state.active[n])
+          continue;
+        const Node        &node   = mesh.nodes[n];
+        const Tensor<1, 3> motion = node.surface.from_frame(
+          mesh.displacement(increment, node, Resultants::outer));
+        state.multipliers[n][0] = condition.multiplier(
+          before[n].clearance - before[n].normal * (motion - of_foundation));
+        if (rubs(state, loads, n))
+          set_tangential_multipliers(
+            state, loads, n, contact_at(state, loads, n));
+      }
+  }
+
+
+  bool
+  ContactInteraction::rubs(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node) const
+  {
+    return loads.friction && (loads.rolling || state.grips[node] != Grip::none);
+  }
+
+
+  void
+  ContactInteraction::set_tangential_multipliers(State             &state,
+                                                 const Loads       &loads,
+                                                 const unsigned int node,
+                                                 const Contact     &at) const
+  {
+    const auto tangents = loads.foundation->tangents(at.foundation.normal);
+    const Tensor<1, 3> friction = friction_traction(state, loads, node, at);
+    for (unsigned int i = 0; i < 2; ++i)
+      state.multipliers[node][1 + i] = tangents[i] * friction;
+  }
+
+
+  void
+  ContactInteraction::let_stick(State &state) const
+  {
+    for (Grip &grip : state.grips)
+      if (grip == Grip::slip)
+        grip = Grip::stick;
+  }
+
+
+  void
+  ContactInteraction::record_history(State &state, const Loads &loads) const
+  {
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        if (!state.active[n] || (loads.rolling && !loads.friction))
+          {
+            state.grips[n]        = Grip::none;
+            state.stick_points[n] = Point<3>();
+            continue;
+          }
+        if (loads.rolling)
+          continue;
+        const bool holds = (loads.friction && state.grips[n] != Grip::none);
+        if (holds && state.grips[n] != Grip::slip)
+          continue;
+        // nodes slide freely without friction and in the step in which they
+        // enter
+        const Contact at = contact_at(state, loads, n);
+        Point<3>      x  = at.x;
+        if (holds)
+          x -= loads.friction->elastic_slip(
+            friction_traction(state, loads, n, at));
+        // without slip there is no direction for the traction of a node that
+        // slips
+        state.grips[n]        = (holds ? Grip::slip : Grip::stick);
+        state.stick_points[n] = loads.foundation->at_rest(x);
+      }
+  }
+
+
+  void
+  ContactInteraction::forget_history(State &state) const
+  {
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        state.grips[n]        = Grip::none;
+        state.stick_points[n] = Point<3>();
+      }
+  }
+
+
+  void
+  ContactInteraction::set_glued(State &state, const bool glued) const
+  {
+    for (Grip &grip : state.grips)
+      if (glued && grip != Grip::none)
+        grip = Grip::glued;
+      else if (!glued && grip == Grip::glued)
+        grip = Grip::stick;
+  }
+
+
+  bool
+  ContactInteraction::release_glue(State &state, const ActiveSet &nodes) const
+  {
+    AssertDimension(nodes.size(), state.grips.size());
+    bool any = false;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      if (nodes[n] && state.grips[n] == Grip::glued)
+        {
+          state.grips[n] = Grip::none;
+          any            = true;
+        }
+    return Utilities::MPI::logical_or(any, mesh.communicator);
+  }
+
+
+  unsigned int
+  ContactInteraction::count_active(const State &state) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < state.active.size(); ++i)
+      if (state.active[i] && mesh.nodes[i].locally_owned)
+        ++n;
+    return Utilities::MPI::sum(n, mesh.communicator);
+  }
+
+
+  unsigned int
+  ContactInteraction::count_slipping(const State &state,
+                                     const Loads &loads) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i].locally_owned && slips(state, loads, i))
+        ++n;
+    return Utilities::MPI::sum(n, mesh.communicator);
+  }
+
+
+  ContactInteraction::Contact
+  ContactInteraction::contact_at(const State       &state,
+                                 const Loads       &loads,
+                                 const unsigned int node) const
+  {
+    const Point<3> x = mesh.deformed_position(
+      state.displacement, mesh.nodes[node], Resultants::outer);
+    return {x, loads.foundation->evaluate(x)};
+  }
+
+
+  ContactInteraction::Slip
+  ContactInteraction::slip(const State       &state,
+                           const Loads       &loads,
+                           const unsigned int node,
+                           const Contact     &at) const
+  {
+    const Tensor<1, 3> &n = at.foundation.normal;
+    const Tensor<1, 3>  total =
+      at.x - loads.foundation->present(state.stick_points[node]);
+    return {total, total - (n * total) * n};
+  }
+
+
+  Tensor<1, 3>
+  ContactInteraction::friction_traction(const State       &state,
+                                        const Loads       &loads,
+                                        const unsigned int node,
+                                        const Contact     &at) const
+  {
+    if (loads.rolling)
+      return rolling_friction.traction(state, loads, node).value;
+    const FrictionLaw &law = *loads.friction;
+    const Tensor<1, 3> trial =
+      law.trial(slip(state, loads, node, at).tangential);
+    return state.grips[node] == Grip::slip
+             ? law.slip(trial, -state.multipliers[node][0]).traction
+             : trial;
+  }
+
+
+  ContactInteraction::Traction
+  ContactInteraction::traction(const State       &state,
+                               const Loads       &loads,
+                               const unsigned int node) const
+  {
+    const Contact          contact = contact_at(state, loads, node);
+    const FoundationPoint &at      = contact.foundation;
+    const Tensor<1, 3>    &n       = at.normal;
+    const double           lambda  = state.multipliers[node][0];
+    const double           exact   = condition.multiplier(at.clearance);
+    const double           epsilon = condition.multiplier_stiffness();
+    const Tensor<2, 3>     normal_gradient(at.normal_gradient);
+    Traction               result;
+    result.value     = exact * n;
+    result.stiffness = epsilon * outer_product(n, n) - lambda * normal_gradient;
+    if (!loads.friction)
+      return result;
+    if (loads.rolling)
+      {
+        const RollingFriction::Traction t =
+          rolling_friction.traction(state, loads, node);
+        result.value += t.value;
+        result.stiffness += t.stiffness;
+        result.stiffness_of_neighbors = t.stiffness_of_neighbors;
+        result.per_angular_velocity   = t.per_angular_velocity;
+        return result;
+      }
+    if (state.grips[node] == Grip::none)
+      return result;
+
+    const FrictionLaw &law  = *loads.friction;
+    const Slip         slip = this->slip(state, loads, node, contact);
+    Tensor<1, 3>       t    = law.trial(slip.tangential);
+    // of the trial traction, by the position of the node
+    Tensor<2, 3> derivative =
+      -law.stiffness() *
+      (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
+       (n * slip.total) * normal_gradient -
+       outer_product(n, normal_gradient * slip.total));
+    if (state.grips[node] == Grip::slip)
+      {
+        const FrictionLaw::Slip limited = law.slip(t, -lambda);
+        t          = limited.traction + (lambda - exact) * limited.per_pressure;
+        derivative = limited.per_trial * derivative +
+                     outer_product(limited.per_pressure, epsilon * n);
+      }
+    result.value += t;
+    result.stiffness -= derivative;
+    return result;
+  }
+
+
+  double
+  ContactInteraction::friction_work(const State &before,
+                                    const State &after,
+                                    const Loads &loads) const
+  {
+    double work = 0;
+    if (loads.friction && !loads.rolling)
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (slips(after, loads, n) && before.grips[n] != Grip::none)
+            // each column of both masses adds up to a quarter
+            work -= cell.geometry.weight / 4 *
+                    (contact_traction(mesh, after, loads, n).friction *
+                     (loads.foundation->present(after.stick_points[n]) -
+                      loads.foundation->present(before.stick_points[n])));
+    return Utilities::MPI::sum(work, mesh.communicator);
+  }
+
+
+  namespace
+  {
+    /** The mean of a function of the nodal pressures, weighted by the forces
+     * that they carry; zero if there are none. */
+    template <typename Function>
+    double
+    mean_by_force(const ShellMesh &mesh,
+                  const State     &state,
+                  const Function  &function)
+    {
+      double force = 0, integral = 0;
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (state.active[n])
+            {
+              const double pressure = state.contact_pressure(n);
+              const double part     = cell.geometry.weight / 4 * pressure;
+              force += part;
+              integral += part * function(pressure);
+            }
+      force    = Utilities::MPI::sum(force, mesh.communicator);
+      integral = Utilities::MPI::sum(integral, mesh.communicator);
+      return force > 0 ? integral / force : 0.;
+    }
+  } // namespace
+
+
+  ContactSummary
+  ContactInteraction::summarize(const State &state, const Loads &loads) const
+  {
+    double force = 0, area = 0, slipping_area = 0, max_pressure = 0;
+    if (loads.foundation)
+      {
+        const Tensor<1, 3> d = loads.foundation->direction();
+        for (const Cell &cell : mesh.cells)
+          for (const unsigned int n : cell.nodes)
+            if (state.active[n])
+              {
+                // each column of both masses adds up to a quarter
+                area += cell.geometry.weight / 4;
+                if (slips(state, loads, n))
+                  slipping_area += cell.geometry.weight / 4;
+                force -= cell.geometry.weight / 4 *
+                         (contact_traction(mesh, state, loads, n).total * d);
+              }
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (mesh.nodes[n].locally_owned)
+            max_pressure = std::max(max_pressure, state.contact_pressure(n));
+      }
+
+    const MPI_Comm communicator = mesh.communicator;
+    ContactSummary summary;
+    summary.force         = Utilities::MPI::sum(force, communicator);
+    summary.area          = Utilities::MPI::sum(area, communicator);
+    summary.slipping_area = Utilities::MPI::sum(slipping_area, communicator);
+    summary.n_nodes       = count_active(state);
+    summary.n_slipping    = count_slipping(state, loads);
+    summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
+    if (summary.n_nodes > 0)
+      {
+        const double mean =
+          mean_by_force(mesh, state, [](const double p) { return p; });
+        const double square = mean_by_force(
+          mesh, state, [&](const double p) { return (p - mean) * (p - mean); });
+        summary.weighted_pressure = mean;
+        if (mean > 0)
+          summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;
+      }
+    return summary;
+  }
+} // namespace Biface

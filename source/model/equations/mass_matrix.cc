@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <biface/element/element_mass.h>
+#include <biface/model/equations/mass_matrix.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  MassMatrix::MassMatrix(const ShellMesh &mesh)
+    : mesh(mesh), matrix(mesh, mesh.constraints)
+  {
+    LA::Vector nothing = mesh.owned_vector();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        matrix.add(c, cell_mass(cell), MixedElement::NodalVector(), nothing);
+        for (const auto &row : mesh.strips[cell.strip].laminate.mass_moments())
+          for (const double moment : row)
+            total_mass += cell.geometry.weight * moment;
+      }
+    matrix.compress();
+    total_mass = Utilities::MPI::sum(total_mass, mesh.communicator);
+  }
+
+
+  MixedElement::NodalMatrix
+  MassMatrix::cell_mass(const Cell &cell) const
+  {
+    return element_mass(cell.geometry,
+                        mesh.strips[cell.strip].laminate.mass_moments());
+  }
+
+
+  void
+  MassMatrix::vmult(LA::Vector &product, const LA::Vector &v) const
+  {
+    matrix.get().vmult(product, v);
+    mesh.constraints.set_zero(product);
+  }
+
+
+  LA::Vector
+  MassMatrix::inertia(const LA::Vector &V) const
+  {
+    LA::Vector inertia = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
+      {
+        const auto                v = mesh.cell_values(V, cell);
+        const auto                M = cell_mass(cell);
+        MixedElement::NodalVector force;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            force[i] += M[i][j] * v[j];
+        mesh.add_nodal_forces(cell, force, inertia);
+      }
+    inertia.compress(VectorOperation::add);
+    return inertia;
+  }
+} // namespace Biface

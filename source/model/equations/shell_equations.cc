@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <biface/model/contact/contact_forces.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/centrifugal_forces.h>
+#include <biface/model/forces/edge_moments.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ForceTerms
+  make_force_terms(const ShellMesh          &mesh,
+                   const ContactInteraction &contact,
+                   const DeadLoads          &dead_loads,
+                   const PressureLoad       &pressure)
+  {
+    ForceTerms terms;
+    terms.push_back(
+      std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
+    terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
+    terms.push_back(
+      std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
+    terms.push_back(std::make_unique<CentrifugalForces>(mesh));
+    terms.push_back(std::make_unique<ContactForces>(contact));
+    return terms;
+  }
+
+
+  ShellEquations::ShellEquations(const ShellMesh &mesh, ForceTerms other_terms)
+    : mesh(mesh)
+    , internal(mesh)
+    , other_terms(std::move(other_terms))
+    , terms{&internal}
+    , constraints(mesh.constraints)
+    , rhs(mesh.owned_vector())
+  {
+    for (const bool linearized : {true, false})
+      {
+        for (const auto &term : this->other_terms)
+          if (term->is_linearized() == linearized)
+            terms.push_back(term.get());
+        if (linearized)
+          n_linearized = terms.size();
+      }
+  }
+
+
+  void
+  ShellEquations::add_forces(const unsigned int     begin,
+                             const unsigned int     end,
+                             const unsigned int     c,
+                             const State           &state,
+                             const Loads           &loads,
+                             ForceTerm::CellForces &forces) const
+  {
+    const Cell &cell = mesh.cells[c];
+    const auto  add  = [&](const unsigned int               begin,
+                         const unsigned int               end,
+                         const State                     &state,
+                         const MixedElement::NodalVector &V) {
+      for (unsigned int t = begin; t < end; ++t)
+        if (terms[t]->acts_on(c, state, loads))
+          terms[t]->add({c, cell, V, state, loads}, forces);
+    };
+
+    const auto  V    = mesh.cell_values(state.displacement, cell);
+    const auto &base = internal.linearization_point();
+    if (base && begin < n_linearized)
+      {
+        const auto V_0 = mesh.cell_values(base->displacement, cell);
+        const auto dV  = V - V_0;
+        add(std::max(begin, 1u), end, *base, V_0);
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            forces.force[i] -= forces.tangent[i][j] * dV[j];
+        // the first term: the internal forces
+        if (begin == 0)
+          internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
+        forces.square = forces.force.norm_square();
+      }
+    else
+      add(begin, end, state, V);
+  }
+
+
+  void
+  ShellEquations::sum_forces(const unsigned int     c,
+                             const State           &state,
+                             const Loads           &loads,
+                             ForceTerm::CellForces &forces) const
+  {
+    forces.clear();
+    add_forces(0, n_linearized, c, state, loads, forces);
+    add_forces(n_linearized, terms.size(), c, state, loads, forces);
+  }
+
+
+  void
+  ShellEquations::assemble(const State &state, const Loads &loads)
+  {
+    update_constraints(state, loads);
+    if (!matrix)
+      matrix = std::make_unique<TangentMatrix>(mesh, constraints);
+    matrix->clear();
+    rhs = 0;
+
+    LA::Vector load = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+    LA::Vector constant = mesh.owned_vector();
+    internal.add_constant_forces(constant);
+    mesh.condense(constant);
+
+    double                square = 0;
+    ForceTerm::CellForces forces;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        sum_forces(c, state, loads, forces);
+        square += forces.square;
+        matrix->add(c, forces.tangent, forces.force, rhs);
+        if (forces.load.norm_square() > 0)
+          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
+      }
+    matrix->compress();
+    rhs.compress(VectorOperation::add);
+    load.compress(VectorOperation::add);
+    mesh.condense(load);
+
+    rhs += load;
+    rhs += constant;
+    force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+                            load.norm_sqr() + constant.norm_sqr());
+  }
+
+
+  ShellEquations::Balance
+  ShellEquations::balance(const State &state, const Loads &loads) const
+  {
+    LA::Vector load = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+    LA::Vector constant = mesh.owned_vector();
+    internal.add_constant_forces(constant);
+
+    LA::Vector sum = load;
+    sum += constant;
+    double                square = 0;
+    ForceTerm::CellForces forces;
+    forces.with_tangent = internal.linearization_point().has_value();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        sum_forces(c, state, loads, forces);
+        square += forces.square;
+        mesh.add_nodal_forces(mesh.cells[c], forces.force + forces.load, sum);
+        if (forces.load.norm_square() > 0)
+          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
+      }
+    sum.compress(VectorOperation::add);
+    load.compress(VectorOperation::add);
+    for (LA::Vector *part : {&sum, &load, &constant})
+      mesh.condense(*part);
+    return {sum,
+            std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+                      load.norm_sqr() + constant.norm_sqr())};
+  }
+
+
+  void
+  ShellEquations::assemble_residual(const State &state, const Loads &loads)
+  {
+    update_constraints(state, loads);
+    const Balance balance = this->balance(state, loads);
+    rhs                   = balance.sum;
+    force_scale           = balance.scale;
+  }
+
+
+  LA::Vector
+  ShellEquations::out_of_balance(const State &state, const Loads &loads) const
+  {
+    return balance(state, loads).sum;
+  }
+
+
+  void
+  ShellEquations::move_supports(State &state, const Loads &loads) const
+  {
+    LA::Vector displacement = owned_part(state.displacement);
+    mesh.constraints.distribute(displacement);
+    for (const PrescribedDisplacement &p : mesh.prescribed)
+      if (mesh.locally_owned.is_element(p.dof))
+        displacement(p.dof) += (loads.factor - loads.factor_of_shape) * p.value;
+    displacement.compress(VectorOperation::add);
+    state.displacement = displacement;
+  }
+
+
+  bool
+  ShellEquations::is_symmetric(const Loads &loads) const
+  {
+    return std::all_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
+      return term->is_symmetric(loads);
+    });
+  }
+
+
+  LA::Vector
+  ShellEquations::load_direction(const State     &state,
+                                 const Loads     &loads,
+                                 const LoadRates &rates) const
+  {
+    Assert(!internal.linearization_point(), ExcNotImplemented());
+    LA::Vector direction = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces(rates, direction);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        const auto  V    = mesh.cell_values(state.displacement, cell);
+        MixedElement::NodalVector force;
+        for (const ForceTerm *term : terms)
+          if (term->acts_on(c, state, loads))
+            term->add_load_derivative({c, cell, V, state, loads}, rates, force);
+        if (force.norm_square() > 0)
+          mesh.add_nodal_forces(cell, force, direction);
+      }
+    direction.compress(VectorOperation::add);
+    mesh.condense(direction);
+    return direction;
+  }
+
+
+  ShellEquations::Unbalance
+  ShellEquations::start_from_prestress(State &state, const Loads &loads)
+  {
+    Assert(!loads.foundation, ExcInternalError());
+    internal.take_as_prestress(state);
+    LA::Vector given = nodal_forces(state, loads)[ForceTerm::Source::loads];
+    internal.balance(given);
+
+    LA::Vector unbalanced = internal.unbalanced_forces();
+    Unbalance  result;
+    result.with_supports = unbalanced.l2_norm();
+    mesh.condense(unbalanced);
+    mesh.condense(given);
+    result.forces = unbalanced.l2_norm();
+    result.loads  = given.l2_norm();
+    return result;
+  }
+
+
+  NodalForces
+  ShellEquations::nodal_forces(const State &state, const Loads &loads) const
+  {
+    NodalForces result(mesh);
+    for (const ForceTerm *term : terms)
+      term->add_dead_forces({loads.pressure, loads.factor, 0},
+                            result[term->source()]);
+    internal.add_constant_forces(result[ForceTerm::Source::shell]);
+
+    ForceTerm::CellForces forces;
+    forces.with_tangent = internal.linearization_point().has_value();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (unsigned int t = 0; t < terms.size(); ++t)
+        {
+          forces.clear();
+          add_forces(t, t + 1, c, state, loads, forces);
+          const MixedElement::NodalVector force = forces.force + forces.load;
+          if (force.norm_square() > 0)
+            mesh.add_nodal_forces(
+              mesh.cells[c], force, result[terms[t]->source()]);
+        }
+    result.compress();
+    return result;
+  }
+
+
+  void
+  ShellEquations::update_constraints(const State &state, const Loads &loads)
+  {
+    double violation = 0;
+    for (const PrescribedDisplacement &p : mesh.prescribed)
+      {
+        double missing = (loads.factor - loads.factor_of_shape) * p.value -
+                         state.displacement(p.dof);
+        for (const auto &entry : *constraints.get_constraint_entries(p.dof))
+          missing += entry.second * state.displacement(entry.first);
+        constraints.set_inhomogeneity(p.dof, missing);
+        violation = std::max(violation, std::abs(missing));
+      }
+    largest_violation = Utilities::MPI::max(violation, mesh.communicator);
+  }
+
+
+  double
+  ShellEquations::relative_residual() const
+  {
+    const double norm = rhs.l2_norm();
+    if (norm == 0)
+      return 0;
+    // without any force, only prescribed displacements contribute
+    return force_scale == 0 ? 1. : norm / force_scale;
+  }
+
+
+  double
+  ShellEquations::relative_roundoff(const State &state) const
+  {
+    if (force_scale == 0)
+      return 0;
+    const Epetra_CrsMatrix &epetra = tangent().trilinos_matrix();
+    const Epetra_Vector     V      = at_columns(tangent(), state.displacement);
+    double                  square = 0;
+    for (int row = 0; row < epetra.NumMyRows(); ++row)
+      {
+        if (mesh.constraints.is_constrained(epetra.GRID(row)))
+          continue;
+        const double force = absolute_product(tangent(), row, V);
+        square += force * force;
+      }
+    return std::numeric_limits<double>::epsilon() *
+           std::sqrt(Utilities::MPI::sum(square, mesh.communicator)) /
+           force_scale;
+  }
+
+
+  void
+  ShellEquations::update(State                &state,
+                         const LA::Vector     &increment,
+                         const NewtonIteration iteration) const
+  {
+    const bool predicts =
+      iteration == NewtonIteration::mixed && !internal.linearization_point();
+    if (predicts)
+      {
+        LA::Vector ghosted_increment = mesh.ghosted_vector();
+        ghosted_increment            = increment;
+        internal.predict_resultants(state, ghosted_increment);
+      }
+
+    LA::Vector displacement = mesh.owned_vector();
+    displacement            = state.displacement;
+    displacement += increment;
+    state.displacement = displacement;
+
+    if (!predicts)
+      internal.settle_resultants(state);
+  }
+} // namespace Biface

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <array>
+#include <vector>
+
+#include <biface/model/equations/velocity_matrix.h>
+#include <biface/model/mesh/circumferential_slope.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using MassMoments = std::array<std::array<double, 2>, 2>;
+
+    void
+    add_gyroscopic(const ShellMesh           &mesh,
+                   const Cell                &cell,
+                   const MassMoments         &m,
+                   const double               angular_velocity,
+                   MixedElement::NodalMatrix &G)
+    {
+      const double factor = angular_velocity * cell.geometry.weight / 4;
+      for (unsigned int q = 0; q < 4; ++q)
+        for (const auto &[vertex, derivative] :
+             CircumferentialSlope(mesh, cell, q).parts())
+          for (unsigned int f = 0; f < 2; ++f)
+            for (unsigned int g = 0; g < 2; ++g)
+              {
+                const Tensor<2, 3> part = factor * m[f][g] * derivative;
+                MixedElement::add_stiffness(-part,
+                                            q,
+                                            MixedElement::face_sign[f],
+                                            vertex,
+                                            MixedElement::face_sign[g],
+                                            G);
+                MixedElement::add_stiffness(transpose(part),
+                                            vertex,
+                                            MixedElement::face_sign[f],
+                                            q,
+                                            MixedElement::face_sign[g],
+                                            G);
+              }
+    }
+
+
+    void
+    add_friction(const ContactInteraction  &contact,
+                 const State               &state,
+                 const Loads               &loads,
+                 const Cell                &cell,
+                 MixedElement::NodalMatrix &C)
+    {
+      for (unsigned int v = 0; v < 4; ++v)
+        {
+          const unsigned int node = cell.nodes[v];
+          if (!state.active[node])
+            continue;
+          const auto        &frame = contact.mesh.nodes[node].surface.frame;
+          const Tensor<2, 3> per_velocity =
+            contact.rolling_friction.traction(state, loads, node).per_velocity;
+          Tensor<2, 3> in_frame;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              in_frame[i][j] = -cell.geometry.weight / 4 *
+                               (frame[i] * (per_velocity * frame[j]));
+          const double sign = cell.sign_of_outer_face(v);
+          MixedElement::add_stiffness(in_frame, v, sign, v, sign, C);
+        }
+    }
+  } // namespace
+
+
+  VelocityMatrix::VelocityMatrix(const ContactInteraction &contact,
+                                 const State              &state,
+                                 const Loads              &loads)
+    : mesh(contact.mesh), matrix(mesh, mesh.constraints)
+  {
+    Assert(loads.rolling, ExcNotInitialized());
+    const double angular_velocity = loads.rolling->angular_velocity;
+
+    std::vector<MassMoments> mass_moments;
+    for (const Strip &strip : mesh.strips)
+      mass_moments.push_back(strip.laminate.mass_moments());
+
+    LA::Vector nothing = mesh.owned_vector();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell               &cell = mesh.cells[c];
+        MixedElement::NodalMatrix velocity_matrix{};
+        add_gyroscopic(mesh,
+                       cell,
+                       mass_moments[cell.strip],
+                       angular_velocity,
+                       velocity_matrix);
+        if (loads.foundation && loads.friction)
+          add_friction(contact, state, loads, cell, velocity_matrix);
+        matrix.add(c, velocity_matrix, MixedElement::NodalVector(), nothing);
+      }
+    matrix.compress();
+  }
+
+
+  void
+  VelocityMatrix::vmult(LA::Vector &product, const LA::Vector &v) const
+  {
+    matrix.get().vmult(product, v);
+    mesh.constraints.set_zero(product);
+  }
+
+
+  void
+  VelocityMatrix::Tvmult(LA::Vector &product, const LA::Vector &v) const
+  {
+    matrix.get().Tvmult(product, v);
+    mesh.constraints.set_zero(product);
+  }
+} // namespace Biface

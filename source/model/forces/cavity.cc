@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/element/follower_pressure.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/model/forces/cavity.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  Cavity::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    add_optional_number(
+      prm,
+      "Cavity volume",
+      volume,
+      "computed",
+      "Volume that the gas fills in the undeformed shell. 'computed', for a "
+      "surface of revolution: between the face under pressure, the cylinder "
+      "of 'Rim radius', and planes orthogonal to the axis or through it. Only "
+      "the part that is modeled counts. Unit: length^3.");
+    add_optional_number(
+      prm,
+      "Rim radius",
+      rim_radius,
+      "edges",
+      "Radius of the cylinder that closes the cavity of a surface of "
+      "revolution toward the axis; 0 for a vessel without a rim. 'edges': the "
+      "smallest radius of the face under pressure at the edges of alpha_1. "
+      "Unit: length.");
+  }
+
+
+  void
+  Cavity::Parameters::check(const bool has_axis) const
+  {
+    if (volume)
+      check_positive("Gas/Cavity volume", *volume);
+    else if (!has_axis)
+      throw InputError("Gas/Cavity volume",
+                       "computed",
+                       "it must be a number unless the shell is a surface of "
+                       "revolution");
+    if (rim_radius)
+      check_not_negative("Gas/Rim radius", *rim_radius);
+  }
+
+
+  Cavity::Cavity(const ShellMesh       &mesh,
+                 const Parameters      &parameters,
+                 const Resultants::Face face)
+    : mesh(mesh)
+    , face(face)
+    , axis(mesh.get_surface().axis())
+    , rim_radius(parameters.rim_radius ? *parameters.rim_radius
+                                       : radius_of_edges())
+  {
+    double sampled = 0, exact = 0;
+    for (const Cell &cell : mesh.cells)
+      {
+        sampled += flux(cell, MixedElement::NodalVector());
+        exact += exact_flux(cell);
+      }
+    exact    = Utilities::MPI::sum(exact, mesh.communicator);
+    constant = parameters.volume.value_or(exact) -
+               Utilities::MPI::sum(sampled, mesh.communicator);
+    if (!parameters.volume && !(exact > 0))
+      throw InputError("Gas/Cavity volume",
+                       "computed",
+                       "the face under pressure encloses the volume " +
+                         number_to_string(exact) +
+                         ", which must be positive; give the volume or the "
+                         "'Rim radius'");
+  }
+
+
+  double
+  Cavity::volume(const State &state) const
+  {
+    double sum = 0;
+    for (const Cell &cell : mesh.cells)
+      sum += flux(cell, mesh.cell_values(state.displacement, cell));
+    return Utilities::MPI::sum(sum, mesh.communicator) + constant;
+  }
+
+
+  LA::Vector
+  Cavity::volume_gradient(const State &state) const
+  {
+    LA::Vector gradient = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
+      {
+        MixedElement::NodalVector of_cell;
+        flux(cell, mesh.cell_values(state.displacement, cell), &of_cell);
+        mesh.add_nodal_forces(cell, of_cell, gradient);
+      }
+    gradient.compress(VectorOperation::add);
+    return gradient;
+  }
+
+
+  std::pair<Tensor<1, 3>, Tensor<2, 3>>
+  Cavity::field(const Point<3> &x) const
+  {
+    if (axis.norm_square() == 0)
+      {
+        const Tensor<1, 3> e_z({0, 0, 1});
+        return {(x * e_z) * e_z, outer_product(e_z, e_z)};
+      }
+
+    Tensor<2, 3> gradient = unit_symmetric_tensor<3>();
+    // with s = r e_r: F = (1 - r_0^2/r^2) s/2
+    gradient -= outer_product(axis, axis);
+    const Tensor<1, 3> s     = gradient * x;
+    const double       part  = rim_radius * rim_radius / s.norm_square();
+    const double       scale = (rim_radius > 0 ? (1 - part) / 2 : 0.5);
+    gradient *= scale;
+    if (rim_radius > 0)
+      gradient += part / s.norm_square() * outer_product(s, s);
+    return {scale * s, gradient};
+  }
+
+
+  double
+  Cavity::flux(const Cell                      &cell,
+               const MixedElement::NodalVector &V,
+               MixedElement::NodalVector       *gradient) const
+  {
+    const FollowerPressure unit_pressure(cell.geometry, V, face);
+
+    double                    sum = 0;
+    MixedElement::NodalVector field_at_vertices;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const Tensor<2, 3> &axes    = cell.geometry.vertices[q].axes;
+        const SurfacePoint &surface = mesh.nodes[cell.nodes[q]].surface;
+        const auto [F, dF] =
+          field(surface.position + height(cell, q) * surface.frame[2] +
+                axes * MixedElement::face_displacement(V, q, face));
+        // the force of a unit pressure is the area vector
+        const Tensor<1, 3> area =
+          MixedElement::face_force(unit_pressure.force(), q, face);
+        const Tensor<1, 3> components = F * axes;
+        sum += components * area;
+        if (gradient)
+          {
+            MixedElement::add_face_force(
+              (axes * area) * dF * axes, q, face, *gradient);
+            for (unsigned int i = 0; i < 3; ++i)
+              field_at_vertices[MixedElement::dof(q, i, MixedElement::mean)] =
+                components[i];
+          }
+      }
+    if (gradient)
+      {
+        MixedElement::NodalMatrix derivative;
+        for (auto &row : derivative)
+          row.fill(0);
+        unit_pressure.add_derivative(1, derivative);
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          if (field_at_vertices[i] != 0)
+            for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+              (*gradient)[j] += field_at_vertices[i] * derivative[i][j];
+      }
+    return sum;
+  }
+
+
+  double
+  Cavity::exact_flux(const Cell &cell) const
+  {
+    const QGauss<2> quadrature(5);
+    const Point<2>  first = mesh.nodes[cell.nodes[0]].alpha;
+    Tensor<1, 2>    size;
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        // independent of where a closed coordinate starts
+        const ElementGeometry::Vertex &vertex = cell.geometry.vertices[0];
+        size[a]                               = 1 / (std::abs(vertex.slope[a]) *
+                       mesh.nodes[cell.nodes[0]].surface.lame[a]);
+      }
+
+    double sum = 0;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const Point<2> &xi = quadrature.point(q);
+        Point<2>        alpha;
+        for (unsigned int a = 0; a < 2; ++a)
+          alpha[a] = first[a] + xi[a] * size[a];
+        const SurfacePoint at = mesh.get_surface().evaluate(alpha);
+
+        // bilinear between the vertices
+        const std::array<double, 4> heights{
+          {height(cell, 0), height(cell, 1), height(cell, 2), height(cell, 3)}};
+        const double delta =
+          (1 - xi[1]) * ((1 - xi[0]) * heights[0] + xi[0] * heights[1]) +
+          xi[1] * ((1 - xi[0]) * heights[2] + xi[0] * heights[3]);
+        const std::array<double, 2> slope{
+          {((1 - xi[1]) * (heights[1] - heights[0]) +
+            xi[1] * (heights[3] - heights[2])) /
+             size[0],
+           ((1 - xi[0]) * (heights[2] - heights[0]) +
+            xi[0] * (heights[3] - heights[1])) /
+             size[1]}};
+        std::array<Tensor<1, 3>, 2> tangents;
+        for (unsigned int a = 0; a < 2; ++a)
+          tangents[a] =
+            at.lame[a] * (1 + at.curvature[a] * delta) * at.frame[a] +
+            slope[a] * at.frame[2];
+        sum += quadrature.weight(q) * size[0] * size[1] *
+               (field(at.position + delta * at.frame[2]).first *
+                cross_product_3d(tangents[0], tangents[1]));
+      }
+    return face == Resultants::inner ? sum : -sum;
+  }
+
+
+  double
+  Cavity::height(const Cell &cell, const unsigned int vertex) const
+  {
+    return mesh.strips[cell.strip].at_lines[vertex & 1].face_heights()[face];
+  }
+
+
+  double
+  Cavity::radius_of_edges() const
+  {
+    double radius = std::numeric_limits<double>::max();
+    for (const BoundarySegment &side : mesh.boundary)
+      if (side.edge == Edge::alpha_1_min || side.edge == Edge::alpha_1_max)
+        {
+          const Cell         &cell    = mesh.cells[side.cell];
+          const SurfacePoint &surface = mesh.nodes[side.nodes[0]].surface;
+          const Tensor<1, 3>  x =
+            surface.position +
+            height(cell, side.vertices[0]) * surface.frame[2];
+          radius = std::min(radius, (x - (x * axis) * axis).norm());
+        }
+    radius = Utilities::MPI::min(radius, mesh.communicator);
+    return axis.norm_square() == 0 ||
+               radius == std::numeric_limits<double>::max()
+             ? 0.
+             : radius;
+  }
+} // namespace Biface

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/edge_moments.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  DeadLoads::add_parameters(ParameterHandler &prm)
+  {
+    const std::string form =
+      "three components, optionally followed by the face ('inner', 'outer', "
+      "or by default 'middle') and by 'local' for components in the frame "
+      "e_1, e_2, e_3 instead of x, y, z. ";
+
+    add_parsed(prm,
+               "Loads/",
+               "Point forces",
+               "",
+               point_forces,
+               parse_point_forces,
+               "Forces at named points: a comma-separated list of 'name: ' "
+               "and " +
+                 form + "Unit: force.");
+    add_parsed(prm,
+               "Loads/",
+               "Edge forces",
+               "",
+               edge_forces,
+               parse_edge_forces,
+               "Forces along edges: a comma-separated list of 'alpha_1 min: "
+               "' (or alpha_1 max, alpha_2 min, alpha_2 max) and " +
+                 form +
+                 "Instead of a face, 'ply N' has it act in the middle of ply "
+                 "N, counted from the inner face. Unit: force per length of "
+                 "the edge on the reference surface, or, with 'true length' at "
+                 "the end, at the height where the force acts.");
+    add_parsed(prm,
+               "Loads/",
+               "Edge moments",
+               "",
+               edge_moments,
+               parse_edge_moments,
+               "Moments along edges: a comma-separated list of 'alpha_1 min: "
+               "M dead' or 'alpha_1 min: M follower' (likewise for the other "
+               "edges). A positive moment pushes the outer face outward "
+               "beyond the edge. 'dead' is a couple of forces on the faces "
+               "with constant directions; 'follower' does work on the angle "
+               "by which the line between the faces rotates about the edge. "
+               "Unit: force (moment per length of the edge on the reference "
+               "surface).");
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      add_parsed(
+        prm,
+        "Loads/",
+        face == Resultants::inner ? "Inner traction" : "Outer traction",
+        "",
+        tractions[face],
+        parse_traction,
+        "A force on the face: three formulas, separated by semicolons, for "
+        "the components x, y, z, or, followed by '; local', in the frame "
+        "e_1, e_2, e_3. The variables are those of 'Pressure distribution'. "
+        "Empty for none. Unit: force/area, see 'Area of face loads'.");
+    prm.add_parameter("Area force",
+                      area_force,
+                      "A force on the whole shell, such as its weight: "
+                      "components x, y, z. Unit: force per area of the "
+                      "middle surface (halfway between the faces).");
+  }
+
+
+  namespace
+  {
+    /** Parse three components, the face, 'local'.
+     * @param text of the whole item.
+     * @param form what is allowed. */
+    DeadForce
+    parse_force(const std::string              &entry,
+                const std::string              &text,
+                const std::vector<std::string> &words,
+                const std::string              &form)
+    {
+      if (words.size() < 3)
+        throw InputError(entry, text, form);
+      DeadForce force;
+      for (unsigned int i = 0; i < 3; ++i)
+        force.components[i] = parse_number(entry, words[i], form);
+      for (unsigned int i = 3; i < words.size(); ++i)
+        if (words[i] == "inner")
+          force.faces = {{1, 0}};
+        else if (words[i] == "outer")
+          force.faces = {{0, 1}};
+        else if (words[i] == "local")
+          force.local = true;
+        else if (words[i] != "middle")
+          throw InputError(entry, text, form);
+      return force;
+    }
+  } // namespace
+
+
+  std::vector<PointForce>
+  parse_point_forces(const std::string &entry, const std::string &text)
+  {
+    std::vector<PointForce> forces;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const std::string form =
+          "each force must have the form 'name: F_1 F_2 F_3', optionally "
+          "followed by 'inner', 'outer' or 'middle' and by 'local'";
+        const auto named = split_named(entry, item, form);
+        forces.push_back(
+          {named.first,
+           parse_force(entry, item, split_words(named.second), form)});
+      }
+    return forces;
+  }
+
+
+  std::vector<EdgeForce>
+  parse_edge_forces(const std::string &entry, const std::string &text)
+  {
+    std::vector<EdgeForce> forces;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const std::string form =
+          "each force must have the form 'edge: F_1 F_2 F_3', optionally "
+          "followed by 'inner', 'outer', 'middle' or 'ply N', by 'local' and "
+          "by 'true length'";
+        const auto               named = split_named(entry, item, form);
+        std::vector<std::string> words = split_words(named.second);
+        EdgeForce                force;
+        force.text = item;
+        force.edge = parse_edge(entry, item, named.first);
+
+        const auto length = std::find(words.begin(), words.end(), "length");
+        if (length != words.end())
+          {
+            if (length == words.begin() || length[-1] != "true")
+              throw InputError(entry, item, form);
+            force.true_length = true;
+            words.erase(length - 1, length + 1);
+          }
+        const auto ply = std::find(words.begin(), words.end(), "ply");
+        if (ply != words.end())
+          {
+            const double n =
+              (ply + 1 == words.end() ? 0. : parse_number(entry, ply[1], form));
+            if (!(n >= 1 && n <= 1000 && n == std::floor(n)))
+              throw InputError(entry, item, form);
+            force.ply = static_cast<unsigned int>(n);
+            words.erase(ply, ply + 2);
+            for (const char *face : {"middle", "inner", "outer"})
+              if (std::find(words.begin(), words.end(), face) != words.end())
+                throw InputError(entry, item, form);
+          }
+        force.force = parse_force(entry, item, words, form);
+        forces.push_back(force);
+      }
+    return forces;
+  }
+
+
+  Traction
+  parse_traction(const std::string &entry, const std::string &text)
+  {
+    std::vector<std::string> formulas = split_list(entry, text, ';');
+    Traction                 traction;
+    if (formulas.empty())
+      return traction;
+    traction.local = (formulas.size() == 4 && formulas[3] == "local");
+    if (traction.local)
+      formulas.pop_back();
+    if (formulas.size() != 3)
+      throw InputError(entry,
+                       text,
+                       "it must consist of three formulas, separated by "
+                       "semicolons, optionally followed by '; local'");
+    for (const std::string &formula : formulas)
+      traction.components.push_back(parse_position_formula(entry, formula));
+    return traction;
+  }
+
+
+  namespace
+  {
+    /** Add a fraction of a force to the nodal forces. */
+    void
+    add_nodal_force(const Node      &node,
+                    const DeadForce &force,
+                    const double     share,
+                    LA::Vector      &nodal_forces)
+    {
+      const Tensor<1, 3> f =
+        (force.local ? force.components
+                     : node.surface.to_frame(force.components));
+      const double inner = share * force.faces[Resultants::inner];
+      const double outer = share * force.faces[Resultants::outer];
+      for (unsigned int i = 0; i < 3; ++i)
+        nodal_forces.add(std::vector<types::global_dof_index>(
+                           {node.dof(i, MixedElement::mean),
+                            node.dof(i, MixedElement::half_difference)}),
+                         std::vector<double>(
+                           {(outer + inner) * f[i], (outer - inner) * f[i]}));
+    }
+
+
+    /** Add a force along an edge. Throws InputError where its ply does not
+     * reach the edge. */
+    void
+    add_edge_force(const ShellMesh &mesh,
+                   const EdgeForce &force,
+                   LA::Vector      &nodal_forces)
+    {
+      // the coordinate that changes along the edge
+      const unsigned int along =
+        (force.edge == Edge::alpha_1_min || force.edge == Edge::alpha_1_max
+           ? 1
+           : 0);
+      unsigned int n_loaded = 0;
+      for (const BoundarySegment &segment : mesh.boundary)
+        if (segment.edge == force.edge)
+          for (unsigned int k = 0; k < 2; ++k)
+            {
+              const Node     &node = mesh.nodes[segment.nodes[k]];
+              const Laminate &laminate =
+                mesh.strips[mesh.cells[segment.cell].strip]
+                  .at_lines[segment.vertices[k] % 2];
+              const std::array<double, 2> heights   = laminate.face_heights();
+              const double                thickness = heights[1] - heights[0];
+
+              // where the force acts, as a fraction of the thickness
+              double    part   = force.force.faces[1];
+              DeadForce shared = force.force;
+              if (force.ply > 0)
+                {
+                  double below = 0;
+                  bool   found = false;
+                  for (const Ply &ply : laminate.get_plies())
+                    {
+                      found = (ply.number + 1 == force.ply);
+                      below += ply.thickness * (found ? 0.5 : 1.);
+                      if (found)
+                        break;
+                    }
+                  if (!found)
+                    continue;
+                  part         = below / thickness;
+                  shared.faces = {{1 - part, part}};
+                }
+              ++n_loaded;
+              const double height = heights[0] + part * thickness;
+              const double stretch =
+                (force.true_length ? 1 + node.surface.curvature[along] * height
+                                   : 1.);
+              add_nodal_force(
+                node, shared, stretch * segment.length / 2, nodal_forces);
+            }
+      if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
+        throw InputError(
+          "Loads/Edge forces", force.text, "there is no such ply on this edge");
+    }
+
+
+    /** Add a force per area of the middle surface. */
+    void
+    add_area_force(const ShellMesh &mesh,
+                   const DeadForce &force,
+                   LA::Vector      &nodal_forces)
+    {
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          add_nodal_force(
+            mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
+    }
+
+
+    /** Add a force per area of a face that depends on the position. */
+    void
+    add_traction(const ShellMesh       &mesh,
+                 const Resultants::Face face,
+                 const Traction        &traction,
+                 const AreaMeasure      area,
+                 LA::Vector            &nodal_forces)
+    {
+      const auto values = evaluate_at_nodes(traction.components, mesh);
+      DeadForce  force;
+      force.local       = traction.local;
+      force.faces       = {{0, 0}};
+      force.faces[face] = 1;
+      for (const Cell &cell : mesh.cells)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            for (unsigned int i = 0; i < 3; ++i)
+              force.components[i] = values[cell.nodes[v]][i];
+            add_nodal_force(mesh.nodes[cell.nodes[v]],
+                            force,
+                            vertex_area(cell, v, area, face),
+                            nodal_forces);
+          }
+    }
+  } // namespace
+
+
+  LA::Vector
+  DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
+  {
+    LA::Vector nodal_forces = mesh.owned_vector();
+
+    for (const PointForce &item : point_forces)
+      {
+        const unsigned int n =
+          node_of_point(mesh, "Loads/Point forces", item.point);
+        if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
+          add_nodal_force(mesh.nodes[n], item.force, 1, nodal_forces);
+      }
+
+    for (const EdgeForce &item : edge_forces)
+      add_edge_force(mesh, item, nodal_forces);
+
+    for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
+      {
+        const Cell  &cell = mesh.cells[moment.cell];
+        Tensor<1, 3> director;
+        director[2] = cell.geometry.vertices[moment.vertex].thickness;
+        const FollowerCouple      couple(moment.moment, moment.axis, director);
+        MixedElement::NodalVector force;
+        for (const auto face : {Resultants::inner, Resultants::outer})
+          MixedElement::add_face_force(MixedElement::face_sign[face] *
+                                         couple.force,
+                                       moment.vertex,
+                                       face,
+                                       force);
+        mesh.add_nodal_forces(cell, force, nodal_forces);
+      }
+
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      if (!tractions[face].components.empty())
+        add_traction(mesh, face, tractions[face], area, nodal_forces);
+
+    if (area_force.norm() > 0)
+      {
+        DeadForce weight;
+        weight.components = area_force;
+        add_area_force(mesh, weight, nodal_forces);
+      }
+
+    nodal_forces.compress(VectorOperation::add);
+    return nodal_forces;
+  }
+} // namespace Biface

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <biface/model/forces/internal_forces.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  InternalForces::InternalForces(const ShellMesh &mesh)
+    : mesh(mesh), symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
+  {
+    for (const Strip &strip : mesh.strips)
+      {
+        stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
+        cords.emplace_back(strip.laminate.cord_points(), mesh.sampling);
+      }
+    history.initial_strains.resize(mesh.cells.size());
+    history.initial_resultants = resultants_of_laminate();
+  }
+
+
+  std::vector<Modes::Vector>
+  InternalForces::resultants_of_laminate() const
+  {
+    std::vector<Modes::Vector> of_strips;
+    for (const Strip &strip : mesh.strips)
+      of_strips.push_back(Modes::constant(strip.laminate.initial_resultants()));
+    std::vector<Modes::Vector> resultants;
+    for (const Cell &cell : mesh.cells)
+      resultants.push_back(of_strips[cell.strip]);
+
+    const auto          &given = mesh.layup.get_initial_resultants();
+    std::vector<Formula> formulas;
+    for (const InitialResultant &resultant : given)
+      formulas.push_back(resultant.value);
+    const auto values = evaluate_at_nodes(formulas, mesh);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        std::array<Resultants::Vector, 4> at_vertices;
+        for (unsigned int v = 0; v < 4; ++v)
+          for (unsigned int r = 0; r < given.size(); ++r)
+            at_vertices[v][given[r].index] += values[mesh.cells[c].nodes[v]][r];
+        resultants[c] += Modes::from_vertices(at_vertices);
+      }
+    return resultants;
+  }
+
+
+  void
+  InternalForces::add(const CellState &at, CellForces &forces) const
+  {
+    const MixedElement  element(at.cell.geometry, at.V);
+    const Modes::Vector E = element.strain();
+    if (forces.with_tangent)
+      {
+        const auto &predicted = at.state.predicted_strains;
+        add_tangent(
+          element, at, predicted.empty() ? E : predicted[at.index], forces);
+      }
+    const MixedElement::NodalVector force = element.internal_force(
+      resultants_of(at.index, E), history.initial_resultants[at.index]);
+    forces.force -= force;
+    forces.square += force.norm_square();
+  }
+
+
+  void
+  InternalForces::add_linearized(const CellState                 &at,
+                                 const MixedElement::NodalVector &dV,
+                                 CellForces                      &forces) const
+  {
+    const MixedElement element(at.cell.geometry, at.V);
+    Modes::Vector      E = element.strain();
+    Modes::Vector      H = resultants_of(at.index, E);
+    if (!cords_of(at.cell).empty())
+      {
+        const Modes::Vector dE = element.strain_variation(dV);
+        E += dE;
+        // the product with the taut tangent below contains the second term
+        H = resultants_of(at.index, E) - stiffness_of(at.cell).resultants(dE);
+      }
+    if (forces.with_tangent)
+      add_tangent(element, at, E, forces);
+    forces.force -=
+      element.internal_force(H, history.initial_resultants[at.index]);
+    forces.force -= taut_tangent_product(at, dV);
+  }
+
+
+  Modes::Vector
+  InternalForces::resultants_of(const unsigned int   c,
+                                const Modes::Vector &E) const
+  {
+    const Cell         &cell = mesh.cells[c];
+    const Modes::Vector H    = stiffness_of(cell).resultants(E);
+    const SlackCords   &cord = cords_of(cell);
+    if (cord.empty())
+      return H;
+    const Modes::Vector &E_0 = history.initial_strains[c];
+    return H - (cord.resultants(E_0 + E) - cord.resultants(E_0));
+  }
+
+
+  double
+  InternalForces::energy_of(const unsigned int c, const Modes::Vector &E) const
+  {
+    const Cell  &cell = mesh.cells[c];
+    const double taut =
+      Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2;
+    const SlackCords &cord = cords_of(cell);
+    if (cord.empty())
+      return taut;
+    const Modes::Vector &E_0 = history.initial_strains[c];
+    return taut - (cord.energy(E_0 + E) - cord.energy(E_0) -
+                   Modes::mean_product(cord.resultants(E_0), E));
+  }
+
+
+  void
+  InternalForces::add_tangent(const MixedElement  &element,
+                              const CellState     &at,
+                              const Modes::Vector &E,
+                              CellForces          &forces) const
+  {
+    const Modes::Vector H = total_resultants(at.state, at.index);
+    if (cords_of(at.cell).empty())
+      {
+        element.add_tangent(stiffness_of(at.cell), H, forces.tangent);
+        return;
+      }
+    const SlackStiffness slack =
+      cords_of(at.cell).stiffness(history.initial_strains[at.index] + E);
+    element.add_tangent(stiffness_of(at.cell), H, forces.tangent, &slack);
+  }
+
+
+  LA::Vector
+  InternalForces::forces_of(const std::vector<Modes::Vector> &resultants) const
+  {
+    LA::Vector forces = mesh.owned_vector();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const MixedElement undeformed(mesh.cells[c].geometry,
+                                      MixedElement::NodalVector());
+        mesh.add_nodal_forces(
+          mesh.cells[c],
+          undeformed.internal_force(resultants[c], Modes::Vector()),
+          forces);
+      }
+    forces.compress(VectorOperation::add);
+    return forces;
+  }
+
+
+  LA::Vector
+  InternalForces::unlisted_forces() const
+  {
+    LA::Vector forces = forces_of(history.initial_resultants);
+    add_constant_forces(forces);
+    return forces;
+  }
+
+
+  LA::Vector
+  InternalForces::unbalanced_forces() const
+  {
+    const std::vector<Modes::Vector> given = resultants_of_laminate();
+    std::vector<Modes::Vector>       since = history.initial_resultants;
+    for (unsigned int c = 0; c < since.size(); ++c)
+      since[c] -= given[c];
+    LA::Vector forces = forces_of(since);
+    add_constant_forces(forces);
+    return forces;
+  }
+
+
+  void
+  InternalForces::add_constant_forces(LA::Vector &nodal_forces) const
+  {
+    if (history.balancing_forces.size() > 0)
+      nodal_forces.add(1, history.balancing_forces);
+  }
+
+
+  MixedElement::NodalVector
+  InternalForces::taut_tangent_product(
+    const CellState &at, const MixedElement::NodalVector &dV) const
+  {
+    return MixedElement(at.cell.geometry, at.V)
+      .tangent_product(
+        stiffness_of(at.cell), total_resultants(at.state, at.index), dV);
+  }
+
+
+  void
+  InternalForces::set_theory(const StrainTheory theory, const State &state)
+  {
+    if (theory == StrainTheory::linear)
+      history.linearization_point = state;
+    else
+      history.linearization_point.reset();
+  }
+
+
+  State
+  InternalForces::in_shape_of_tangent(const State &state) const
+  {
+    State result = state;
+    if (!history.linearization_point)
+      return result;
+    result.displacement = history.linearization_point->displacement;
+    result.predicted_strains.clear();
+    if (mesh.layup.has_slack_cords())
+      for (const Cell &cell : mesh.cells)
+        result.predicted_strains.push_back(strains(state, cell));
+    return result;
+  }
+
+
+  void
+  InternalForces::take_as_prestress(State &state)
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        history.initial_resultants[c] += state.resultants[c];
+        history.initial_strains[c] = total_strains(state, c);
+      }
+    state = State(mesh);
+    history.linearization_point.reset();
+  }
+
+
+  void
+  InternalForces::balance(const LA::Vector &loads)
+  {
+    history.balancing_forces = loads;
+    history.balancing_forces *= -1;
+  }
+
+
+  Modes::Vector
+  InternalForces::strains(const State &state, const Cell &cell) const
+  {
+    const auto V = mesh.cell_values(state.displacement, cell);
+    if (!history.linearization_point)
+      return MixedElement(cell.geometry, V).strain();
+
+    const auto V_0 =
+      mesh.cell_values(history.linearization_point->displacement, cell);
+    const MixedElement element(cell.geometry, V_0);
+    return element.strain() + element.strain_variation(V - V_0);
+  }
+
+
+  Modes::Vector
+  InternalForces::total_strains(const State &state, const unsigned int c) const
+  {
+    return strains(state, mesh.cells[c]) + history.initial_strains[c];
+  }
+
+
+  void
+  InternalForces::settle_resultants(State &state) const
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      state.resultants[c] = resultants_of(c, strains(state, mesh.cells[c]));
+    state.predicted_strains.clear();
+  }
+
+
+  void
+  InternalForces::predict_resultants(State            &state,
+                                     const LA::Vector &increment) const
+  {
+    if (mesh.layup.has_slack_cords())
+      state.predicted_strains.resize(mesh.cells.size());
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell        &cell = mesh.cells[c];
+        const MixedElement element(cell.geometry,
+                                   mesh.cell_values(state.displacement, cell));
+        const auto         dV = mesh.cell_values(increment, cell);
+        Modes::Vector      E  = element.strain() + element.strain_variation(dV);
+        state.resultants[c]   = resultants_of(c, E);
+        if (mesh.sampling == StrainSampling::vertices)
+          {
+            const Modes::Vector H         = total_resultants(state, c);
+            const Modes::Vector hourglass = element.hourglass_strain(dV);
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                const unsigned int inner =
+                  Resultants::tangential(a, Resultants::inner);
+                const unsigned int outer =
+                  Resultants::tangential(a, Resultants::outer);
+                if (H[inner] + H[outer] < 0)
+                  for (const unsigned int i : {inner, outer})
+                    E[i] += hourglass[i];
+              }
+            state.resultants[c] = resultants_of(c, E);
+          }
+        if (!state.predicted_strains.empty())
+          state.predicted_strains[c] = E;
+      }
+  }
+
+
+  std::array<double, Modes::n_gauss_points>
+  InternalForces::slack_fractions(const State       &state,
+                                  const unsigned int c) const
+  {
+    const SlackCords &cord = cords_of(mesh.cells[c]);
+    if (cord.empty())
+      return {};
+    auto fractions = cord.slack_thickness(total_strains(state, c));
+    for (double &fraction : fractions)
+      fraction /= cord.thickness();
+    return fractions;
+  }
+
+
+  double
+  InternalForces::slack_fraction(const State &state) const
+  {
+    double slack = 0, all = 0;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell  &cell   = mesh.cells[c];
+        const double volume = cell.geometry.weight * cords_of(cell).thickness();
+        for (const double fraction : slack_fractions(state, c))
+          slack += volume * fraction / Modes::n_gauss_points;
+        all += volume;
+      }
+    slack = Utilities::MPI::sum(slack, mesh.communicator);
+    all   = Utilities::MPI::sum(all, mesh.communicator);
+    return all > 0 ? slack / all : 0.;
+  }
+
+
+  double
+  InternalForces::strain_energy(const unsigned int               c,
+                                const MixedElement::NodalVector &V) const
+  {
+    const Cell         &cell = mesh.cells[c];
+    const MixedElement  element(cell.geometry, V);
+    const Modes::Vector E = element.strain();
+    return cell.geometry.weight *
+           (energy_of(c, E) + Modes::mean_product(history.initial_resultants[c],
+                                                  element.nonlinear_strain()));
+  }
+
+
+  double
+  InternalForces::strain_energy(const State &state) const
+  {
+    double     energy = 0;
+    CellForces forces;
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const Cell &cell = mesh.cells[c];
+        const auto  V    = mesh.cell_values(state.displacement, cell);
+        if (!history.linearization_point)
+          {
+            energy += strain_energy(c, V);
+            continue;
+          }
+
+        const State    &base = *history.linearization_point;
+        const auto      V_0  = mesh.cell_values(base.displacement, cell);
+        const auto      dV   = V - V_0;
+        const Loads     none;
+        const CellState at{c, cell, V_0, base, none};
+        forces.clear();
+        add(at, forces);
+        energy += strain_energy(c, V_0) - forces.force * dV +
+                  taut_tangent_product(at, dV) * dV / 2;
+        if (cords_of(cell).empty())
+          continue;
+        // the energy is quadratic but for the cords that go slack
+        const MixedElement  element(cell.geometry, V_0);
+        const Modes::Vector E    = element.strain();
+        const Modes::Vector dE   = element.strain_variation(dV);
+        const auto          taut = [&](const Modes::Vector &E) {
+          return stiffness_of(cell).resultants(E);
+        };
+        energy +=
+          cell.geometry.weight * (energy_of(c, E + dE) - energy_of(c, E) -
+                                  Modes::mean_product(resultants_of(c, E), dE) -
+                                  Modes::mean_product(taut(dE), dE) / 2);
+      }
+    return Utilities::MPI::sum(energy, mesh.communicator);
+  }
+} // namespace Biface

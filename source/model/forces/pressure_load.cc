@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/input/parameter_tools.h>
+#include <biface/model/forces/pressure_load.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  PressureLoad::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Pressure type",
+               kind,
+               {"dead", "follower"},
+               "The type of the pressure of the stages: 'dead' (it keeps its "
+               "initial direction and acts on the undeformed area, see 'Area "
+               "of face loads') or 'follower' (true pressure on the deformed "
+               "face; the tangent is not symmetric).");
+    add_choice(prm,
+               "Pressure face",
+               face,
+               {"inner", "outer"},
+               "The face on which the pressure of the stages acts. Positive "
+               "pressure pushes the face toward the shell.");
+    add_parsed(prm,
+               "Loads/",
+               "Pressure distribution",
+               "1",
+               distribution,
+               parse_position_formula,
+               "Factor of the pressure of the stages: a formula of the "
+               "position x, y, z on the undeformed reference surface, and of "
+               "alpha_1, alpha_2 as in 'Mesh'. No unit.");
+    add_choice(prm,
+               "Area of face loads",
+               area,
+               {"middle", "face"},
+               "The undeformed area to which dead pressure and tractions "
+               "refer: 'middle' (the middle surface, halfway between the "
+               "faces, as in the paper) or 'face' (the true area of the "
+               "face).");
+  }
+
+
+  std::vector<double>
+  PressureLoad::values(const ShellMesh &mesh) const
+  {
+    std::vector<double> result;
+    for (const auto &value : evaluate_at_nodes({distribution}, mesh))
+      result.push_back(value[0]);
+    return result;
+  }
+
+
+  double
+  vertex_area(const Cell        &cell,
+              const unsigned int vertex,
+              const AreaMeasure  area,
+              const unsigned int face)
+  {
+    const double middle = cell.geometry.weight / 4;
+    return area == AreaMeasure::middle
+             ? middle
+             : middle / cell.geometry.vertices[vertex].metric.area_ratio(face);
+  }
+
+
+  LA::Vector
+  PressureLoad::assemble_dead(const ShellMesh &mesh) const
+  {
+    const std::vector<double> p            = values(mesh);
+    LA::Vector                nodal_forces = mesh.owned_vector();
+    for (const Cell &cell : mesh.cells)
+      {
+        std::array<double, 4> p_v;
+        for (unsigned int v = 0; v < 4; ++v)
+          p_v[v] = p[cell.nodes[v]];
+
+        MixedElement::NodalVector force;
+        if (area == AreaMeasure::face)
+          force = FollowerPressure(
+                    cell.geometry, MixedElement::NodalVector(), face, p_v)
+                    .force();
+        else
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              Tensor<1, 3> normal_force;
+              normal_force[2] = (face == Resultants::inner ? 1 : -1) * p_v[v] *
+                                vertex_area(cell, v, area, face);
+              MixedElement::add_face_force(normal_force, v, face, force);
+            }
+        mesh.add_nodal_forces(cell, force, nodal_forces);
+      }
+    nodal_forces.compress(VectorOperation::add);
+    return nodal_forces;
+  }
+
+
+  PressureForces::PressureForces(const ShellMesh    &mesh,
+                                 const PressureLoad &pressure)
+    : kind(pressure.kind)
+    , face(pressure.face)
+    , distribution(pressure.values(mesh))
+  {
+    if (kind == PressureKind::dead)
+      at_unit_pressure = pressure.assemble_dead(mesh);
+  }
+
+
+  FollowerPressure
+  PressureForces::unit_pressure(const CellState &at) const
+  {
+    std::array<double, 4> pressure;
+    for (unsigned int v = 0; v < 4; ++v)
+      pressure[v] = distribution[at.cell.nodes[v]];
+    return FollowerPressure(at.cell.geometry, at.V, face, pressure);
+  }
+
+
+  void
+  PressureForces::add(const CellState &at, CellForces &forces) const
+  {
+    const FollowerPressure unit = unit_pressure(at);
+    forces.load += at.loads.pressure * unit.force();
+    unit.add_derivative(-at.loads.pressure, forces.tangent);
+  }
+
+
+  void
+  PressureForces::add_load_derivative(const CellState           &at,
+                                      const LoadRates           &rates,
+                                      MixedElement::NodalVector &force) const
+  {
+    force += rates.pressure * unit_pressure(at).force();
+  }
+
+
+  void
+  PressureForces::add_dead_forces(const LoadRates &loads,
+                                  LA::Vector      &nodal_forces) const
+  {
+    if (kind == PressureKind::dead)
+      nodal_forces.add(loads.pressure, at_unit_pressure);
+  }
+} // namespace Biface

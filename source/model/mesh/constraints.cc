@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/model/mesh/constraints.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/shell_mesh.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_unknowns = 6;
+
+    /** Relative size of what remains of an equation that follows from others.
+     */
+    constexpr double roundoff = 1e-10;
+
+
+    /** A linear equation for the unknowns of a node. */
+    struct Equation
+    {
+      Tensor<1, n_unknowns> coefficients;
+      double                value;
+    };
+
+
+    /** An equation for the displacements of the faces as one for the unknowns
+     * of a node, in the order of Node::dofs. */
+    Equation
+    for_unknowns(const SupportEquation &equation)
+    {
+      Equation result{{}, equation.value};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const double c = equation.coefficients[2 * i + face];
+            result.coefficients[MixedElement::dof(0, i, MixedElement::mean)] +=
+              c;
+            result.coefficients[MixedElement::dof(
+              0, i, MixedElement::half_difference)] +=
+              MixedElement::face_sign[face] * c;
+          }
+      return result;
+    }
+
+
+    /** The equations of all supports at a node. */
+    class NodalEquations
+    {
+    public:
+      /** Add an equation unless it follows from the others. @return whether it
+       * is consistent with them. */
+      bool
+      add(const SupportEquation &equation)
+      {
+        Equation     remainder = for_unknowns(equation);
+        const double norm      = remainder.coefficients.norm();
+        double       scale     = std::abs(remainder.value);
+        // twice, since the first pass leaves round-off of what it removes
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          for (const Equation &other : orthonormal)
+            {
+              const double part = remainder.coefficients * other.coefficients;
+              remainder.coefficients -= part * other.coefficients;
+              remainder.value -= part * other.value;
+              scale = std::max(scale, std::abs(part * other.value));
+            }
+        const double left = remainder.coefficients.norm();
+        if (left <= roundoff * norm)
+          return std::abs(remainder.value) <= roundoff * scale;
+
+        orthonormal.push_back(
+          {remainder.coefficients / left, remainder.value / left});
+        independent.push_back(equation);
+        return true;
+      }
+
+      const std::vector<SupportEquation> &
+      equations() const
+      {
+        return independent;
+      }
+
+      /** The equations solved for one unknown each: its coefficient is 1 and
+       * vanishes in the others. @return with the positions of the unknowns. */
+      std::vector<std::pair<unsigned int, Equation>>
+      solved() const
+      {
+        std::vector<Equation> rows;
+        for (const SupportEquation &equation : independent)
+          rows.push_back(for_unknowns(equation));
+
+        std::vector<std::pair<unsigned int, Equation>> result;
+        while (!rows.empty())
+          {
+            // of equal coefficients up to round-off, the last one
+            auto         pivot_row = rows.begin();
+            unsigned int pivot     = 0;
+            double       maximum   = 0;
+            for (auto row = rows.begin(); row != rows.end(); ++row)
+              for (unsigned int i = n_unknowns; i-- > 0;)
+                if (std::abs(row->coefficients[i]) > (1 + roundoff) * maximum)
+                  {
+                    maximum   = std::abs(row->coefficients[i]);
+                    pivot_row = row;
+                    pivot     = i;
+                  }
+            Equation solution = *pivot_row;
+            rows.erase(pivot_row);
+            const double factor = solution.coefficients[pivot];
+            solution.coefficients /= factor;
+            solution.value /= factor;
+
+            const auto eliminate = [&](Equation &row) {
+              const double part = row.coefficients[pivot];
+              row.coefficients -= part * solution.coefficients;
+              row.value -= part * solution.value;
+              row.coefficients[pivot] = 0;
+            };
+            for (Equation &row : rows)
+              eliminate(row);
+            for (auto &other : result)
+              eliminate(other.second);
+            result.emplace_back(pivot, solution);
+          }
+        return result;
+      }
+
+    private:
+      std::vector<SupportEquation> independent;
+      /** The same equations, orthonormal. */
+      std::vector<Equation> orthonormal;
+    };
+
+
+    SupportEquation
+    equation_of(const SupportCondition &condition,
+                const SurfacePoint     &point,
+                const Tensor<1, 3>     &axis,
+                const unsigned int      body,
+                const double            share)
+    {
+      const Tensor<1, 3> unit = direction(condition.component, point, axis);
+      SupportEquation    equation{{}, condition.value, body, share};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int face = 0; face < 2; ++face)
+          equation.coefficients[2 * i + face] =
+            condition.coefficients[face] * unit[i];
+      return equation;
+    }
+
+
+    /** Throw InputError if the surface has no such components. */
+    void
+    check_components(const std::string                   &entry,
+                     const std::vector<SupportCondition> &conditions,
+                     const ReferenceSurface              &surface)
+    {
+      for (const SupportCondition &condition : conditions)
+        check_component(entry, condition.component, surface);
+    }
+
+
+    /** The nodes of cyclic edges: those on the edge alpha_2 min by those on
+     * alpha_2 max with the same displacements. */
+    std::map<unsigned int, unsigned int>
+    cyclic_pairs(const ShellMesh &mesh)
+    {
+      std::map<unsigned int, unsigned int> by_line, pairs;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.grid.on_edge(mesh.nodes[n].grid_index, Edge::alpha_2_min))
+          by_line[mesh.nodes[n].grid_index[0]] = n;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.grid.on_edge(mesh.nodes[n].grid_index, Edge::alpha_2_max))
+          {
+            const auto first = by_line.find(mesh.nodes[n].grid_index[0]);
+            if (first != by_line.end())
+              pairs[n] = first->second;
+          }
+      return pairs;
+    }
+  } // namespace
+
+
+  void
+  make_constraints(const Supports                      &supports,
+                   const ShellMesh                     &mesh,
+                   AffineConstraints<double>           &constraints,
+                   std::vector<PrescribedDisplacement> &prescribed,
+                   SupportedNodes                      &supported)
+  {
+    const ReferenceSurface                &surface = mesh.get_surface();
+    const Tensor<1, 3>                     axis    = surface.axis();
+    std::map<unsigned int, NodalEquations> equations;
+    bool                                   contradiction = false;
+    std::map<unsigned int, unsigned int>   first_of;
+    std::set<unsigned int>                 is_first;
+    if (supports.is_cyclic())
+      first_of = cyclic_pairs(mesh);
+    for (const auto &pair : first_of)
+      is_first.insert(pair.second);
+    const auto add = [&](const unsigned int                   node,
+                         const std::vector<SupportCondition> &conditions,
+                         const bool                           both_sides) {
+      const auto   pair   = first_of.find(node);
+      const bool   paired = pair != first_of.end();
+      const double share  = (!both_sides ? (paired ? 0. : 1.) : 0.5);
+      for (const SupportCondition &condition : conditions)
+        if (!equations[paired ? pair->second : node].add(
+              equation_of(condition,
+                          mesh.nodes[node].surface,
+                          axis,
+                          supported.bodies.size() - 1,
+                          share)))
+          contradiction = true;
+    };
+
+    supported = SupportedNodes();
+    for (const auto &item : supports.points)
+      {
+        check_components("Supports/Point supports", item.conditions, surface);
+        supported.bodies.push_back("point " + item.point);
+        const unsigned int node =
+          node_of_point(mesh, "Supports/Point supports", item.point);
+        if (node != numbers::invalid_unsigned_int)
+          add(node, item.conditions, false);
+      }
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      if (!supports.edges[edge].empty())
+        {
+          check_components(
+            "Supports/" + edge_names[edge], supports.edges[edge], surface);
+          supported.bodies.push_back(edge_names[edge]);
+          for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+            if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
+                                  static_cast<Edge>(edge)))
+              add(n,
+                  supports.edges[edge],
+                  first_of.count(n) > 0 || is_first.count(n) > 0);
+        }
+    if (supports.is_cyclic())
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          supported.cyclic_bodies[i] = supported.bodies.size();
+          supported.bodies.push_back(edge_names[2 + i]);
+        }
+    std::map<unsigned int, unsigned int> second_of;
+    for (const auto &pair : first_of)
+      {
+        second_of[pair.second] = pair.first;
+        equations[pair.second];
+      }
+    if (Utilities::MPI::logical_or(contradiction, mesh.communicator))
+      throw InputError("the section 'Supports' prescribes contradictory "
+                       "values of a displacement.");
+
+    constraints.reinit(mesh.locally_relevant);
+    prescribed.clear();
+    for (const auto &item : equations)
+      {
+        const Node        &node   = mesh.nodes[item.first];
+        const auto         second = second_of.find(item.first);
+        const unsigned int partner =
+          (second != second_of.end() ? second->second
+                                     : numbers::invalid_unsigned_int);
+        supported.items.push_back(
+          {item.first, partner, item.second.equations()});
+
+        std::array<double, n_unknowns> values{};
+        for (const auto &row : item.second.solved())
+          {
+            values[row.first] = row.second.value;
+            const auto dof    = node.dofs[row.first];
+            constraints.add_line(dof);
+            for (unsigned int i = 0; i < n_unknowns; ++i)
+              if (i != row.first &&
+                  std::abs(row.second.coefficients[i]) > roundoff)
+                constraints.add_entry(
+                  dof, node.dofs[i], -row.second.coefficients[i]);
+            if (row.second.value != 0)
+              prescribed.push_back({dof, row.second.value});
+          }
+        if (partner != numbers::invalid_unsigned_int)
+          for (unsigned int i = 0; i < n_unknowns; ++i)
+            {
+              const auto dof = mesh.nodes[partner].dofs[i];
+              constraints.add_line(dof);
+              constraints.add_entry(dof, node.dofs[i], 1);
+              if (values[i] != 0)
+                prescribed.push_back({dof, values[i]});
+            }
+      }
+    constraints.close();
+  }
+} // namespace Biface

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <map>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/chart_grid.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::array<double, 2> inner_only{{1, 0}};
+    const std::array<double, 2> outer_only{{0, 1}};
+    const std::array<double, 2> middle{{0.5, 0.5}};
+    const std::array<double, 2> difference{{-1, 1}};
+
+
+    std::string
+    join(const std::vector<std::string> &words)
+    {
+      std::string text;
+      for (const std::string &word : words)
+        text += (text.empty() ? "" : ", ") + word;
+      return text;
+    }
+  } // namespace
+
+
+  void
+  Supports::add_parameters(ParameterHandler &prm)
+  {
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      add_parsed(
+        prm,
+        "Supports/",
+        edge_names[edge],
+        "free",
+        edges[edge],
+        [this, edge](const std::string &entry, const std::string &text) {
+          cyclic[edge] = (edge / 2 == 1 && text == "cyclic");
+          return cyclic[edge] ? std::vector<SupportCondition>()
+                              : parse_support(entry, text, edge / 2);
+        },
+        "Support of the edge " + edge_names[edge] +
+          ": 'free', 'fixed', 'hinged' (the middle surface), 'hinged inner', "
+          "'hinged outer', 'symmetry' (no displacement normal to the edge), " +
+          (edge / 2 == 1
+             ? "'cyclic' (both edges of alpha_2: the same displacements in the "
+               "frames of both, for shells that repeat along alpha_2), "
+             : "") +
+          "or a list, separated by semicolons, of 'COMPONENT FACE' or "
+          "'COMPONENT FACE = value'. COMPONENT is one of v_1, v_2, v_3 (in "
+          "the frame of the coordinate lines), x, y, z, and, for a surface of "
+          "revolution, radial, axial (along y), circumferential (along "
+          "alpha_2), in the undeformed shell; FACE is one of inner, outer, "
+          "both, middle, difference (outer minus inner). Values are multiplied "
+          "by the load factor. A closed coordinate has no edges; leave them "
+          "'free'. Unit: length.");
+    add_parsed(prm,
+               "Supports/",
+               "Point supports",
+               "",
+               points,
+               parse_point_supports,
+               "Supports of named points: a comma-separated list of 'name: "
+               "support', with supports as for edges.");
+  }
+
+
+  std::vector<SupportCondition>
+  parse_support(const std::string &entry,
+                const std::string &text,
+                const unsigned int across)
+  {
+    const auto all_components = [](const std::array<double, 2> &c) {
+      return std::vector<SupportCondition>{
+        {Component::v_1, c, 0}, {Component::v_2, c, 0}, {Component::v_3, c, 0}};
+    };
+    const auto both = [](std::vector<SupportCondition> conditions) {
+      const unsigned int n = conditions.size();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          conditions.push_back(conditions[i]);
+          conditions[i].coefficients     = inner_only;
+          conditions.back().coefficients = outer_only;
+        }
+      return conditions;
+    };
+
+    if (text == "free")
+      return {};
+    if (text == "fixed")
+      return both(all_components(inner_only));
+    if (text == "hinged")
+      return all_components(middle);
+    if (text == "hinged inner")
+      return all_components(inner_only);
+    if (text == "hinged outer")
+      return all_components(outer_only);
+    if (text == "symmetry" && across < 3)
+      return both({{static_cast<Component>(across), inner_only, 0}});
+
+    const std::string form =
+      std::string("it must be 'free', 'fixed', 'hinged', 'hinged inner', "
+                  "'hinged outer'") +
+      (across < 3 ? ", 'symmetry'" : "") + (across == 1 ? ", 'cyclic'" : "") +
+      ", or a list like 'v_1 both; axial middle = 0.5' (components: " +
+      join(component_names()) +
+      "; faces: inner, outer, both, middle, difference)";
+
+    std::vector<SupportCondition> conditions;
+    for (const std::string &item : split_list(entry, text, ';'))
+      {
+        const auto                     equals = item.find('=');
+        const std::vector<std::string> words =
+          split_words(item.substr(0, equals));
+        const double value =
+          (equals == std::string::npos
+             ? 0.
+             : parse_number(entry, item.substr(equals + 1), form));
+        if (words.size() != 2)
+          throw InputError(entry, text, form);
+        const auto &names = component_names();
+        const auto  name  = std::find(names.begin(), names.end(), words[0]);
+        if (name == names.end())
+          throw InputError(entry, text, form);
+
+        SupportCondition condition{
+          static_cast<Component>(name - names.begin()), inner_only, value};
+        const std::map<std::string, std::array<double, 2>> faces{
+          {"inner", inner_only},
+          {"outer", outer_only},
+          {"middle", middle},
+          {"difference", difference}};
+        if (words[1] == "both")
+          for (const SupportCondition &c : both({condition}))
+            conditions.push_back(c);
+        else if (faces.count(words[1]))
+          {
+            condition.coefficients = faces.at(words[1]);
+            conditions.push_back(condition);
+          }
+        else
+          throw InputError(entry, text, form);
+      }
+    if (conditions.empty())
+      throw InputError(entry, text, form);
+    return conditions;
+  }
+
+
+  std::vector<PointSupport>
+  parse_point_supports(const std::string &entry, const std::string &text)
+  {
+    std::vector<PointSupport> supports;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto named = split_named(entry,
+                                       item,
+                                       "each support must have the form 'name: "
+                                       "support'");
+        supports.push_back(
+          {named.first, parse_support(entry, named.second, 3)});
+      }
+    return supports;
+  }
+
+
+  void
+  Supports::check() const
+  {
+    for (unsigned int edge = 2; edge < 4; ++edge)
+      if (cyclic[edge] && !cyclic[5 - edge])
+        throw InputError(
+          "Supports/" + edge_names[edge],
+          "cyclic",
+          "then the other edge of alpha_2 must be 'cyclic', too");
+  }
+
+
+  bool
+  Supports::prescribe() const
+  {
+    const auto prescribes = [](const std::vector<SupportCondition> &support) {
+      return std::any_of(
+        support.begin(), support.end(), [](const SupportCondition &condition) {
+          return condition.value != 0;
+        });
+    };
+    return std::any_of(edges.begin(), edges.end(), prescribes) ||
+           std::any_of(points.begin(), points.end(), [&](const auto &point) {
+             return prescribes(point.conditions);
+           });
+  }
+} // namespace Biface

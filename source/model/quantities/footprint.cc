@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <biface/base/gather.h>
+#include <biface/model/quantities/footprint.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A node of the outer face. */
+    struct FaceNode
+    {
+      Point<3> x;
+      /** Not negative. */
+      double clearance;
+      double pressure;
+      bool   active;
+    };
+
+
+    /** The nodes of all ranks by number, on the first rank. */
+    std::vector<FaceNode>
+    gather_nodes(const ShellMesh &mesh, const State &state, const Loads &loads)
+    {
+      constexpr unsigned int n_columns = 7;
+      std::vector<double>    values;
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].locally_owned)
+          {
+            const Node    &node = mesh.nodes[n];
+            const Point<3> x    = mesh.deformed_position(
+              state.displacement, node, Resultants::outer);
+            values.insert(values.end(),
+                          {static_cast<double>(node.number),
+                           x[0],
+                           x[1],
+                           x[2],
+                           std::max(0., loads.foundation->clearance(x)),
+                           state.contact_pressure(n),
+                           static_cast<double>(state.active[n])});
+          }
+      values = gather_numbers(mesh.communicator, values);
+
+      std::vector<FaceNode> nodes(values.size() / n_columns);
+      for (auto value = values.begin(); value != values.end();
+           value += n_columns)
+        nodes[static_cast<std::size_t>(value[0])] = {
+          Point<3>(value[1], value[2], value[3]),
+          value[4],
+          value[5],
+          value[6] > 0};
+      return nodes;
+    }
+
+
+    /** The number of cells that share a node. */
+    unsigned int
+    n_cells_around(const ChartGrid &grid, const std::size_t node_number)
+    {
+      const GridIndex node{
+        {static_cast<unsigned int>(node_number % grid.n_nodes(0)),
+         static_cast<unsigned int>(node_number / grid.n_nodes(0))}};
+      unsigned int n = 1;
+      for (unsigned int a = 0; a < 2; ++a)
+        if ((a == 1 && grid.closed) ||
+            (node[a] > 0 && node[a] + 1 < grid.n_nodes(a)))
+          n *= 2;
+      return n;
+    }
+
+
+    /** See Footprint::max_pressure; on the first rank. */
+    double
+    max_recovered_pressure(const ShellMesh     &mesh,
+                           const MultiplierMass mass,
+                           const State         &state,
+                           const std::size_t    n_nodes)
+    {
+      constexpr unsigned int n_columns = 3;
+      // the value at a vertex of the dual functions of the vertices, in one
+      // dimension
+      const bool   lumped = (mass == MultiplierMass::lumped);
+      const double same = (lumped ? 2 : 1), other = (lumped ? -1 : 0);
+
+      std::vector<double> values;
+      for (const Cell &cell : mesh.cells)
+        {
+          if (!std::all_of(
+                cell.nodes.begin(),
+                cell.nodes.end(),
+                [&](const unsigned int n) { return state.active[n]; }))
+            continue;
+          for (unsigned int r = 0; r < 4; ++r)
+            {
+              double pressure = 0;
+              for (unsigned int s = 0; s < 4; ++s)
+                pressure += ((r ^ s) & 1 ? other : same) *
+                            ((r ^ s) & 2 ? other : same) *
+                            state.contact_pressure(cell.nodes[s]);
+              values.insert(
+                values.end(),
+                {static_cast<double>(mesh.nodes[cell.nodes[r]].number),
+                 cell.geometry.weight,
+                 cell.geometry.weight * pressure});
+            }
+        }
+      values = gather_numbers(mesh.communicator, values);
+
+      // number of cells, area, and the integral of the pressure
+      std::vector<std::array<double, 3>> sums(n_nodes);
+      for (auto value = values.begin(); value != values.end();
+           value += n_columns)
+        {
+          auto &sum = sums[static_cast<std::size_t>(value[0])];
+          sum[0] += 1;
+          sum[1] += value[1];
+          sum[2] += value[2];
+        }
+      double maximum = 0;
+      for (std::size_t n = 0; n < n_nodes; ++n)
+        if (sums[n][0] > 0 && sums[n][0] == n_cells_around(mesh.grid, n))
+          maximum = std::max(maximum, sums[n][2] / sums[n][1]);
+      return maximum;
+    }
+
+
+    /** The nodes in their grid. */
+    class NodeGrid
+    {
+    public:
+      NodeGrid(const ChartGrid &grid, const std::vector<FaceNode> &nodes)
+        : grid(grid), nodes(nodes)
+      {}
+
+      /** The node some lines further along the coordinate @p a, or null beyond
+       * the shell. */
+      const FaceNode *
+      neighbor(const GridIndex &of, const unsigned int a, const int lines) const
+      {
+        const int n      = grid.n_nodes(a);
+        int       i      = static_cast<int>(of[a]) + lines;
+        GridIndex result = of;
+        if (a == 1 && grid.closed)
+          i = (i % n + n) % n;
+        if (i < 0 || i >= n)
+          return nullptr;
+        result[a] = i;
+        return &nodes[grid.node_number(result)];
+      }
+
+      /** The end of the part of a line that a node in contact covers.
+       * @param side -1 or 1 */
+      Point<3>
+      end_of_part(const GridIndex   &node,
+                  const unsigned int a,
+                  const int          side) const
+      {
+        const FaceNode &at     = *neighbor(node, a, 0);
+        const FaceNode *before = neighbor(node, a, -side);
+        const FaceNode *next   = neighbor(node, a, side);
+        const FaceNode *beyond = neighbor(node, a, 2 * side);
+        if (!next)
+          return at.x;
+        const Point<3> end = halfway(at.x, next->x);
+        // no clearances beyond, or a single node between nodes in contact
+        if (next->active || !beyond || beyond->active)
+          return end;
+
+        const double h_1 = at.x.distance(next->x),
+                     h_2 = next->x.distance(beyond->x),
+                     h_0 = (before ? at.x.distance(before->x) : h_1);
+        const double ratio =
+          1 + h_2 * (h_0 + 2 * h_1 + h_2) / (h_1 * (h_0 + h_1));
+        const double clearance =
+          next->clearance > 0 ? ratio * next->clearance /
+                                  std::max(next->clearance, beyond->clearance)
+                              : 0;
+        // a single node covers nothing at first, when the clearance is
+        // quadratic
+        double pressure = ratio * h_0 * h_1 / ((h_1 + h_2) * (h_1 + h_2));
+        if (before && before->pressure > 0)
+          pressure = at.pressure / before->pressure;
+        const double sum      = pressure + clearance;
+        const double fraction = (sum > 0 ? pressure / sum : 0.5);
+
+        const Point<3> begin = (before ? halfway(at.x, before->x) : at.x);
+        return begin + fraction * (end - begin);
+      }
+
+    private:
+      static Point<3>
+      halfway(const Point<3> &x, const Point<3> &y)
+      {
+        return x + (y - x) / 2;
+      }
+
+      const ChartGrid             &grid;
+      const std::vector<FaceNode> &nodes;
+    };
+
+
+    /** The minimum and the maximum of the numbers added. */
+    struct Range
+    {
+      double least   = std::numeric_limits<double>::infinity();
+      double largest = -std::numeric_limits<double>::infinity();
+
+      void
+      add(const double value)
+      {
+        least   = std::min(least, value);
+        largest = std::max(largest, value);
+      }
+
+      double
+      extent() const
+      {
+        return std::max(0., largest - least);
+      }
+    };
+
+
+    /** Length, width and area, on the first rank. */
+    Footprint
+    measure(const ChartGrid             &grid,
+            const std::vector<FaceNode> &nodes,
+            const Tensor<1, 3>          &direction)
+    {
+      // the projection of the y axis, of the z axis if the foundation travels
+      // along y
+      Tensor<1, 3> across = Tensor<1, 3>({0, 1, 0}) - direction[1] * direction;
+      if (across.norm() < 1e-6)
+        across = Tensor<1, 3>({0, 0, 1}) - direction[2] * direction;
+      across /= across.norm();
+      const Tensor<1, 3> along = cross_product_3d(across, direction);
+
+      const NodeGrid node_grid(grid, nodes);
+      Footprint      result;
+      Range          length, width;
+      GridIndex      index;
+      for (index[1] = 0; index[1] < grid.n_nodes(1); ++index[1])
+        for (index[0] = 0; index[0] < grid.n_nodes(0); ++index[0])
+          {
+            if (!node_grid.neighbor(index, 0, 0)->active)
+              continue;
+            std::array<Tensor<1, 3>, 2> parts;
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                const FaceNode    *before = node_grid.neighbor(index, a, -1);
+                const FaceNode    *next   = node_grid.neighbor(index, a, 1);
+                const FaceNode    *at     = node_grid.neighbor(index, a, 0);
+                const Tensor<1, 3> line =
+                  (next ? next : at)->x - (before ? before : at)->x;
+                std::array<Point<3>, 2> ends{
+                  {node_grid.end_of_part(index, a, -1),
+                   node_grid.end_of_part(index, a, 1)}};
+                if ((ends[1] - ends[0]) * line < 0)
+                  ends[0] = ends[1] = ends[0] + (ends[1] - ends[0]) / 2;
+                parts[a] = ends[1] - ends[0];
+
+                // lines across say nothing about the extent along; lines at
+                // less than 60 degrees to both directions count for both
+                const double least = 0.5 * line.norm();
+                for (const Point<3> &end : ends)
+                  {
+                    if (std::abs(line * along) >= least)
+                      length.add(end * along);
+                    if (std::abs(line * across) >= least)
+                      width.add(end * across);
+                  }
+              }
+            result.area += cross_product_3d(parts[0], parts[1]).norm();
+          }
+      result.length = length.extent();
+      result.width  = width.extent();
+      return result;
+    }
+  } // namespace
+
+
+  Footprint
+  find_footprint(const ContactInteraction &contact,
+                 const State              &state,
+                 const Loads              &loads)
+  {
+    Footprint result;
+    if (!loads.foundation || contact.count_active(state) == 0)
+      return result;
+
+    const ShellMesh &mesh         = contact.mesh;
+    const auto       nodes        = gather_nodes(mesh, state, loads);
+    const double     max_pressure = max_recovered_pressure(
+      mesh, contact.condition.mass(), state, nodes.size());
+    if (Utilities::MPI::this_mpi_process(mesh.communicator) == 0)
+      {
+        result = measure(mesh.grid, nodes, loads.foundation->direction());
+        result.max_pressure = max_pressure;
+        // no node has all its neighbors in contact
+        if (max_pressure == 0)
+          for (const FaceNode &node : nodes)
+            result.max_pressure = std::max(result.max_pressure, node.pressure);
+      }
+    const auto values = Utilities::MPI::broadcast(
+      mesh.communicator,
+      std::array<double, 4>{
+        {result.length, result.width, result.area, result.max_pressure}});
+    return {values[0], values[1], values[2], values[3]};
+  }
+} // namespace Biface

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+
+#include <biface/model/quantities/forces_on_shell.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** What follows the supports in bodies_on_shell(). */
+    enum Other
+    {
+      foundation,
+      loads_of_shell,
+      prestress,
+      interpolation,
+      n_others
+    };
+
+    /** By the face, in the frame of a node. */
+    using FaceForces = std::array<Tensor<1, 3>, 2>;
+
+
+    FaceForces
+    face_forces(const ShellMesh  &mesh,
+                const LA::Vector &nodal_forces,
+                const Node       &node)
+    {
+      return {{mesh.force_on_face(nodal_forces, node, 0),
+               mesh.force_on_face(nodal_forces, node, 1)}};
+    }
+
+
+    /** The forces of single equations of supports on a node. */
+    std::vector<FaceForces>
+    support_forces(const std::vector<SupportEquation> &equations,
+                   const FaceForces                   &total)
+    {
+      const unsigned int n           = equations.size();
+      const auto         coefficient = [&](const unsigned int k,
+                                   const unsigned int i,
+                                   const unsigned int face) {
+        return equations[k].coefficients[2 * i + face];
+      };
+
+      // a pair of nodes on cyclic edges without another support
+      if (n == 0)
+        return {};
+      FullMatrix<double> products(n, n);
+      Vector<double>     work(n), multipliers(n);
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          for (unsigned int l = 0; l < n; ++l)
+            products(k, l) =
+              equations[k].coefficients * equations[l].coefficients;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int face = 0; face < 2; ++face)
+              work(k) += coefficient(k, i, face) * total[face][i];
+        }
+      products.gauss_jordan();
+      products.vmult(multipliers, work);
+
+      std::vector<FaceForces> forces(n);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int face = 0; face < 2; ++face)
+            forces[k][face][i] = multipliers(k) * coefficient(k, i, face);
+      return forces;
+    }
+
+
+    struct SupportForce
+    {
+      unsigned int body;
+      unsigned int node;
+      FaceForces   forces;
+    };
+
+    FaceForces
+    scaled(const double factor, const FaceForces &forces)
+    {
+      return {{factor * forces[0], factor * forces[1]}};
+    }
+
+
+    FaceForces
+    sum(const FaceForces &a, const FaceForces &b)
+    {
+      return {{a[0] + b[0], a[1] + b[1]}};
+    }
+
+
+    /** The forces of the supports at a node, and at its partner, if the edges
+     * are cyclic: there, the forces of both in their frames are those of the
+     * supports, and what is opposite at the two is passed on to the next
+     * sector. */
+    std::vector<SupportForce>
+    support_forces(const ShellMesh            &mesh,
+                   const SupportedNodes::Item &item,
+                   const LA::Vector           &nodal_forces)
+    {
+      const bool       paired = item.partner != numbers::invalid_unsigned_int;
+      const FaceForces here =
+        face_forces(mesh, nodal_forces, mesh.nodes[item.node]);
+      FaceForces there{};
+      if (paired)
+        there = face_forces(mesh, nodal_forces, mesh.nodes[item.partner]);
+
+      std::vector<SupportForce> result;
+      FaceForces                rest = here, rest_there = there;
+      const auto held = support_forces(item.equations, sum(here, there));
+      for (unsigned int k = 0; k < held.size(); ++k)
+        {
+          const SupportEquation &equation = item.equations[k];
+          const double           share    = paired ? equation.share : 1.;
+          result.push_back({equation.body, item.node, scaled(share, held[k])});
+          rest = sum(rest, scaled(-share, held[k]));
+          if (paired)
+            {
+              result.push_back(
+                {equation.body, item.partner, scaled(1 - share, held[k])});
+              rest_there = sum(rest_there, scaled(share - 1, held[k]));
+            }
+        }
+      if (paired)
+        {
+          const FaceForces passed_on =
+            sum(scaled(0.5, rest), scaled(-0.5, rest_there));
+          result.push_back(
+            {mesh.supported.cyclic_bodies[0], item.node, passed_on});
+          result.push_back({mesh.supported.cyclic_bodies[1],
+                            item.partner,
+                            scaled(-1, passed_on)});
+        }
+      return result;
+    }
+
+
+    /** Adds nodal forces to the resultants of bodies. */
+    class Resultant
+    {
+    public:
+      /** @param displacement gives the positions of the faces. */
+      Resultant(const ShellMesh   &mesh,
+                const LA::Vector  &displacement,
+                const Point<3>    &center,
+                const unsigned int n_bodies)
+        : mesh(mesh)
+        , displacement(displacement)
+        , center(center)
+        , sums(6 * n_bodies)
+      {}
+
+      void
+      add(const unsigned int body,
+          const Node        &node,
+          const FaceForces  &forces,
+          const double       factor = 1)
+      {
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const Tensor<1, 3> force =
+              factor * node.surface.from_frame(forces[face]);
+            const Tensor<1, 3> moment = cross_product_3d(
+              mesh.deformed_position(displacement, node, face) - center, force);
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                sums[6 * body + i] += force[i];
+                sums[6 * body + 3 + i] += moment[i];
+              }
+          }
+      }
+
+      /** The sums on all ranks. */
+      std::vector<ForceOnShell>
+      on_all_ranks(const std::vector<std::string> &bodies)
+      {
+        Utilities::MPI::sum(sums, mesh.communicator, sums);
+        std::vector<ForceOnShell> result;
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          {
+            result.push_back({bodies[b], {}, {}});
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                result[b].force[i]  = sums[6 * b + i];
+                result[b].moment[i] = sums[6 * b + 3 + i];
+              }
+          }
+        return result;
+      }
+
+    private:
+      const ShellMesh    &mesh;
+      const LA::Vector   &displacement;
+      const Point<3>      center;
+      std::vector<double> sums;
+    };
+  } // namespace
+
+
+  namespace
+  {
+    /** The displacements of the shape in which the forces act. */
+    const LA::Vector &
+    shape_of_forces(const ShellEquations &equations, const State &state)
+    {
+      const auto &base = equations.internal_forces().linearization_point();
+      return base ? base->displacement : state.displacement;
+    }
+  } // namespace
+
+
+  ForceOnShell
+  force_of_foundation(const ShellEquations &equations,
+                      const State          &state,
+                      const NodalForces    &forces,
+                      const Point<3>       &center)
+  {
+    const ShellMesh  &mesh     = equations.mesh;
+    const LA::Vector &on_nodes = forces[ForceTerm::Source::foundation];
+    Resultant resultant(mesh, shape_of_forces(equations, state), center, 1);
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        resultant.add(0, node, face_forces(mesh, on_nodes, node));
+    return resultant.on_all_ranks({"foundation"})[0];
+  }
+
+
+  std::vector<std::string>
+  bodies_on_shell(const ShellMesh &mesh)
+  {
+    std::vector<std::string> bodies = mesh.supported.bodies;
+    for (const char *name :
+         {"foundation", "loads", "prestress", "interpolation"})
+      bodies.emplace_back(name);
+    return bodies;
+  }
+
+
+  std::vector<ForceOnShell>
+  forces_on_shell(const ShellEquations &equations,
+                  const State          &state,
+                  const NodalForces    &forces,
+                  const Point<3>       &center)
+  {
+    const ShellMesh               &mesh     = equations.mesh;
+    const InternalForces          &internal = equations.internal_forces();
+    const std::vector<std::string> bodies   = bodies_on_shell(mesh);
+    const unsigned int             n        = mesh.supported.bodies.size();
+
+    // by the body
+    std::array<LA::Vector, n_others> others;
+    others[foundation]     = forces[ForceTerm::Source::foundation];
+    others[loads_of_shell] = forces[ForceTerm::Source::loads];
+    others[interpolation]  = forces[ForceTerm::Source::shell];
+    others[prestress]      = internal.unlisted_forces();
+    others[interpolation] -= others[prestress];
+
+    Resultant resultant(
+      mesh, shape_of_forces(equations, state), center, n + n_others);
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        for (unsigned int b = 0; b < n_others; ++b)
+          resultant.add(n + b, node, face_forces(mesh, others[b], node));
+
+    // what is missing at the supports, which take up the prestress there
+    LA::Vector missing_here = mesh.owned_vector();
+    for (const Other b : {foundation, loads_of_shell, interpolation})
+      missing_here -= others[b];
+    LA::Vector missing = mesh.ghosted_vector(), initial = missing;
+    missing = missing_here;
+    initial = others[prestress];
+    for (const SupportedNodes::Item &item : mesh.supported.items)
+      if (mesh.nodes[item.node].locally_owned)
+        for (const auto &part : support_forces(mesh, item, missing))
+          resultant.add(part.body, mesh.nodes[part.node], part.forces);
+    for (const SupportedNodes::Item &item : mesh.supported.items)
+      if (mesh.nodes[item.node].locally_owned)
+        for (const auto &part : support_forces(mesh, item, initial))
+          resultant.add(n + prestress, mesh.nodes[part.node], part.forces, -1);
+    return resultant.on_all_ranks(bodies);
+  }
+} // namespace Biface

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/quantities/foundation_resultants.h>
+#include <biface/model/quantities/rolling_summary.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** See RollingSummary. */
+    Point<3>
+    contact_center(const RigidFoundation &ground)
+    {
+      // Newton's method; exact for a plane
+      constexpr unsigned int max_iterations = 20;
+      constexpr double       tolerance      = 1e-14;
+
+      Tensor<1, 3> down = ground.direction();
+      down[1]           = 0;
+      Point<3> center;
+      for (unsigned int i = 0; i < max_iterations; ++i)
+        {
+          const FoundationPoint at = ground.evaluate(center);
+          if (std::abs(at.clearance) <= tolerance * center.norm())
+            break;
+          center += at.clearance / (at.normal * down) * down;
+        }
+      return center;
+    }
+  } // namespace
+
+
+  RollingSummary
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &contact,
+                    const State              &state,
+                    const Loads              &loads,
+                    const NodalForces        &forces)
+  {
+    const RigidFoundation &ground  = *loads.foundation;
+    const Rolling         &rolling = *loads.rolling;
+    const GroundMotion    &motion  = rolling.ground;
+    const Point<3>         center  = contact_center(ground);
+    const WheelAxes        axes(ground.evaluate(center).normal);
+    const auto             in_axes = [&](const Tensor<1, 3> &v) {
+      return Tensor<1, 3>({axes.forward * v, axes.left * v, axes.up * v});
+    };
+
+    const ForceOnShell exerted =
+      force_of_foundation(equations, state, forces, center);
+
+    // each column of the mass adds up to a quarter
+    std::vector<double> powers(2);
+    const ShellMesh    &mesh = equations.mesh;
+    for (const Cell &cell : mesh.cells)
+      for (const unsigned int n : cell.nodes)
+        if (state.active[n])
+          {
+            const double area     = cell.geometry.weight / 4;
+            const auto   traction = contact_traction(mesh, state, loads, n);
+            const Tensor<1, 3> v =
+              contact.rolling_friction.relative_velocity(state, loads, n);
+            powers[0] -= area * (traction.friction * v);
+            powers[1] += area * ((traction.total - traction.friction) * v);
+          }
+    Utilities::MPI::sum(powers, mesh.communicator, powers);
+
+    RollingSummary result;
+    result.force       = in_axes(exerted.force);
+    result.moment      = in_axes(exerted.moment);
+    result.axle_moment = axle_moment(equations, state, loads).value;
+    result.rolling_radius =
+      (rolling.angular_velocity != 0
+         ? std::copysign(motion.velocity.norm(),
+                         -(motion.velocity * axes.forward)) /
+             rolling.angular_velocity
+         : std::numeric_limits<double>::quiet_NaN());
+    result.axle_power = result.axle_moment * rolling.angular_velocity;
+    result.ground_power =
+      exerted.force * motion.velocity +
+      (exerted.moment +
+       cross_product_3d(center - motion.point, exerted.force)) *
+        motion.spin;
+    result.friction_power = powers[0];
+    result.normal_power   = powers[1];
+    result.slip_velocities.resize(mesh.nodes.size());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (state.active[n])
+        result.slip_velocities[n] =
+          contact.rolling_friction.slip_velocity(state, loads, n);
+    result.mismatch =
+      result.axle_power + result.ground_power - result.friction_power;
+    if (mesh.layup.has_loss())
+      {
+        result.hysteresis       = find_hysteresis(equations, state);
+        result.hysteresis_power = Hysteresis::power(result.hysteresis->energy(),
+                                                    rolling.angular_velocity);
+        const double speed      = motion.velocity.norm();
+        result.rolling_resistance =
+          (speed > 0 ? result.hysteresis_power / speed
+                     : std::numeric_limits<double>::quiet_NaN());
+      }
+    return result;
+  }
+} // namespace Biface
