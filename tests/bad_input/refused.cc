@@ -1,41 +1,164 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Each file NAME.prm of this folder is refused with the exit code and the
-// sentence in NAME.expected, on any number of ranks; one process tries all.
+// Each command line of the table command_lines.txt, and each file NAME.prm of
+// this folder, is answered with the exit code and the sentence that it expects,
+// on any number of ranks; one process tries all.
 
 #include <algorithm>
+#include <iomanip>
 
 #include "../run_file.h"
 
 using namespace dealii;
 
+namespace
+{
+  struct Case
+  {
+    std::string name;
+    /** The arguments of the program, as typed in a shell. */
+    std::string arguments;
+    /** Exit code and message. */
+    std::string expected;
+  };
+
+
+  bool
+  starts_with(const std::string &line, const std::string &word)
+  {
+    return line.compare(0, word.size(), word) == 0;
+  }
+
+
+  /** A case from its lines: after @p arguments_key those of the program, after
+   * @p expected_key the answer, each continued by indented lines. */
+  Case
+  read_case(const std::string              &name,
+            const std::vector<std::string> &lines,
+            const std::string              &arguments_key,
+            const std::string              &expected_key)
+  {
+    Case         result{name, "", ""};
+    std::string *text = nullptr;
+    for (const std::string &line : lines)
+      if (starts_with(line, arguments_key))
+        *(text = &result.arguments) = line.substr(arguments_key.size());
+      else if (starts_with(line, expected_key))
+        *(text = &result.expected) = line.substr(expected_key.size());
+      else if (text != nullptr && starts_with(line, "  "))
+        *text += ' ' + Utilities::trim(line);
+      else
+        text = nullptr;
+    return result;
+  }
+
+
+  /** The rows of the table, whose first lines describe it. */
+  std::vector<Case>
+  read_table(const std::string &file)
+  {
+    std::vector<Case>        cases;
+    std::vector<std::string> row;
+    const auto               end_row = [&]() {
+      if (!row.empty())
+        cases.push_back(read_case(
+          row[0].substr(0, row[0].find(':')), row, "$ biface ", "-> "));
+      row.clear();
+    };
+    std::ifstream lines(file);
+    std::string   line;
+    while (std::getline(lines, line))
+      {
+        // a shell joins lines that end with a backslash
+        if (!line.empty() && line.back() == '\\')
+          line.pop_back();
+        if (line.empty() || line[0] == '#')
+          end_row();
+        else
+          row.push_back(starts_with(line, "  ") ? line.substr(2) : line);
+      }
+    end_row();
+    return cases;
+  }
+
+
+  /** The case of a parameter file, given by its comments. */
+  Case
+  read_file(const std::filesystem::path &file)
+  {
+    std::vector<std::string> comments;
+    std::ifstream            lines(file);
+    std::string              line;
+    while (std::getline(lines, line))
+      if (starts_with(line, "# "))
+        comments.push_back(line.substr(2));
+    Case result =
+      read_case(file.stem().string(), comments, "arguments: ", "expect: ");
+    result.arguments += ' ' + file.filename().string();
+    return result;
+  }
+
+
+  std::vector<std::string>
+  split(const std::string &arguments)
+  {
+    std::vector<std::string> words;
+    std::istringstream       stream(arguments);
+    std::string              word;
+    while (stream >> std::quoted(word))
+      words.push_back(word);
+    return words;
+  }
+
+
+  /** Exit code and message of each of the cases that differ from what is
+   * expected. */
+  std::string
+  differences(const std::vector<Case> &cases, const std::string &folder)
+  {
+    const std::string results = std::filesystem::absolute("results");
+    const std::string root    = ROOT_DIR "/";
+    const auto        start   = std::filesystem::current_path();
+    std::filesystem::current_path(folder);
+    std::string differences;
+    for (const Case &one : cases)
+      {
+        auto [code, message] =
+          run_command(split(one.arguments), results, MPI_COMM_WORLD);
+        message = Utilities::trim(
+          replace(replace(message, results, "results"), root, ""));
+        const std::string answer =
+          std::to_string(code) + (message.empty() ? "" : ' ' + message);
+        if (answer != one.expected)
+          differences += one.name + "\n  answer:   " + answer +
+                         "\n  expected: " + one.expected + '\n';
+      }
+    std::filesystem::current_path(start);
+    return differences;
+  }
+} // namespace
+
+
 int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool first_rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  std::vector<std::filesystem::path> files;
-  for (const auto &entry : std::filesystem::directory_iterator(BAD_INPUT_DIR))
+  const std::string folder = SOURCE_DIR;
+  const auto        table  = read_table(folder + "/command_lines.txt");
+  std::vector<Case> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".prm")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+      files.push_back(read_file(entry.path()));
+  std::sort(files.begin(), files.end(), [](const Case &a, const Case &b) {
+    return a.name < b.name;
+  });
 
-  unsigned int n_different = 0;
-  for (std::filesystem::path file : files)
-    {
-      const auto [code, message] = run_file(file.string(), MPI_COMM_WORLD);
-      const std::string answer =
-        "exit code: " + std::to_string(code) + '\n' + message;
-      std::ostringstream expected;
-      expected << std::ifstream(file.replace_extension("expected")).rdbuf();
-      if (first_rank && answer != expected.str())
-        {
-          std::cout << file.stem().string() << ": " << answer;
-          ++n_different;
-        }
-    }
-  if (first_rank)
-    std::cout << "files: " << (files.empty() ? "none" : "found")
-              << "\nanswered otherwise: " << n_different << std::endl;
+  const std::string found =
+    differences(table, ROOT_DIR) + differences(files, folder);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cout << "command lines: " << (table.empty() ? "none" : "tried")
+              << "\nfiles: " << (files.empty() ? "none" : "tried")
+              << "\ndifferent answers: " << (found.empty() ? "none" : found)
+              << std::endl;
 }
