@@ -508,8 +508,7 @@ def page(runs, fine, ccx_version):
         CalculiX takes {calculix['seconds'] / consistent['seconds']:.0f} times as
         much time as biface with consistent multipliers on the same mesh. Its
         quadratic bricks have nearly four times as many unknowns; each has eight
-        integration points in each of its four plies, and at all of them CalculiX
-        turns the stiffness of the ply anew in every iteration. It reaches each
+        integration points in each of its four plies, and at all of them CalculiX rotates the stiffness of the ply again in every iteration. It reaches each
         approach in several increments, biface in one step. CPU times also depend on
         what else the machine does: 3 to 6 s were measured for the same run of
         biface.

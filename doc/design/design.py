@@ -32,6 +32,9 @@ shell as it stands: unloaded, inflated to 0.15 MPa, and pressed on the ground by
 
 ![Natural frequencies of the unloaded, the inflated and the pressed tire](design/modes.png)
 
+*The first ten modes. Numbers: waves around the axle, half waves along the meridian.
+Wide bars: pairs of the same frequency.*
+
 The tension of the cords raises the lowest frequency from {unloaded} to {inflated} Hz.
 The inflated tire is round, and its modes come in pairs; the ground splits them. See
 [output.md](output.md#modescsv) for the file, and the report for pictures of the shapes.
@@ -71,7 +74,7 @@ Each number has its own linear system, the direct way. The adjoint way, one tran
 system per result, would not pay: with twenty numbers and two results of the bias tire the
 forty solutions of both stages take 6 % of the time of the derivatives, and the adjoint
 way would save at most those of the last stage, since the stage before must be followed in
-any case. The rest goes to the residuals of the neighbors, to their models, and to the
+any case. The rest goes to the residuals of the perturbed runs, to their models, and to the
 factorization that both ways need. For ten numbers and six results with six steps of the
 loading, the derivatives take about a fifth of the run.
 
@@ -96,9 +99,9 @@ ranges in 200 tires, each inflated and pressed on the ground by 20 mm (see
 ![Change of the outputs over the range of each variable](design/effects.png)
 
 *The change of each output as one variable goes through its range, with the others in
-the middle, from the report.*
+the middle of their ranges, from the report.*
 
-{study}
+[studies.md](studies.md#cost) has the time that this takes.
 
 The pressure decides on the force, and the cord angle on the size of the footprint; a
 larger radius of the profile lowers the maximum of the pressure.
@@ -161,6 +164,38 @@ def table(rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
+def draw_modes(plt, lines):
+    """A bar for each frequency, with its wave numbers; equal ones share a bar."""
+    # the least distances of labels in a row, and of different frequencies
+    label_width, same = 11, 1e-4
+    figure, axes = plt.subplots(figsize=(8.5, 3.6))
+    names = list(dict.fromkeys(line["stage"] for line in lines))
+    for row, name in enumerate(names):
+        bars = []
+        for line in lines:
+            if line["stage"] != name:
+                continue
+            frequency = float(line["frequency"])
+            waves = (f"{line['circumferential_waves']}, "
+                     f"{line['meridional_half_waves']}")
+            if bars and frequency - bars[-1][0] < same * frequency:
+                bars[-1][2] += 1
+            else:
+                bars.append([frequency, waves, 1])
+        ends = []
+        for frequency, waves, count in bars:
+            level = next((i for i, end in enumerate(ends) if end <= frequency),
+                         len(ends))
+            ends[level:level + 1] = [frequency + label_width]
+            axes.plot(2 * [frequency], [row - 0.22, row + 0.22],
+                      color=f"C{row}", linewidth=2 if count == 1 else 4)
+            axes.annotate(waves, (frequency, row - 0.22), (0, 2 + 12 * level),
+                          textcoords="offset points", ha="center", va="bottom",
+                          fontsize=9)
+    axes.set_yticks(range(len(names)), names)
+    axes.set(xlabel="frequency, Hz", ylim=(len(names) - 0.6, -0.85), xlim=(0, None))
+
+
 class Pages:
     """Runs the program, and writes pictures."""
 
@@ -189,18 +224,9 @@ class Pages:
         directory = self.run("modes", self.prm / "tire_modes.prm",
                              "Output/Write VTU=false")
         lines = read(directory / "modes.csv")
-        figure, axes = plt.subplots(figsize=(7, 2.6))
+        draw_modes(plt, lines)
+        self.save(plt.gcf(), "modes")
         names = list(dict.fromkeys(line["stage"] for line in lines))
-        for row, name in enumerate(names):
-            values = [float(line["frequency"]) for line in lines
-                      if line["stage"] == name]
-            axes.plot(values, [row] * len(values), "|", markersize=22,
-                      markeredgewidth=1.6)
-        axes.set_yticks(range(len(names)), names)
-        axes.set(xlabel="frequency, Hz", ylim=(-0.6, len(names) - 0.4),
-                 xlim=(0, None))
-        axes.invert_yaxis()
-        self.save(figure, "modes")
         return {name: "{:.1f}".format(min(
             float(line["frequency"]) for line in lines if line["stage"] == name))
             for name in names}
@@ -269,7 +295,7 @@ class Pages:
         return table(rows)
 
     def study(self, plt, ranks):
-        """The chart of main effects; returns a sentence on the cost."""
+        """The chart of main effects."""
         from biface_report import study as report
         from biface_report.drawing import Picture
         directory = self.scratch / "study"
@@ -282,11 +308,6 @@ class Pages:
         report.main_effects(study)
         self.save(drawn[0], "effects")
         plt.close("all")
-        log = (directory / "study.log").read_text(encoding="utf-8")
-        done = re.search(r"([0-9.]+) s, groups busy for ([0-9.]+) %", log)
-        return textwrap.fill(f"The {len(study.status)} tires took {float(done.group(1)):.0f} s on "
-                f"two ranks, which were busy for {done.group(2)} % of that time, "
-                "on a machine of two cores.", 88)
 
     def even(self, plt, ranks):
         """The map of the objective with the path of the optimizer; returns the
@@ -384,11 +405,11 @@ def main():
     buckling = pages.buckling()
     pages.sensitivities(plt)
     cost = pages.cost()
-    study = pages.study(plt, ranks)
+    pages.study(plt, ranks)
     check, best = pages.even(plt, ranks)
     (arguments.output / "design.md").write_text(PAGE.format(
         unloaded=lowest["unloaded"], inflated=lowest["inflated"], buckling=buckling,
-        study=study, force=even.FORCE, check=check, best=best,
+        force=even.FORCE, check=check, best=best,
         cost=cost), encoding="utf-8")
 
 

@@ -27,6 +27,14 @@ WIDTH, HEIGHT = 1000, 860
 # The angle around the axle (degrees) at which each ply is cut off, so that the
 # ply below is visible
 CUTS = {1: -48, 2: -36, 3: -24, 4: -6, 5: 12, 6: 30}
+# Name of each ply, its place in the picture, and that of a point of the ply where it
+# is uncovered, as fractions of width and height
+NAMES = {6: ("tread", (0.15, 0.92), (0.30, 0.86)),
+         5: ("outer belt", (0.13, 0.76), (0.235, 0.72)),
+         4: ("inner belt", (0.13, 0.57), (0.25, 0.53)),
+         3: ("outer\ncarcass ply", (0.13, 0.385), (0.24, 0.34)),
+         2: ("inner\ncarcass ply", (0.13, 0.23), (0.26, 0.18)),
+         1: ("inner rubber", (0.17, 0.07), (0.29, 0.075))}
 # Colors of the rubber plies, which have no cords
 RUBBER_PLIES = {1: (0.80, 0.81, 0.83), 6: (0.50, 0.53, 0.57)}
 STRESS_RANGE = (-40, 40)
@@ -100,6 +108,12 @@ def main():
     figure = figure_of(render(actors, (WIDTH, HEIGHT), camera))
     add_color_bar(figure, [0.86, 0.25, 0.024, 0.5], COLORS, STRESS_RANGE,
                   "stress along the cords (MPa)", "both")
+    for name, place, point in NAMES.values():
+        figure.text(*place, name, fontsize=13, ha="right", va="center")
+        start = (place[0] + 0.008, place[1])
+        figure.add_artist(plt.Line2D(*zip(start, point), color="0.2", linewidth=1))
+        figure.add_artist(plt.Line2D([point[0]], [point[1]], color="0.2", marker="o",
+                                     markersize=3.5))
     figure.savefig(arguments.picture)
 
 

@@ -28,8 +28,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
 
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 
-# Force (N) at an approach (mm), from an independent implementation of the
-# same equations
+# Force (N) at an approach (mm), from the independent program
 INDEPENDENT_FORCES = {4: 236, 12: 975, 20: 1951}
 
 # Approaches (mm) in Figs. 3 to 5
@@ -215,8 +214,11 @@ def draw_load_deflection(runs, output):
     axes.plot(list(INDEPENDENT_FORCES), list(INDEPENDENT_FORCES.values()), "o",
               markersize=7, markerfacecolor="white", markeredgecolor=BLUE,
               markeredgewidth=1.6,
-              label="nonlinear theory, independent implementation")
+              label="nonlinear theory, independent program")
     mark_ratio(axes, runs, 20)
+    paper = NodalAreas(runs.nonlinear, 20).integrate(read_table(runs.table))
+    axes.plot(20, paper, "D", color="black", markersize=6,
+              label="paper: pressures of Table 1 times areas")
     axes.set(xlabel="approach of the foundation Δ (mm)",
              ylabel="force on the foundation P (N)",
              xlim=(0, 22.5), ylim=(0, 4000), xticks=range(0, 21, 4))
@@ -466,7 +468,7 @@ def write_forces(runs):
                      f"{linear:.1f}", f"{linear / nonlinear:.2f}",
                      f"{lumped:.1f}"])
     replace_table(runs.page, "forces",
-                  ["Δ (mm)", "P (N)", "Independent implementation (N)",
+                  ["Δ (mm)", "P (N)", "Independent program (N)",
                    "P, linear theory (N)", "Linear to nonlinear",
                    "P, lumped (N)"], rows)
 

@@ -47,7 +47,8 @@ def read_shell(path):
     """Undeformed positions, displacements, pressures and faces of all points."""
     grid = read_grid(path)
     data = {name: point_values(grid, name)
-            for name in ("displacement", "contact_pressure", "outer_face")}
+            for name in ("displacement", "contact_pressure", "outer_face",
+                         "active")}
     return positions(grid) - data["displacement"], data
 
 
@@ -101,6 +102,8 @@ class Face:
         self.displacement[rows, columns] = displacement
         self.pressure = np.zeros(shape)
         self.pressure[rows, columns] = data["contact_pressure"][chosen]
+        self.active = np.zeros(shape, dtype=bool)
+        self.active[rows, columns] = data["active"][chosen] > 0
 
     def interpolate(self, values, psi, phi):
         """Bilinear in psi and phi, on the grid of two lists of angles."""
@@ -122,6 +125,24 @@ class Face:
                            CENTER_RADIUS * np.sin(phi)], -1)
         return center + outward + np.einsum("...ij,...i->...j", basis,
                                             displacement)
+
+
+def zone(face):
+    """A field at the nodes that is positive within the footprint and vanishes at the
+    line of zero clearance. Beside the footprint the clearance from the plane grows
+    nearly with the square of the distance: its root, with a minus, is extrapolated
+    from two nodes beside the footprint to the nodes in contact next to them."""
+    x = face.positions(face.psi, face.phi)[..., 0]
+    root = np.sqrt(np.maximum(x[face.active].max() - x, 0))
+    root[face.active] = np.nan
+    inside = np.full(root.shape, np.nan)
+    for axis in (0, 1):
+        for step in (1, -1):
+            first, second = np.roll(root, step, axis), np.roll(root, 2 * step, axis)
+            inside = np.fmax(inside, 2 * first - second)
+    depth = np.nanmean(np.abs(inside[face.active]))
+    inside = np.where(np.isnan(inside), -depth, np.minimum(inside, 0))
+    return -np.where(face.active, inside, root)
 
 
 def subdivide(angles, spacing):
@@ -177,13 +198,28 @@ def wall_actors(path):
     pressure = outer.interpolate(outer.pressure, psi, phi)
     actors = [lit_actor(surface(outside), RUBBER),
               lit_actor(surface(inside), INSIDE),
-              zone_actor(surface(outside, pressure), 0.002, COLORS,
-                         PRESSURE_RANGE)]
+              footprint_actor(surface(outside, pressure),
+                              outer.interpolate(zone(outer), psi, phi))]
     for end in (0, -1):
         edge = np.stack([outside[end], inside[end]])
         actors.append(lit_actor(surface(edge), INSIDE))
     actors.append(line_actor(line_data(mesh_lines(outer)), (0, 0, 0), 0.6, 0.35))
     return actors
+
+
+def footprint_actor(data, inside):
+    """The part of a surface where a field is positive, in the colors of its
+    scalars."""
+    data.GetPointData().GetScalars().SetName("pressure")
+    field = numpy_to_vtk(inside.ravel(), deep=True)
+    field.SetName("inside")
+    data.GetPointData().AddArray(field)
+    data.GetPointData().SetActiveScalars("inside")
+    actor = zone_actor(data, 0, COLORS, PRESSURE_RANGE)
+    mapper = actor.GetMapper()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("pressure")
+    return actor
 
 
 def foundation_actors(path):

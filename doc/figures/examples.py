@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results of three files of prm/ side by side: the strip that is rolled up, the
-roof that snaps through, and the panel whose plies fail."""
+"""The roof of prm/snap_through_roof.prm: the path of its center, and the line along
+its crown at some points of the path."""
 
 import argparse
 import csv
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -12,87 +13,84 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
+import numpy as np
 
-BLUE, GREEN, ORANGE = "#0072b2", "#009e73", "#d55e00"
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+
+from biface_report.drawing import BLUE, GRAY, STYLE, save
+
+# The force (N) for a load factor of 1, and the radius of the roof (mm)
+FORCE, RADIUS = 1000, 2540
 
 
 def read(path):
-    """The lines of a CSV file, by the names of their columns."""
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+    """The columns of a CSV file, by name."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [row[name] for row in rows] for name in rows[0]}
 
 
-def column(rows, name):
-    """A column as numbers."""
-    return [float(row[name]) for row in rows]
+def center_path(results):
+    """Steps, deflection and force of the center."""
+    probes = read(results / "probes.csv")
+    chosen = [i for i, (name, face) in enumerate(zip(probes["name"], probes["face"]))
+              if (name, face) == ("center", "middle")]
+    return ([int(probes["step"][i]) for i in chosen],
+            np.array([-float(probes["u_x"][i]) for i in chosen]),
+            np.array([FORCE * float(probes["load_factor"][i]) for i in chosen]))
 
 
-def draw_strip(axes, results):
-    """The strip after every fourth step."""
-    for step in (4, 8, 12, 16, 20):
-        rows = read(results / f"profile-{step:04d}.csv")
-        middle = [[(outer + inner) / 2 for outer, inner
-                   in zip(column(rows, "outer_" + i), column(rows, "inner_" + i))]
-                  for i in "xz"]
-        color = plt.get_cmap("viridis")(1 - step / 20)
-        axes.plot(*middle, color=color, linewidth=2)
-        if step < 20:
-            offset = (4, 2) if step < 12 else (-29, -4)
-            axes.annotate(f"{5 * step} %", (middle[0][-1], middle[1][-1]),
-                          offset, textcoords="offset points", color=color)
-    axes.plot([0, 12], [0, 0], color="0.6", linewidth=1)
-    axes.set_aspect("equal")
-    axes.set(title="roll_up.prm", xlabel="x (mm)", ylabel="z (mm)",
-             xlim=(-5, 13), ylim=(-1, 10))
+def points_of_interest(deflection, force):
+    """Indices of the upper limit point, of the two turning points of the
+    deflection, of the lower limit point, and of the end."""
+    top = int(np.argmax(force[:len(force) // 2]))
+    low = int(np.argmin(force))
+    right = top + int(np.argmax(deflection[top:low]))
+    left = right + int(np.argmin(deflection[right:low]))
+    return [top, right, left, low, len(force) - 1]
 
 
-def draw_roof(axes, results):
-    """The force against displacements."""
-    rows = [row for row in read(results / "probes.csv")
-            if row["face"] == "middle"]
-    for name, label, color in (("center", "center", BLUE),
-                               ("edge", "middle of the free edge", ORANGE)):
-        chosen = [row for row in rows if row["name"] == name]
-        axes.plot([0] + [-u for u in column(chosen, "u_x")],
-                  [0] + [1000 * f for f in column(chosen, "load_factor")],
-                  "o-", markersize=3, color=color, label=label)
-    axes.axhline(0, color="0.6", linewidth=1)
-    axes.legend(loc="upper left", frameon=False)
-    axes.set(title="snap_through_roof.prm", xlabel="deflection (mm)",
-             ylabel="force (N)")
-
-
-def draw_panel(axes, results):
-    """The maximum failure indices at three points against the pressure."""
-    history = read(results / "history.csv")
-    for name, color in (("center", BLUE), ("side", ORANGE), ("quarter", GREEN)):
-        maximum = []
-        for step in range(1, len(history) + 1):
-            rows = read(results / f"plies-{step:04d}.csv")
-            maximum.append(max(float(row["tsai_wu_index"]) for row in rows
-                                if row["name"] == name))
-        axes.plot([0] + column(history, "pressure"), [0] + maximum, "o-",
-                  markersize=3, color=color, label=name)
-    axes.axhline(1, color="0.6", linewidth=1)
-    axes.legend(loc="lower right", frameon=False)
-    axes.set(title="composite_panel.prm", xlabel="pressure (MPa)",
-             ylabel="failure index (Tsai-Wu)", xlim=(0, None), ylim=(0, None))
+def crown_line(results, step):
+    """Distance along the axis and height above the undeformed crown, on both sides
+    of the plane of symmetry."""
+    profile = read(results / f"profile-{step:04d}.csv")
+    middle = [np.mean([np.array(profile[face + axis], dtype=float)
+                       for face in ("outer_", "inner_")], axis=0)
+              for axis in "yx"]
+    along, height = middle[0], middle[1] - RADIUS
+    return (np.concatenate([-along[::-1], along]),
+            np.concatenate([height[::-1], height]))
 
 
 def main():
-    """Draw the results of three runs."""
+    """Draw the results of one run."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    for name in ("strip", "roof", "panel"):
-        parser.add_argument(name, type=Path, help="a directory of results")
+    parser.add_argument("roof", type=Path, help="a directory of results")
     parser.add_argument("picture", type=Path, help="the PNG to write")
     arguments = parser.parse_args()
+    plt.rcParams.update(STYLE)
 
-    figure, axes = plt.subplots(1, 3, figsize=(12, 3.9), dpi=100,
-                                layout="constrained")
-    draw_strip(axes[0], arguments.strip)
-    draw_roof(axes[1], arguments.roof)
-    draw_panel(axes[2], arguments.panel)
-    figure.savefig(arguments.picture)
+    steps, deflection, force = center_path(arguments.roof)
+    figure, (path, shape) = plt.subplots(1, 2, figsize=(10, 4),
+                                         gridspec_kw={"wspace": 0.28})
+    path.plot(np.append(0, deflection), np.append(0, force), "-", color=BLUE)
+    path.axhline(0, color=GRAY, linewidth=0.8)
+    path.set(xlabel="deflection of the center (mm)", ylabel="force (N)")
+    points = points_of_interest(deflection, force)
+    colors = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(points)))
+    for number, (i, color) in enumerate(zip(points, colors), 1):
+        path.plot(deflection[i], force[i], "o", color=color, markersize=7)
+        path.annotate(str(number), (deflection[i], force[i]),
+                      (-15, -4) if number in (3, 5) else (7, 5),
+                      textcoords="offset points")
+        along, height = crown_line(arguments.roof, steps[i])
+        shape.plot(along, height, color=color)
+        shape.annotate(str(number), (0, height[len(height) // 2]), (0, 3),
+                       textcoords="offset points", ha="center", color=color)
+    shape.axhline(0, color=GRAY, linewidth=0.8)
+    shape.set(xlabel="distance along the crown (mm)",
+              ylabel="height (mm)")
+    save(figure, arguments.picture)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of doc/rolling.md from a run of prm/rolling_tire.prm:
+"""Figures of doc/rolling.md from a run of prm/rolling_tire.prm, with more steps of
+the slip angle:
 
     cornering.png      side force and aligning moment against the slip angle
     braking.png        drag against the slip ratio
@@ -14,7 +15,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from rough_ground import read
+from rough_ground import draw_footprint, legend_of_footprints, read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
 
@@ -22,9 +23,20 @@ from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 
 FRICTION = 0.5
 
-# Steps of the pictures of the footprint, by the stage, and their titles
-PICTURES = (("free", -1, "free rolling"), ("left", 0, "slip angle 1°"),
-            ("left", 2, "slip angle 3°"), ("braking", 0, "1 % of slip"))
+# Pictures of the footprint: the stage, a column of rolling.csv with its value, or the
+# position of the step in the stage, and the title
+PICTURES = (("free", -1, "free rolling"), ("left", ("slip_angle", 1), "slip angle 1°"),
+            ("left", ("slip_angle", 3), "slip angle 3°"),
+            ("braking", 0, "1 % of slip"))
+
+
+def step_of(rolling, stage, which):
+    """The row of a step of PICTURES."""
+    rows = np.flatnonzero(rolling["stage"] == stage)
+    if isinstance(which, int):
+        return rows[which]
+    column, value = which
+    return rows[np.argmin(np.abs(rolling[column][rows] - value))]
 
 
 def draw_cornering(rolling, path):
@@ -36,17 +48,18 @@ def draw_cornering(rolling, path):
     angle = rolling["slip_angle"][chosen]
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.2),
                                          gridspec_kw={"wspace": 0.3})
-    left.plot(angle, rolling["F_y"][chosen], "o-", color=BLUE, markersize=4)
+    left.plot(angle, rolling["F_y"][chosen], "o-", color=BLUE, markersize=2.5)
     for sign in (-1, 1):
         left.plot(angle, sign * FRICTION * rolling["F_z"][chosen], "--", color=GRAY,
                   linewidth=1.2)
-    right.plot(angle, rolling["M_z"][chosen] / 1000, "o-", color=RED, markersize=4)
+    right.plot(angle, rolling["M_z"][chosen] / 1000, "o-", color=RED, markersize=2.5)
     left.set_ylabel("Side force $F_y$, N")
     right.set_ylabel("Aligning moment $M_z$, N m")
     for axes in (left, right):
         axes.axhline(0, color=GRAY, linewidth=0.6)
         axes.axvline(0, color=GRAY, linewidth=0.6)
         axes.set_xlabel("Slip angle, degrees")
+        axes.set_xticks(range(-6, 7, 2))
     save(figure, path)
 
 
@@ -70,25 +83,16 @@ def draw_braking(rolling, path):
 
 def draw_slip(results, rolling, path):
     """The nodes in contact from above, and the tractions of friction."""
-    figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.6),
+    figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.9),
                                     sharex=True, sharey=True)
-    for axes, (stage, position, title) in zip(all_axes, PICTURES):
-        row = np.flatnonzero(rolling["stage"] == stage)[position]
-        contact = read(results / f"contact-{int(rolling['step'][row]):04}.csv")
-        for slips, color, label in ((0, BLUE, "sticks"), (1, RED, "slips")):
-            nodes = (contact["active"] > 0) & (contact["slipping"] == slips)
-            axes.plot(contact["y"][nodes], contact["z"][nodes], "o",
-                      color=color, markersize=2.5, label=label)
-        nodes = contact["active"] > 0
-        axes.quiver(contact["y"][nodes], contact["z"][nodes],
-                    contact["friction_y"][nodes], contact["friction_z"][nodes],
-                    color=GRAY, angles="xy", scale=2.5, width=0.004)
-        axes.set_aspect("equal")
+    for axes, (stage, which, title) in zip(all_axes, PICTURES):
+        row = step_of(rolling, stage, which)
+        draw_footprint(axes, read(
+            results / f"contact-{int(rolling['step'][row]):04}.csv"))
         axes.set_title(title, fontsize=9)
-        axes.set_xlabel("$y$ (left), mm")
-    all_axes[0].set_ylabel("$z$ (forward), mm")
-    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="center right",
-                  bbox_to_anchor=(1.02, 0.5))
+        axes.set_xlabel("$y$ (to the left), mm")
+    all_axes[0].set_ylabel("forward ($z$), mm")
+    legend_of_footprints(figure, all_axes[0])
     save(figure, path)
 
 

@@ -20,6 +20,9 @@ from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 
 FRICTION = 0.5
 
+# Half of the width of the ground in pictures of the footprint (mm)
+HALF_WIDTH = 60
+
 # Slides (mm) of the pictures of the footprint, by the stage
 PICTURES = (("pressing", 0), ("slide", 4.5), ("slide", 12), ("back", 6))
 
@@ -68,30 +71,42 @@ def draw_side_force(results, path):
     save(figure, path)
 
 
+def draw_footprint(axes, contact):
+    """The nodes in contact, and the tractions of friction, from above: x points down
+    from the axle of the wheel to the ground, so that y points to the left of z."""
+    for slips, color, label in ((0, BLUE, "sticks"), (1, RED, "slips")):
+        nodes = (contact["active"] > 0) & (contact["slipping"] == slips)
+        axes.plot(contact["y"][nodes], contact["z"][nodes], "o",
+                  color=color, markersize=2.8, label=label)
+    nodes = contact["active"] > 0
+    axes.quiver(contact["y"][nodes], contact["z"][nodes],
+                contact["friction_y"][nodes], contact["friction_z"][nodes],
+                color="black", angles="xy", scale=2.2, width=0.006,
+                headwidth=4, headlength=5, headaxislength=4.5, zorder=3)
+    axes.set_aspect("equal")
+    axes.set_xlim(HALF_WIDTH, -HALF_WIDTH)
+
+
+def legend_of_footprints(figure, axes):
+    """Names of the colors, to the right."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="center right",
+                  bbox_to_anchor=(1.02, 0.5))
+
+
 def draw_stick_slip(results, path):
     """The nodes in contact from above, and the tractions of friction."""
     history = read(results / "history.csv")
-    figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.6),
+    figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.9),
                                     sharex=True, sharey=True)
     for axes, (stage, slide) in zip(all_axes, PICTURES):
         chosen = np.flatnonzero((history["stage"] == stage)
                                 & np.isclose(history["slide_y"], slide))[-1]
-        contact = read(
-            results / f"contact-{int(history['step'][chosen]):04}.csv")
-        for slips, color, label in ((0, BLUE, "sticks"), (1, RED, "slips")):
-            nodes = (contact["active"] > 0) & (contact["slipping"] == slips)
-            axes.plot(contact["y"][nodes], contact["z"][nodes], "o",
-                      color=color, markersize=2.5, label=label)
-        nodes = contact["active"] > 0
-        axes.quiver(contact["y"][nodes], contact["z"][nodes],
-                    contact["friction_y"][nodes], contact["friction_z"][nodes],
-                    color=GRAY, angles="xy", scale=2.5, width=0.004)
-        axes.set_aspect("equal")
+        draw_footprint(axes, read(
+            results / f"contact-{int(history['step'][chosen]):04}.csv"))
         axes.set_title(f"{stage}, {slide:g} mm", fontsize=9)
-        axes.set_xlabel("$y$, mm")
+        axes.set_xlabel("$y$ (to the left), mm")
     all_axes[0].set_ylabel("$z$, mm")
-    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="center right",
-                  bbox_to_anchor=(1.02, 0.5))
+    legend_of_footprints(figure, all_axes[0])
     save(figure, path)
 
 

@@ -101,11 +101,11 @@ def main():
               "beside steady |\n| --- | --- | --- | --- | --- |")
         for n in options.steps:
             now = slow(options.program, scratch / f"slow_{n}", radius, n)
-            print(f"| {n} | {now[2]:.1f} | {-now[0]:.1f} | {-now[1]:.1f} | "
+            print(f"| {n} | {now[2]:.1f} | {-now[0]:.1f} | {now[1]:.1f} | "
                   f"{100 * (now[1] / forces[1] - 1):+.1f} % |".replace(
                       "-", "−"))
         print(f"| steady | {forces[2]:.1f} | {-forces[0]:.1f} | "
-              f"{-forces[1]:.1f} | |")
+              f"{forces[1]:.1f} | |".replace("-", "−"))
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ A bias tire couples the directions: when the ground slides across it, the ground
 pushes it along, and the other way round. For small motions the two forces per length of
 the slide agree, since the glued tire has an energy.
 
-At an approach of 20 mm under 0.15 MPa, 1929.45 N, an independent implementation gives
+At an approach of 20 mm under 0.15 MPa, 1929.45 N, the [independent program](bias_tire.md#the-independent-program) gives
 145.24 N/mm across with -12.87 N/mm along, 1049.6 N/mm along, and 58,655 N mm/degree; the
 test `bias_tire/stiffness` compares them with those of the program, which agree within
 0.1 %.
