@@ -34,18 +34,26 @@ namespace Biface
                "'lumped' (that of dual basis functions: smooth pressures, "
                "symmetric tangent) or 'consistent' (as in the paper; pressures "
                "oscillate at the edge of the contact zone).");
-    prm.add_parameter("Regularization",
-                      regularization,
-                      "The parameter epsilon of the contact condition: a "
-                      "pressure p causes a penetration of p/epsilon. "
-                      "Positive. Unit: pressure/length.",
-                      Patterns::Double());
+    add_optional_number(
+      prm,
+      "Regularization",
+      regularization,
+      "automatic",
+      "The parameter epsilon of the contact condition: a pressure p causes a "
+      "penetration of p/epsilon. A positive number, or 'automatic': 7000 k with "
+      "the lowest stiffness of the wall across its thickness, k = 1/sum(h/E), "
+      "where h is the thickness of each ply and E its modulus in this "
+      "direction. The penetration is then 1/7000 of what the pressure takes "
+      "off the thickness. In a shell as thin as a membrane k is at most "
+      "1000 sum(h E)/L^2 with the highest modulus of each ply in its plane and "
+      "the diagonal L of the box around the shell. Unit: pressure/length.");
   }
 
 
   void
   ContactCondition::Parameters::check() const
   {
-    check_positive("Contact/Regularization", regularization);
+    if (regularization)
+      check_positive("Contact/Regularization", *regularization);
   }
 } // namespace Biface

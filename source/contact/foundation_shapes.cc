@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include <biface/base/errors.h>
 #include <biface/contact/foundation_shapes.h>
 #include <biface/input/parameter_tools.h>
 
@@ -10,22 +12,37 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    double
+    given_radius(const std::string &entry, const std::optional<double> &radius)
+    {
+      if (!radius)
+        throw InputError(entry, "none", "it must be a number other than 0");
+      check_not_zero(entry, *radius);
+      return *radius;
+    }
+  } // namespace
+
+
   void
   RigidSphere::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Radius",
-                      radius,
-                      "Radius of the sphere; negative for a hollow sphere "
-                      "with the shell inside. Not 0. Unit: length.",
-                      Patterns::Double());
+    add_optional_number(
+      prm,
+      "Radius",
+      radius,
+      "none",
+      "Radius of the sphere; negative for a hollow sphere with the "
+      "shell inside. A number other than 0, which 'Foundation "
+      "= sphere' needs. Unit: length.");
   }
 
 
   RigidSphere::RigidSphere(const TravelLine &line, const Parameters &parameters)
-    : RigidSphere(line, parameters.radius)
-  {
-    check_not_zero("Contact/Sphere/Radius", radius);
-  }
+    : RigidSphere(line,
+                  given_radius("Contact/Sphere/Radius", parameters.radius))
+  {}
 
 
   FoundationPoint
@@ -63,11 +80,14 @@ namespace Biface
   void
   RigidDrum::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Radius",
-                      radius,
-                      "Radius of the drum; negative for a hollow drum with "
-                      "the shell inside. Not 0. Unit: length.",
-                      Patterns::Double());
+    add_optional_number(
+      prm,
+      "Radius",
+      radius,
+      "none",
+      "Radius of the drum; negative for a hollow drum with the "
+      "shell inside. A number other than 0, which 'Foundation "
+      "= drum' needs. Unit: length.");
     prm.add_parameter("Axis",
                       axis,
                       "Direction of the axis of the drum: components x, y, z "
@@ -78,10 +98,9 @@ namespace Biface
   RigidDrum::RigidDrum(const TravelLine &line, const Parameters &parameters)
     : FoundationShape(line)
     , axis(unit_vector("Contact/Drum/Axis", parameters.axis))
-    , radius(parameters.radius)
-    , section({direction - (direction * axis) * axis, point}, parameters.radius)
+    , radius(given_radius("Contact/Drum/Radius", parameters.radius))
+    , section({direction - (direction * axis) * axis, point}, radius)
   {
-    check_not_zero("Contact/Drum/Radius", parameters.radius);
     check_not_parallel(
       "Contact/Drum/Axis", parameters.axis, "Direction", direction);
   }

@@ -24,19 +24,22 @@ namespace Biface
                       "is 0 unless the wheel rolls. Stages may have their own. "
                       "No unit.",
                       Patterns::Anything());
-    prm.add_parameter("Tangential regularization",
-                      regularization,
-                      "The parameter epsilon_t of friction: a node that sticks "
-                      "under a tangential traction t moves by t/epsilon_t. "
-                      "Positive. Unit: pressure/length.",
-                      Patterns::Double());
+    add_optional_number(
+      prm,
+      "Tangential regularization",
+      regularization,
+      "automatic",
+      "The parameter epsilon_t of friction: a node that sticks under a "
+      "tangential traction t moves by t/epsilon_t. A positive number, or "
+      "'automatic': 70 k with the stiffness k of 'Regularization'. Unit: "
+      "pressure/length.");
     prm.add_parameter("Critical velocity",
                       critical_velocity,
                       "The velocity s_c in the law of friction of a rolling "
                       "wheel, t = -mu p s/sqrt(|s|^2 + s_c^2) with the slip "
-                      "velocity s: what sticks creeps more slowly than s_c. "
-                      "About 1e-3 times the ground velocity; stages that roll "
-                      "with friction need it. Unit: length/time.",
+                      "velocity s: nodes that stick creep more slowly than "
+                      "s_c. About 5e-3 times the ground velocity; stages "
+                      "that roll with friction need it. Unit: length/time.",
                       Patterns::Double());
   }
 
@@ -45,9 +48,47 @@ namespace Biface
   FrictionLaw::Parameters::check() const
   {
     check_friction("Contact/Friction", coefficient);
-    check_positive("Contact/Tangential regularization", regularization);
+    if (regularization)
+      check_positive("Contact/Tangential regularization", *regularization);
     check_not_negative("Contact/Critical velocity", critical_velocity);
   }
+
+
+  FrictionLaw
+  FrictionLaw::Parameters::of_stage(const std::string &entry,
+                                    const std::string &own,
+                                    const double       wall_stiffness) const
+  {
+    return FrictionLaw(own.empty() ? "Contact/Friction" : entry,
+                       own.empty() ? coefficient : own,
+                       regularization_on(wall_stiffness),
+                       critical_velocity);
+  }
+
+
+  namespace
+  {
+    /** Throws the InputError of a formula of pressure and slip velocity that is
+     * finite at none of many values, since units are not known. */
+    void
+    check_somewhere_finite(const Formula &coefficient)
+    {
+      std::optional<InputError> first;
+      for (int p = -12; p <= 12; ++p)
+        for (int s = -7; s <= 7; ++s)
+          try
+            {
+              coefficient({std::pow(10., p), s == -7 ? 0. : std::pow(10., s)});
+              return;
+            }
+          catch (const InputError &error)
+            {
+              if (!first)
+                first = error;
+            }
+      throw InputError(*first);
+    }
+  } // namespace
 
 
   FrictionLaw::FrictionLaw(const std::string &entry,
@@ -65,9 +106,7 @@ namespace Biface
         check_not_negative(entry, *constant);
       }
     else
-      for (const double pressure : {1e-3, 1e-2, 1e-1, 1., 1e1, 1e2, 1e3})
-        for (const double speed : {0., 1e-3, 1., 1e2, 1e4})
-          (*this->coefficient)({pressure, speed});
+      check_somewhere_finite(*this->coefficient);
   }
 
 

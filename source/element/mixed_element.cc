@@ -400,7 +400,7 @@ namespace Biface
 
     for (const Modes::Group &group : Modes::groups)
       {
-        // of the strain at the vertex of a column, and of that at a neighbor
+        // parts of the strain at the vertex of a column and at an adjacent one
         PartVector value;
         for (unsigned int k = 0; k < n_of_part; ++k)
           value[k] = group.value_at_vertex(k / 3) / 4;

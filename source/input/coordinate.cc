@@ -15,25 +15,34 @@ namespace Biface
                          const std::string &allowed)
     : entry(entry), item(item)
   {
-    if (text.find("end") == std::string::npos)
+    if (text.find("end") != std::string::npos)
       {
-        number = parse_number(entry, text, allowed);
+        formula_of_end.emplace(entry, text, std::vector<std::string>{"end"});
         return;
       }
-    formula.emplace(entry, text, std::vector<std::string>{"end"});
+    try
+      {
+        number = parse_number(entry, text, allowed);
+      }
+    catch (const InputError &)
+      {
+        if (text.find_first_of("+-*/^(") == std::string::npos)
+          throw;
+        number = Formula(entry, text, std::vector<std::string>())({});
+      }
   }
 
 
   double
   Coordinate::value(const double end) const
   {
-    if (!formula)
+    if (!formula_of_end)
       return number;
     if (!std::isfinite(end))
       throw InputError(entry,
                        item,
                        "it must not contain 'end', since this coordinate has "
                        "no last value");
-    return (*formula)({end});
+    return (*formula_of_end)({end});
   }
 } // namespace Biface

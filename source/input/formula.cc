@@ -164,6 +164,11 @@ namespace Biface
           reason.pop_back();
         if (reason.size() > 200)
           reason = reason.substr(0, 200) + "...";
+        for (const auto &value : new_parser->values)
+          if (calls(text, value.first))
+            reason = quoted(value.first) +
+                     " is no function: variables and tables are used by name, "
+                     "without arguments";
         throw InputError(entry, text, allowed + " (" + reason + ")");
       }
     parser = new_parser;
@@ -240,7 +245,7 @@ namespace Biface
           std::string(std::isfinite(result)
                         ? "its value must lie between -1e100 and 1e100"
                         : "it must be a finite number") +
-            ", including at " + where);
+            (where.empty() ? "" : ", including at " + where));
       }
     return result;
   }

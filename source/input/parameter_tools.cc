@@ -35,6 +35,30 @@ namespace Biface
 
 
   void
+  check_at_least(const std::string &entry,
+                 const double       value,
+                 const double       minimum)
+  {
+    if (!(value >= minimum))
+      throw InputError(entry,
+                       number_to_string(value),
+                       "it must be at least " + number_to_string(minimum));
+  }
+
+
+  void
+  check_at_most(const std::string &entry,
+                const double       value,
+                const double       maximum)
+  {
+    if (!(value <= maximum))
+      throw InputError(entry,
+                       number_to_string(value),
+                       "it must be at most " + number_to_string(maximum));
+  }
+
+
+  void
   check_not_zero(const std::string &entry, const double value)
   {
     if (!(std::isfinite(value) && value != 0))

@@ -20,8 +20,8 @@ namespace Biface
                       Patterns::Double());
     prm.add_parameter("nu_cord",
                       nu_cord,
-                      "Poisson's ratio of the cords, which hardly matters. No "
-                      "unit.",
+                      "Poisson's ratio of the cords; it has little effect. "
+                      "No unit.",
                       Patterns::Double());
     prm.add_parameter("E_rubber",
                       E_rubber,

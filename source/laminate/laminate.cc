@@ -95,6 +95,27 @@ namespace Biface
   }
 
 
+  double
+  Laminate::thickness_stiffness() const
+  {
+    double compliance = 0;
+    for (const Ply &ply : plies)
+      compliance += ply.thickness * invert(ply.stiffness)[2][2][2][2];
+    return 1 / compliance;
+  }
+
+
+  double
+  Laminate::membrane_stiffness() const
+  {
+    double stiffness = 0;
+    for (const Ply &ply : plies)
+      stiffness += ply.thickness * std::max(ply.stiffness[0][0][0][0],
+                                            ply.stiffness[1][1][1][1]);
+    return stiffness;
+  }
+
+
   std::array<double, 2>
   Laminate::face_heights() const
   {

@@ -72,11 +72,11 @@ namespace Biface
                initial_stresses,
                parse_ply_stresses,
                "Initial stresses in the undeformed shell, one triple "
-               "'sigma_L sigma_T tau_LT' per ply, inner ply first, "
-               "separated by commas; empty for none. Each is a number "
-               "or a formula, without blanks, as in 'Plies'. They act "
-               "only through the nonlinear part of the strains, being "
-               "in equilibrium with loads that are not given. Unit: "
+               "'sigma_L sigma_T tau_LT' per ply, inner ply first, separated "
+               "by commas; empty for none. Each is a number or a formula, "
+               "without blanks, as in 'Plies'. They act only through the "
+               "nonlinear part of the strains: the loads that balance them "
+               "in the undeformed shell are not part of the model. Unit: "
                "force/area.");
     add_parsed(
       prm,
@@ -398,8 +398,9 @@ namespace Biface
           throw InputError("the entry 'Laminate/Initial resultants' must be "
                            "empty with cords that go slack ('Material " +
                            material->name +
-                           "/E_L compression'), since these resultants belong "
-                           "to no ply; 'Laminate/Initial ply stresses' do.");
+                           "/E_L compression'), since these resultants are "
+                           "not those of single plies; use 'Laminate/Initial "
+                           "ply stresses' instead.");
         material->get_strengths();
         material->get_density();
         material->get_loss_factor();

@@ -30,11 +30,11 @@ namespace Biface
       " A comma-separated list of adjoining intervals: 'start:end:n' is n "
       "equal cells, 'start:end:n:q' is n cells each q times as long as the "
       "previous one, 'start:end:n:smooth' is n cells whose lengths continue "
-      "those of the adjoining interval geometrically. Unit: degrees for an "
-      "angle, length otherwise.";
+      "those of the adjoining interval geometrically. Start and end may be "
+      "formulas, such as 360/7. Unit: degrees for an angle, length otherwise.";
     const std::string with_end =
-      " Start and end may be formulas of 'end', the largest alpha_1 of the "
-      "surface, such as 0.3*end.";
+      " The formulas may contain 'end', the largest alpha_1 of the surface, "
+      "such as 0.3*end.";
     add_parsed(prm,
                "Mesh/",
                "Intervals alpha_1",

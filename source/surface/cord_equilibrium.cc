@@ -206,8 +206,8 @@ namespace Biface
       if (parameters.crown_cord_angle && parameters.end_half_width)
         throw InputError(section + "End half width",
                          number_to_string(*parameters.end_half_width),
-                         "it follows from the number 'Crown cord angle'; make "
-                         "one of both '" +
+                         "it and 'Crown cord angle' must not both be "
+                         "numbers: one of them must be '" +
                            no_width + "' or '" + no_angle + "'");
       if (!parameters.crown_cord_angle && !parameters.end_half_width)
         throw InputError(section + "Crown cord angle",
@@ -235,13 +235,16 @@ namespace Biface
 
       check_positive(section + "End half width", *parameters.end_half_width);
       // how much wider the end is than it must be; NaN if there is no end
+      double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
       const auto excess = [&](const double angle) {
         const Shape shape = shape_of_width(
           r_c, parameters.half_width, angle * degree, max_half_width);
-        return shape.widest_radius < 0
-                 ? std::numeric_limits<double>::quiet_NaN()
-                 : shape.half_width(parameters.end_radius) -
-                     *parameters.end_half_width;
+        if (shape.widest_radius < 0)
+          return std::numeric_limits<double>::quiet_NaN();
+        const double at_end = shape.half_width(parameters.end_radius);
+        narrowest           = std::fmin(narrowest, std::max(at_end, 0.));
+        widest              = std::fmax(widest, at_end);
+        return at_end - *parameters.end_half_width;
       };
       constexpr double min_angle = 1;
       double           above = 90, before = excess(above);
@@ -256,10 +259,18 @@ namespace Biface
           above  = below;
           before = after;
         }
+      if (widest == 0)
+        throw InputError(section + "Half width",
+                         number_to_string(parameters.half_width),
+                         "there is no crown cord angle from 1 to 90 degrees "
+                         "for which the curve of this half width reaches the "
+                         "end radius");
       throw InputError(section + "End half width",
                        number_to_string(*parameters.end_half_width),
-                       "there is no crown cord angle for which the curve ends "
-                       "there");
+                       "with crown cord angles from 1 to 90 degrees the curve "
+                       "ends at half widths from " +
+                         number_to_string(narrowest) + " to " +
+                         number_to_string(widest));
     }
   } // namespace
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -10,6 +14,66 @@
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    using Polygon = std::vector<Point<2>>;
+
+    /** Whether two segments cross, other than in an end. */
+    bool
+    cross(const Point<2> &a,
+          const Point<2> &b,
+          const Point<2> &c,
+          const Point<2> &d)
+    {
+      const auto side =
+        [](const Point<2> &from, const Point<2> &to, const Point<2> &of) {
+          const Tensor<1, 2> line = to - from, way = of - from;
+          const double       area = line[0] * way[1] - line[1] * way[0];
+          return (area > 0) - (area < 0);
+        };
+      return side(a, b, c) * side(a, b, d) < 0 &&
+             side(c, d, a) * side(c, d, b) < 0;
+    }
+
+
+    /** Two segments of a polygon that cross; none if it does not cross
+     * itself. */
+    std::optional<std::pair<unsigned int, unsigned int>>
+    find_crossing(const Polygon &polygon)
+    {
+      // only segments that overlap along the longer side of its box can cross
+      std::array<double, 2> extent;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const auto [least, greatest] = std::minmax_element(
+            polygon.begin(),
+            polygon.end(),
+            [d](const Point<2> &a, const Point<2> &b) { return a[d] < b[d]; });
+          extent[d] = (*greatest)[d] - (*least)[d];
+        }
+      const unsigned int d     = (extent[0] > extent[1] ? 0 : 1);
+      const auto         begin = [&](const unsigned int i) {
+        return std::min(polygon[i][d], polygon[i + 1][d]);
+      };
+      const auto end = [&](const unsigned int i) {
+        return std::max(polygon[i][d], polygon[i + 1][d]);
+      };
+      std::vector<unsigned int> segments(polygon.size() - 1);
+      std::iota(segments.begin(), segments.end(), 0);
+      std::sort(segments.begin(),
+                segments.end(),
+                [&](const unsigned int i, const unsigned int j) {
+                  return begin(i) < begin(j);
+                });
+      for (auto i = segments.begin(); i != segments.end(); ++i)
+        for (auto j = i + 1; j != segments.end() && begin(*j) <= end(*i); ++j)
+          if (cross(polygon[*i], polygon[*i + 1], polygon[*j], polygon[*j + 1]))
+            return std::minmax(*i, *j);
+      return {};
+    }
+  } // namespace
+
 
   SplineCurve::SplineCurve(const std::vector<Point<2>> &points,
                            const std::string           &name)
@@ -44,6 +108,16 @@ namespace Biface
         // their distance must not be lost in the round-off of the length so far
         if (i > 0 && !(way > knots.back()))
           throw InputError(where + "must differ from the previous one.");
+        if (i > 0 && i + 1 < points.size())
+          {
+            // of the angle by which the curve turns at a point
+            constexpr double   least_cosine = -0.5;
+            const Tensor<1, 2> before       = points[i] - points[i - 1];
+            const Tensor<1, 2> after        = points[i + 1] - points[i];
+            if (before * after < least_cosine * before.norm() * after.norm())
+              throw InputError(where + "must not turn the curve by more than "
+                                       "120 degrees.");
+          }
         knots.push_back(way);
         r.push_back(points[i][0]);
         y.push_back(points[i][1]);
@@ -58,6 +132,22 @@ namespace Biface
           const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
           samples.emplace_back(s, evaluate(s).position);
         }
+
+    // intervals share their ends
+    Polygon polygon;
+    for (unsigned int i = 0; i < samples.size(); ++i)
+      if (i % (n_samples + 1) < n_samples || i + 1 == samples.size())
+        polygon.push_back(samples[i].second);
+    if (const auto crossing = find_crossing(polygon))
+      {
+        const auto point = [&](const unsigned int segment) {
+          return std::to_string(1 + segment / n_samples);
+        };
+        throw InputError(
+          name + ": the curve crosses itself, after its points " +
+          point(crossing->first) + " and " + point(crossing->second) +
+          ", but a meridian must not meet itself.");
+      }
   }
 
 

@@ -61,7 +61,7 @@ namespace Biface
   public:
     OutputError(const std::string &file, const std::string &reason)
       : std::runtime_error("the file '" + file + "' cannot be written (" +
-                           reason + "), but results must go somewhere.")
+                           reason + ").")
     {}
   };
 } // namespace Biface

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace Biface
@@ -56,8 +57,10 @@ namespace Biface
   public:
     struct Parameters
     {
-      MultiplierMass mass           = MultiplierMass::lumped;
-      double         regularization = 1e4;
+      MultiplierMass mass = MultiplierMass::lumped;
+      /** The parameter @f$\varepsilon@f$; if not set, it follows from the
+       * stiffness of the wall. Unit: pressure/length. */
+      std::optional<double> regularization;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -67,15 +70,20 @@ namespace Biface
       check() const;
     };
 
-    explicit ContactCondition(const Parameters &parameters)
-      : parameters(parameters)
+    /** @param wall_stiffness the pressure per change of the thickness of the
+     * wall, of which an @f$\varepsilon@f$ that is not given is a multiple, so
+     * that no number with a unit is built in. Unit: pressure/length. */
+    ContactCondition(const Parameters &parameters, const double wall_stiffness)
+      : kind(parameters.mass)
+      , regularization(
+          parameters.regularization.value_or(7000 * wall_stiffness))
     {}
 
     /** The multiplier of an active node. */
     double
     multiplier(const double clearance) const
     {
-      return parameters.regularization * clearance;
+      return regularization * clearance;
     }
 
     /** Minus the derivative of the multiplier of an active node by its
@@ -83,7 +91,7 @@ namespace Biface
     double
     multiplier_stiffness() const
     {
-      return parameters.regularization;
+      return regularization;
     }
 
     /**
@@ -109,11 +117,12 @@ namespace Biface
     MultiplierMass
     mass() const
     {
-      return parameters.mass;
+      return kind;
     }
 
   private:
-    const Parameters parameters;
+    const MultiplierMass kind;
+    const double         regularization;
   };
 } // namespace Biface
 

@@ -111,7 +111,8 @@ namespace Biface
   public:
     struct Parameters
     {
-      double radius = 100;
+      /** Must be set if the foundation is a sphere. */
+      std::optional<double> radius;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -143,8 +144,9 @@ namespace Biface
   public:
     struct Parameters
     {
-      double               radius = 854;
-      dealii::Tensor<1, 3> axis{{0, 1, 0}};
+      /** Must be set if the foundation is a drum. */
+      std::optional<double> radius;
+      dealii::Tensor<1, 3>  axis{{0, 1, 0}};
 
       void
       add_parameters(dealii::ParameterHandler &prm);

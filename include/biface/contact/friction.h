@@ -49,8 +49,10 @@ namespace Biface
   public:
     struct Parameters
     {
-      std::string coefficient    = "0";
-      double      regularization = 1e2;
+      std::string coefficient = "0";
+      /** The parameter @f$\varepsilon_t@f$; if not set, it follows from the
+       * stiffness of the wall. Unit: pressure/length. */
+      std::optional<double> regularization;
       /** See FrictionLaw::critical_velocity; 0 if not given. */
       double critical_velocity = 0;
 
@@ -60,6 +62,25 @@ namespace Biface
       /** Throws InputError if a value is invalid. */
       void
       check() const;
+
+      /** The parameter @f$\varepsilon_t@f$ on a wall of the given stiffness,
+       * see ContactCondition: a hundredth of the @f$\varepsilon@f$ that
+       * follows from it, for far fewer iterations. */
+      double
+      regularization_on(const double wall_stiffness) const
+      {
+        return regularization.value_or(70 * wall_stiffness);
+      }
+
+      /** The law in a stage.
+       * @param entry of the coefficient of the stage.
+       * @param own the coefficient of the stage; empty for that of these
+       * parameters.
+       * @param wall_stiffness see regularization_on(). */
+      FrictionLaw
+      of_stage(const std::string &entry,
+               const std::string &own,
+               const double       wall_stiffness = 1) const;
     };
 
     /** @param entry the entry of the coefficient, for error messages.
@@ -93,8 +114,8 @@ namespace Biface
       double value = 0, per_pressure = 0, per_speed = 0;
     };
 
-    /** Where a formula is negative it counts as 0; the limit is not a number
-     * where the formula is none.
+    /** A negative coefficient of friction counts as 0. The limit is NaN where
+     * the formula is.
      * @param speed the slip velocity. */
     Limit
     limit(const double pressure, const double speed = 0) const;

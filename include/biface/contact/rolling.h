@@ -33,7 +33,7 @@ namespace Biface
    * straight ahead, a drum turns. */
   struct GroundMotion
   {
-    /** That of @p point. Unit: length/time. */
+    /** The velocity of @p point. Unit: length/time. */
     dealii::Tensor<1, 3> velocity;
     /** The angular velocity as a vector; zero for a plane. Unit:
      * radians/time. */

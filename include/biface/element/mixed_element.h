@@ -145,7 +145,7 @@ namespace Biface
     /** The element keeps a reference to @p geometry. */
     MixedElement(const ElementGeometry &geometry, const NodalVector &V);
 
-    /** The modes of the strains, @f$\mathbf E(\mathbf V)@f$. */
+    /** The strain modes, @f$\mathbf E(\mathbf V)@f$. */
     Modes::Vector
     strain() const;
 
@@ -154,8 +154,8 @@ namespace Biface
     Modes::Vector
     strain_variation(const NodalVector &dV) const;
 
-    /** The modes of the nonlinear part of the strains,
-     * @f$\boldsymbol\eta(\mathbf V)@f$. */
+    /** The strain modes of the nonlinear part, @f$\boldsymbol\eta(\mathbf
+     * V)@f$. */
     Modes::Vector
     nonlinear_strain() const;
 

@@ -79,8 +79,8 @@ namespace Biface
        {{{true, false}}, 17, 5, 6, {{2, 3, 8, 9, 10, twist}}},
        {{{true, true}}, 23, 1, 1, {{10}}}}};
 
-    /** `mode_of[group][strain]`: the number of the mode, or n if the group does
-     * not contain this strain. */
+    /** `mode_of[group][strain]`: the number of the strain mode, or n if the
+     * group does not contain this strain. */
     constexpr std::array<std::array<unsigned int, twist + 1>, 4> mode_of = [] {
       std::array<std::array<unsigned int, twist + 1>, 4> table{};
       for (unsigned int m = 0; m < 4; ++m)
@@ -164,7 +164,8 @@ namespace Biface
       return modes;
     }
 
-    /** The modes of strains given at the vertices; none of the twist. */
+    /** The strain modes for strains given at the vertices, without the
+     * twist. */
     inline Vector
     from_vertices(const std::array<Resultants::Vector, 4> &at_vertices)
     {
@@ -253,7 +254,7 @@ namespace Biface
   class ModeStiffness
   {
   public:
-    /** @param sampling which modes there are. */
+    /** @param sampling the set of strain modes. */
     explicit ModeStiffness(
       const Resultants::Matrix &stiffness,
       const StrainSampling      sampling = StrainSampling::vertices)

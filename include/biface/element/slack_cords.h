@@ -48,7 +48,7 @@ namespace Biface
   class SlackCords
   {
   public:
-    /** @param sampling which modes there are. */
+    /** @param sampling the set of strain modes. */
     explicit SlackCords(
       const std::vector<CordPoint> &cords,
       const StrainSampling          sampling = StrainSampling::vertices)

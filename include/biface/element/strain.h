@@ -172,7 +172,7 @@ namespace Biface
     std::array<std::array<double, 3>, 2> gg;
     /** `gb[face][a]`: of @f$\mathbf g_a\boldsymbol\beta@f$ */
     std::array<std::array<double, 2>, 2> gb;
-    /** of @f$\boldsymbol\beta\boldsymbol\beta@f$ */
+    /** The coefficient of @f$\boldsymbol\beta\boldsymbol\beta@f$. */
     double bb;
 
     GeometricCoupling(const Resultants::Vector &H,

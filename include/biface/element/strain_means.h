@@ -15,8 +15,8 @@
 namespace Biface
 {
   /**
-   * What StrainSampling::means adds to the modes of the strains: the scalar
-   * products of MeanVectors
+   * What StrainSampling::means adds to the strain modes: the scalar products of
+   * MeanVectors
    * @f{align*}{
    *   \varepsilon_{aa}^\pm,\ 1:\quad&
    *     -\tfrac13\,\varphi_a\,[\mathbf d_a^\pm]_c\cdot[\mathbf d_a^\pm]_c, \\
@@ -119,8 +119,8 @@ namespace Biface
     }
 
 
-    /** Add the symmetric bilinear form of the products above, times
-     * @p factor, to the modes of the strains. */
+    /** Add the symmetric bilinear form of the products above, times @p factor,
+     * to the strain modes. */
     inline void
     add_products(const ElementGeometry &geometry,
                  const MeanVectors     &x,

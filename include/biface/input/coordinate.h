@@ -12,8 +12,8 @@ namespace Biface
 {
   /**
    * A coordinate in an entry that is read before the surface is known: a
-   * number, or a formula of `end`, the largest value of the coordinate on the
-   * surface.
+   * number, a formula of numbers such as `360/7`, or a formula of `end`, the
+   * largest value of the coordinate on the surface.
    */
   class Coordinate
   {
@@ -35,7 +35,7 @@ namespace Biface
     bool
     uses_end() const
     {
-      return formula.has_value();
+      return formula_of_end.has_value();
     }
 
     /** The value, in the unit of parameter files. Throws InputError if it
@@ -47,7 +47,7 @@ namespace Biface
     std::string            entry;
     std::string            item;
     double                 number = 0;
-    std::optional<Formula> formula;
+    std::optional<Formula> formula_of_end;
   };
 } // namespace Biface
 

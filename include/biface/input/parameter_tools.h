@@ -26,6 +26,20 @@ namespace Biface
   void
   check_not_negative(const std::string &entry, const double value);
 
+  /** Throw an InputError that names @p entry unless @p value is a number not
+   * less than @p minimum. */
+  void
+  check_at_least(const std::string &entry,
+                 const double       value,
+                 const double       minimum);
+
+  /** Throw an InputError that names @p entry unless @p value is a number not
+   * greater than @p maximum. */
+  void
+  check_at_most(const std::string &entry,
+                const double       value,
+                const double       maximum);
+
   /** Throw an InputError that names @p entry unless @p value is a finite
    * number other than 0. */
   void

@@ -37,7 +37,7 @@ namespace Biface
     /** Young's moduli. Unit: force/area. */
     double E_cord = 0, E_rubber = 0;
     double nu_cord = 0.3, nu_rubber = 0.49;
-    /** Of a cord, a full circle. Unit: length. */
+    /** The diameter of a cord, taken as a full circle. Unit: length. */
     double cord_diameter = 0;
     /** Distance between the centers of neighboring cords, across them, at the
      * crown. Unit: length. */

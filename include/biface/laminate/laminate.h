@@ -90,6 +90,19 @@ namespace Biface
     double
     thickness() const;
 
+    /** The stiffness of the wall across its thickness, @f$1/\sum_k
+     * h_k/E_k@f$ with the moduli @f$E_k@f$ of the plies in this direction: the
+     * pressure on both faces per change of the thickness, if the plies are free
+     * to spread. Unit: pressure/length. */
+    double
+    thickness_stiffness() const;
+
+    /** The stiffness of the wall along its faces, @f$\sum_k h_kE_k@f$ with the
+     * highest modulus @f$E_k@f$ of each ply in its plane, kept from contracting
+     * across. Unit: force/length. */
+    double
+    membrane_stiffness() const;
+
     /**
      * The thickness coordinates @f$\delta^-,\delta^+@f$ of the inner and the
      * outer face. Unit: length.

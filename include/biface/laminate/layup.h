@@ -143,9 +143,9 @@ namespace Biface
                     "cord: 1.2 @ 52, cord: 1.2 @ -52");
       std::vector<TableFile> tables;
       AngleReference         angle_reference = AngleReference::meridian;
-      /** Of all plies, or of none. */
+      /** One item for each ply, or empty. */
       PlyStresses initial_stresses;
-      /** Added to those of the initial stresses. */
+      /** Added to the resultants of the initial stresses. */
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
       TransverseShearLaw            shear_law;

@@ -25,7 +25,8 @@ namespace Biface
   public:
     /**
      * Throws InputError if there are fewer than 3 points, or if a point is not
-     * finite, repeats the previous one, or does not have a positive radius.
+     * finite, repeats the previous one, does not have a positive radius, or
+     * turns the curve back, or if the curve crosses itself.
      *
      * @param points (r, y), in order along the curve.
      * @param name the name of their file, for error messages.
