@@ -52,7 +52,7 @@ namespace Biface
       nearest = std::min(nearest, distance(node));
     nearest = Utilities::MPI::min(nearest, communicator);
 
-    // of two equally near lines, the one with the smaller coordinate
+    // if two lines are equally near, the one with the smaller coordinate
     double line = std::numeric_limits<double>::max();
     for (const Node &node : mesh.nodes)
       if (distance(node) <= nearest + 1e-9)

@@ -8,6 +8,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
+#include <biface/output/results_check.h>
 #include <biface/output/results_writer.h>
 #include <biface/program/analysis.h>
 #include <biface/program/checkpoint_writer.h>
@@ -37,7 +38,7 @@ namespace Biface
                          record.parameters,
                          before.files,
                          record.files,
-                         before.run.progress);
+                         before.run.last.progress);
       return checkpoint;
     }
 
@@ -94,11 +95,10 @@ namespace Biface
         }
       else
         remove_checkpoints(directory, communicator);
-      const Gas    *gas = simulation.get_gas();
       ResultsWriter results(parameters.output,
                             parameters.stages,
                             equations,
-                            gas ? &gas->cavity : nullptr,
+                            simulation.get_cavity(),
                             parameters.sensitivities.changes.size() *
                               parameters.sensitivities.outputs.size(),
                             written);
@@ -122,11 +122,14 @@ namespace Biface
                                    results,
                                    checkpoint != nullptr);
       checkpoints.write(record);
+      ResultsCheck             check(equations, simulation.get_contact());
       const StepCounter        counter(parameters.stages, progress);
       const LoadSteppingResult result = simulation.run(
         [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
           out << counter.line(report, progress) << std::endl;
+          for (const std::string &warning : check.add(report, state))
+            out << "  " << warning << std::endl;
           results.write_step(report, state);
           record.summary.add(
             report, state, equations.mesh, results.get_failure_maxima());
@@ -141,6 +144,7 @@ namespace Biface
       out << std::endl;
       if (out.is_active())
         record.summary.print(equations.mesh.points, out.get_stream());
+      out << check.summary();
       print_costs(simulation, out);
       out << (result.success ? "Results" : "Results so far");
       print_files(directory, results.list(), out);

@@ -125,7 +125,7 @@ namespace Biface
                                                "Critical points",
                                                "Branch amplitude",
                                                "Adaptive steps"};
-      // those of the neighbors are not known to a restart
+      // a restart does not know the settings of the perturbed runs
       return !progress.stage_begun ||
              (!with_derivatives && free_entries.count(match[2]) > 0);
     }

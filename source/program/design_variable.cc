@@ -124,8 +124,10 @@ namespace Biface
               if (c != ' ' && c != '\t')
                 {
                   // after an operand it is an operator; a sign is next to its
-                  // number
-                  sign = (c == '-' || c == '+') && before != 'x' &&
+                  // number; +- and -+ are two plies with the same number
+                  const bool both = sign && last + 1 == at &&
+                                    (c == '-' || c == '+') && c != before;
+                  sign = (c == '-' || c == '+') && !both && before != 'x' &&
                          before != ')' && before != '"' &&
                          at + 1 < text.size() && text[at + 1] != ' ' &&
                          text[at + 1] != '\t';

@@ -76,7 +76,9 @@ namespace Biface
                       Patterns::Integer(1, 1000),
                       "Number of stages. Each has a section 'Stage 1', "
                       "'Stage 2', ... and starts from the end of the "
-                      "previous one, or of that in 'Start from'.");
+                      "previous one, or of that in 'Start from'. A smaller "
+                      "number on the command line ends the run earlier: the "
+                      "other sections are ignored.");
     stages.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
       {
@@ -220,13 +222,12 @@ namespace Biface
             if (stage.ground_velocity.value_or(0) != 0)
               refuse("Ground velocity",
                      number_to_string(*stage.ground_velocity));
-            refuse("Control", stage.control);
+            refuse("Control", stage.control_name());
           }
         if (stage.glued)
           throw InputError(section + "/Glued",
                            "true",
-                           "nothing is glued to the ground where the wheel "
-                           "rolls");
+                           "it must be 'false' where the wheel rolls");
         if (stage.n_buckling > 0)
           throw InputError(section + "/Buckling",
                            std::to_string(stage.n_buckling),
@@ -248,22 +249,27 @@ namespace Biface
         if (!WheelAxes::fit(direction))
           throw InputError("Contact/Direction",
                            vector_to_string(direction),
-                           "a wheel with the y axis as its axle cannot roll on "
-                           "this ground");
-        // of the axle and the axis of a drum, at least
+                           "it must not be nearly parallel to the y axis, "
+                           "the axle of the wheel");
+        // between the axle and the axis of a drum
         constexpr double   min_cosine = 0.1;
         const Tensor<1, 3> axis       = contact.foundation.drum.axis;
         if (contact.foundation.shape == Shape::drum &&
             std::abs(axis[1]) < min_cosine * axis.norm())
           throw InputError("Contact/Drum/Axis",
                            vector_to_string(axis),
-                           "a wheel with the y axis as its axle cannot roll on "
-                           "this drum");
-        const std::string &coefficient =
-          (stage.friction.empty() ? contact.friction.coefficient
-                                  : stage.friction);
-        if (FrictionLaw(section + "/Friction", coefficient, 1).is_zero())
+                           "it must not be nearly orthogonal to the y axis, "
+                           "the axle of the wheel");
+        if (contact.friction.of_stage(section + "/Friction", stage.friction)
+              .is_zero())
           continue;
+        if (stage.locates_critical_points())
+          throw InputError(section + "/Critical points",
+                           critical_points_names()[static_cast<unsigned int>(
+                             stage.critical_points)],
+                           "it must be 'ignore' or 'report' where the wheel "
+                           "rolls with friction, whose tangent is not "
+                           "symmetric");
         if (contact.friction.critical_velocity == 0)
           throw InputError("Contact/Critical velocity",
                            "0",
@@ -474,9 +480,8 @@ namespace Biface
           sentences.push_back(
             "The edges of alpha_2 are 'cyclic', but the sector of " +
             number_to_string(intervals.back() - intervals.front()) +
-            " degrees does not divide the full turn: only what is the same all "
-            "around the axis can repeat, and contact, point forces and point "
-            "supports are not.");
+            " degrees does not divide the full turn, so that contact, point "
+            "forces and point supports cannot repeat in every sector.");
       }
     return sentences;
   }

@@ -10,13 +10,19 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_text.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 #include <biface/program/design_variable.h>
 #include <biface/program/parameters.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
 
 namespace Biface
 {
@@ -30,6 +36,8 @@ namespace Biface
       /** Its name in error messages. */
       std::string name;
       std::string text;
+      /** The number of stages according to it and the sources before it. */
+      unsigned int n_stages = 1;
     };
 
 
@@ -67,6 +75,52 @@ namespace Biface
     }
 
 
+    /** The number in the name of a section "Stage N"; none if it is another
+     * section. */
+    std::optional<unsigned long>
+    number_of_stage(const std::string &section)
+    {
+      const std::string stage = "Stage ";
+      if (section.rfind(stage, 0) != 0 || section.size() == stage.size() ||
+          section.find_first_not_of("0123456789", stage.size()) !=
+            std::string::npos)
+        return {};
+      return std::strtoul(section.c_str() + stage.size(), nullptr, 10);
+    }
+
+
+    /** Remove the sections of stages beyond the last one if a later source has
+     * reduced the number of stages. @return their names. */
+    std::set<std::string>
+    remove_surplus_stages(Source &source, const unsigned int n_stages)
+    {
+      std::set<std::string>            removed;
+      const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
+      std::istringstream               physical_lines(source.text);
+      std::string                      text, physical;
+      bool                             in_surplus = false;
+      for (unsigned int number = 1; std::getline(physical_lines, physical);
+           ++number)
+        {
+          const ParameterLine &line = lines[number];
+          if (line.keyword == "subsection" && line.section.empty())
+            if (const auto stage = number_of_stage(line.name))
+              if (*stage > n_stages && *stage <= source.n_stages)
+                {
+                  in_surplus = true;
+                  removed.insert(line.name);
+                }
+          // empty lines keep the numbers of the others
+          text += (in_surplus ? std::string() : physical) + '\n';
+          if (line.keyword == "end" && line.depth == 0)
+            in_surplus = false;
+        }
+      if (!removed.empty())
+        source.text = text;
+      return removed;
+    }
+
+
     /** Refuse sections of stages and materials that do not exist. */
     void
     check_sections(const Source                   &source,
@@ -79,28 +133,25 @@ namespace Biface
           const ParameterLine &line = lines[number];
           if (line.keyword != "subsection" || !line.section.empty())
             continue;
-          const auto is = [&](const std::string &kind) {
-            return line.name.rfind(kind, 0) == 0 &&
-                   line.name.size() > kind.size();
-          };
-          std::string reason;
-          if (is("Stage ") &&
-              line.name.find_first_not_of("0123456789", 6) == std::string::npos)
+          const std::string material = "Material ";
+          std::string       reason;
+          if (const auto stage = number_of_stage(line.name))
             {
-              const unsigned long stage =
-                std::strtoul(line.name.c_str() + 6, nullptr, 10);
-              if (stage > n_stages)
+              if (*stage > n_stages)
                 reason = "raise 'Number of stages', which is " +
                          std::to_string(n_stages);
-              else if (line.name != "Stage " + std::to_string(stage) ||
-                       stage == 0)
+              else if (line.name != "Stage " + std::to_string(*stage) ||
+                       *stage == 0)
                 reason = "stages are numbered from 1";
             }
-          else if (is("Material ") &&
+          else if (line.name.rfind(material, 0) == 0 &&
+                   line.name.size() > material.size() &&
                    std::find(materials.begin(),
                              materials.end(),
-                             line.name.substr(9)) == materials.end())
-            reason = "list " + quoted(line.name.substr(9)) + " in 'Materials'";
+                             line.name.substr(material.size())) ==
+                     materials.end())
+            reason = "list " + quoted(line.name.substr(material.size())) +
+                     " in 'Materials'";
           if (!reason.empty())
             throw InputError(parameter_place(source.name, number) +
                              "there is no section " + quoted(line.name) + "; " +
@@ -169,8 +220,8 @@ namespace Biface
 
     /** Read settings; later ones replace earlier ones.
      * @param file_name the file to whose folder names of files are relative.
-     * @return the old names in the settings. */
-    std::vector<OldName>
+     * @return notes: the old names in the settings, and what is ignored. */
+    std::vector<std::string>
     parse_sources(std::vector<Source> sources,
                   const std::string  &file_name,
                   Parameters         &parameters,
@@ -196,6 +247,7 @@ namespace Biface
               used_old_names.push_back(old);
           check_parameter_text(source.name, source.text);
           parse_parameter_text(names_only, source.name, source.text, true);
+          source.n_stages = n_stages;
         }
 
       if (materials.size() > 1000)
@@ -215,14 +267,24 @@ namespace Biface
               .what());
 
       parameters.add_parameters(prm, materials, n_stages);
-      for (const Source &source : sources)
+      std::set<std::string> surplus;
+      for (Source &source : sources)
         {
+          surplus.merge(remove_surplus_stages(source, n_stages));
           check_sections(source, materials, n_stages);
           parse_parameter_text(prm, source.name, source.text, false);
         }
 
       make_names_absolute(file_name, parameters, prm);
-      return used_old_names;
+      std::vector<std::string> notes;
+      for (const OldName &old : used_old_names)
+        notes.push_back("'" + old.old_name + "' is now called '" +
+                        old.new_name + "'; the old name still works.");
+      for (const std::string &section : surplus)
+        notes.push_back("The section '" + section +
+                        "' is ignored: 'Number of stages' is " +
+                        std::to_string(n_stages) + ".");
+      return notes;
     }
 
 
@@ -238,21 +300,6 @@ namespace Biface
       for (const Override &setting : overrides)
         sources.push_back({setting.source, override_text(setting)});
       return sources;
-    }
-
-
-    std::vector<std::string>
-    parse_collected(const std::vector<Source> &sources,
-                    const std::string         &file_name,
-                    Parameters                &parameters,
-                    ParameterHandler          &prm)
-    {
-      std::vector<std::string> sentences;
-      for (const OldName &old :
-           parse_sources(sources, file_name, parameters, prm))
-        sentences.push_back("'" + old.old_name + "' is now called '" +
-                            old.new_name + "'; the old name still works.");
-      return sentences;
     }
 
 
@@ -281,6 +328,22 @@ namespace Biface
     }
 
 
+    /** Whether a number describes the problem, and not how it is solved or what
+     * is written. */
+    bool
+    describes_the_problem(const std::string &entry)
+    {
+      return !is_in(entry,
+                    {"Linear solver/",
+                     "Newton/",
+                     "Step control/",
+                     "Output/",
+                     "Checkpoint/",
+                     "Sensitivities/"}) ||
+             entry == "Output/Moment center";
+    }
+
+
     /** What entries change in the mesh. */
     SensitivityParameters::MeshChange
     mesh_change(const std::vector<std::string> &entries)
@@ -293,6 +356,50 @@ namespace Biface
         else if (!is_in(entry, {"Stage ", "Loads/", "Gas/", "Contact/"}))
           change = MeshChange::anything;
       return change;
+    }
+
+
+    /** Whether the size of a change of an entry says nothing without a unit:
+     * no plain number and no angle. */
+    bool
+    has_unit(const ParameterHandler &prm, const std::string &entry)
+    {
+      std::stringstream text;
+      prm.print_parameters(text, ParameterHandler::JSON);
+      boost::property_tree::ptree tree;
+      boost::property_tree::read_json(text, tree);
+      const auto documentation = tree.get<std::string>(
+        boost::property_tree::ptree::path_type(entry + "/documentation", '/'));
+      return documentation.find("Unit") != std::string::npos &&
+             documentation.find("Unit: degrees.") == std::string::npos;
+    }
+
+
+    /** The change of a design variable in differences.
+     * @param automatic in parts of its value, if none is given. */
+    double
+    change_of(const DesignVariable       &variable,
+              const double                value,
+              const std::optional<double> given,
+              const double                automatic,
+              const ParameterHandler     &prm)
+    {
+      const std::string entry = "Sensitivities/Relative step";
+      if (value != 0)
+        {
+          if (given && *given > 0.1)
+            throw InputError(
+              entry, number_to_string(*given), "it must be at most 0.1");
+          return given.value_or(automatic) * std::abs(value);
+        }
+      for (const std::string &name : variable.get_entries())
+        if (!given && has_unit(prm, name))
+          throw InputError(entry,
+                           "automatic",
+                           "it must be a number, the change of " +
+                             quoted(variable.get_name()) +
+                             ", which is 0 and has a unit");
+      return given.value_or(automatic);
     }
 
 
@@ -310,16 +417,15 @@ namespace Biface
       // or with friction, if a small slip changes its direction.
       constexpr double step = 1e-4, small_step = 2e-5;
 
-      const bool has_friction = std::any_of(
-        parameters.stages.begin(),
-        parameters.stages.end(),
-        [&](const Stage &stage) {
-          const std::string &own = stage.friction;
-          return stage.contact &&
-                 (stage.glued ||
-                  (own.empty() ? parameters.contact.friction.coefficient
-                               : own) != "0");
-        });
+      const bool has_friction =
+        std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [&](const Stage &stage) {
+                      return stage.contact &&
+                             (stage.glued || !parameters.contact.friction
+                                                .of_stage("", stage.friction)
+                                                .is_zero());
+                    });
       const std::string     entry = "Sensitivities/Entries";
       const DeclaredEntries declared(prm);
       std::vector<SensitivityParameters::Change> changes;
@@ -331,6 +437,13 @@ namespace Biface
           change.value = variable.value(declared);
           const std::vector<std::string> changed_entries =
             variable.get_entries();
+          for (const std::string &name : changed_entries)
+            if (!describes_the_problem(name))
+              throw InputError(entry,
+                               change.name,
+                               "it must be a number that describes the shell, "
+                               "its loads or the foundation, not the solution "
+                               "or the output");
           change.mesh_change = mesh_change(changed_entries);
           const bool of_shape =
             std::any_of(changed_entries.begin(),
@@ -338,10 +451,12 @@ namespace Biface
                         [](const std::string &name) {
                           return is_in(name, {"Surface/", "Mesh/"});
                         });
-          const double relative = parameters.sensitivities.step.value_or(
-            has_friction || of_shape ? small_step : step);
           const double size =
-            relative * (change.value == 0 ? 1 : std::abs(change.value));
+            change_of(variable,
+                      change.value,
+                      parameters.sensitivities.step,
+                      has_friction || of_shape ? small_step : step,
+                      prm);
           const std::array<double, 2> values{
             {change.value - size, change.value + size}};
           change.step = values[1] - values[0];
@@ -355,7 +470,7 @@ namespace Biface
               ParameterHandler changed_prm;
               try
                 {
-                  parse_collected(
+                  parse_sources(
                     changed_sources, file_name, *changed, changed_prm);
                   complete(communicator, *changed);
                 }
@@ -369,8 +484,7 @@ namespace Biface
                     reason.pop_back();
                   throw InputError(entry,
                                    change.name,
-                                   "it must be possible to change it a "
-                                   "little, and then " +
+                                   "small changes of it are not allowed: " +
                                      reason);
                 }
               change.parameters[side] = changed;
@@ -389,10 +503,10 @@ namespace Biface
                    Parameters                  &parameters,
                    ParameterHandler            &prm)
   {
-    return parse_collected(collect_sources(file_name, overrides, communicator),
-                           file_name,
-                           parameters,
-                           prm);
+    return parse_sources(collect_sources(file_name, overrides, communicator),
+                         file_name,
+                         parameters,
+                         prm);
   }
 
 
@@ -406,7 +520,7 @@ namespace Biface
     const std::vector<Source> sources =
       collect_sources(file_name, overrides, communicator);
     const std::vector<std::string> sentences =
-      parse_collected(sources, file_name, parameters, prm);
+      parse_sources(sources, file_name, parameters, prm);
     try
       {
         complete(communicator, parameters);

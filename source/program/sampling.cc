@@ -196,7 +196,7 @@ namespace Biface
           }))
         throw InputError("the entry 'Study/Values' has values of " +
                          Biface::quoted(given.variable) +
-                         ", which is no name in 'Study/Variables'.");
+                         ", but 'Study/Variables' has no such variable.");
     if (type == Type::file)
       return read_samples(folder, communicator);
 

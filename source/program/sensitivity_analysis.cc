@@ -13,10 +13,12 @@
 #include <biface/model/quantities/footprint.h>
 #include <biface/program/sensitivity_analysis.h>
 #include <biface/solver/buckling_analysis.h>
-#include <biface/solver/gas_stiffness.h>
+#include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
-#include <biface/stepping/stage_start.h>
+#include <biface/stepping/sensitivity_table.h>
+#include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_reporting.h>
 
 namespace Biface
 {
@@ -35,7 +37,7 @@ namespace Biface
     RestorePoint
     restore_point() const
     {
-      return {state, model.equations.internal_forces().get_history(), progress};
+      return {state, progress};
     }
 
     void
@@ -43,7 +45,18 @@ namespace Biface
     {
       state    = point.state;
       progress = point.progress;
-      model.equations.internal_forces().restore(point.history);
+    }
+
+    /** Enter the current stage of the progress. */
+    void
+    enter_stage()
+    {
+      run = std::make_unique<StageRun>(parameters->stages,
+                                       parameters->load_stepping.control,
+                                       model.equations,
+                                       model.contact,
+                                       progress,
+                                       state);
     }
 
     const std::shared_ptr<const Parameters> parameters;
@@ -51,12 +64,8 @@ namespace Biface
     State                                   state;
     Progress                                progress;
     StageEnds                               ends;
-
-    /** Of the current stage. */
-    Stage                              stage;
-    std::unique_ptr<Control>           control;
-    std::shared_ptr<const FrictionLaw> friction;
-    bool                               rolls = false;
+    /** The current stage. */
+    std::unique_ptr<StageRun> run;
 
     /** The step that is followed: its loads, and the state before it. */
     Control::Trial trial;
@@ -132,16 +141,6 @@ namespace Biface
     }
 
 
-    /** The gas sealed in a neighbor, if any. */
-    template <typename Neighbor>
-    std::optional<Gas::Sealed>
-    sealed_in(const Neighbor &neighbor)
-    {
-      std::optional<Gas::Sealed> gas;
-      if (neighbor.progress.gas_content)
-        gas.emplace(*neighbor.model.gas, *neighbor.progress.gas_content);
-      return gas;
-    }
   } // namespace
 
 
@@ -160,7 +159,7 @@ namespace Biface
               *model.mesh,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
-              ScalarResults::Known::at_ends(model.cavity(),
+              ScalarResults::Known::at_ends(model.cavity.get(),
                                             wanted_stages(parameters)),
               ScalarResults::Columns::differentiable)
   {
@@ -183,19 +182,6 @@ namespace Biface
 
 
   SensitivityAnalysis::~SensitivityAnalysis() = default;
-
-
-  Loads
-  SensitivityAnalysis::loads_on(const Neighbor  &neighbor,
-                                const LoadLevel &level) const
-  {
-    return loads_at(level,
-                    neighbor.stage,
-                    neighbor.rolls,
-                    neighbor.friction,
-                    neighbor.model.contact,
-                    neighbor.progress);
-  }
 
 
   NeighborPoints
@@ -227,34 +213,17 @@ namespace Biface
           neighbor.state);
         neighbor.ends = points.runs[i].ends;
         if (neighbor.progress.stage_begun)
-          enter_stage(neighbor);
+          neighbor.enter_stage();
       }
   }
 
 
   void
-  SensitivityAnalysis::enter_stage(Neighbor &neighbor) const
-  {
-    const Progress    &progress = neighbor.progress;
-    const unsigned int position = progress.stage;
-    neighbor.stage =
-      progress.with_angular_velocity(neighbor.parameters->stages[position]);
-    neighbor.friction = neighbor.model.contact.friction(
-      "Stage " + std::to_string(position + 1) + "/Friction",
-      neighbor.stage.friction,
-      neighbor.stage.glued);
-    neighbor.rolls = neighbor.stage.rolls(
-      progress.stage_begun ? progress.control.start : progress.reached);
-    neighbor.control =
-      make_control(neighbor.stage, neighbor.parameters->load_stepping.control);
-  }
-
-
-  void
-  SensitivityAnalysis::start_stage(const std::optional<unsigned int> &before,
-                                   const unsigned int                 stage)
+  SensitivityAnalysis::start_stage(const StageRun                    &run,
+                                   const std::optional<unsigned int> &before)
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
+    const unsigned int stage = run.progress.stage;
     if (before)
       {
         const unsigned int last = stage - 1;
@@ -275,28 +244,12 @@ namespace Biface
           for (const auto &neighbor : neighbors)
             neighbor->restore(neighbor->ends.at(*before));
       }
-    for (const auto &item : neighbors)
+    for (const auto &neighbor : neighbors)
       {
-        Neighbor &neighbor            = *item;
-        neighbor.progress.stage       = stage;
-        neighbor.progress.stage_begun = false;
-        enter_stage(neighbor);
-        Biface::start_stage(neighbor.stage,
-                            neighbor.rolls,
-                            neighbor.model.equations,
-                            neighbor.model.contact,
-                            neighbor.model.gas.get(),
-                            neighbor.progress,
-                            neighbor.state);
-        neighbor.control->begin(
-          {neighbor.model.equations,
-           neighbor.model.contact,
-           neighbor.state,
-           neighbor.progress.reached,
-           neighbor.progress.last_change,
-           [&](const LoadLevel &level) { return loads_on(neighbor, level); }});
-        neighbor.progress.control     = neighbor.control->get_memory();
-        neighbor.progress.stage_begun = true;
+        neighbor->progress.stage       = stage;
+        neighbor->progress.stage_begun = false;
+        neighbor->enter_stage();
+        neighbor->run->start();
       }
   }
 
@@ -306,8 +259,9 @@ namespace Biface
   {
     // the next step reads the history of friction, and the displacements if
     // their change is controlled
-    const bool buckles = results.have_buckling() && step.stage.n_buckling > 0;
-    return step.completes_stage || step.loads.friction ||
+    const bool buckles =
+      results.have_buckling() && step.run.stage.n_buckling > 0;
+    return step.run.is_complete() || has_friction(step.loads) ||
            step.trial.equations || buckles;
   }
 
@@ -315,28 +269,26 @@ namespace Biface
   /** The tangent of the run in a step, with the gas and the load parameter. */
   struct SensitivityAnalysis::Linearization
   {
-    Linearization(ShellModel                       &model,
-                  LinearSolver                     &linear_solver,
-                  const Step                       &step,
-                  const std::optional<Gas::Sealed> &gas)
-      : model(model), linear_solver(linear_solver)
+    Linearization(ShellModel   &model,
+                  LinearSolver &linear_solver,
+                  const Step   &step)
+      : model(model)
+      , linear_solver(linear_solver)
+      , low_rank(model.equations, step.state, step.loads)
     {
       ShellEquations &equations = model.equations;
       equations.assemble(step.state, step.loads);
       check(linear_solver.factorize_for_many(
-        equations.tangent(), equations.is_symmetric(step.loads)));
-      if (gas)
-        {
-          gas_stiffness.emplace(equations, step.state, step.loads, *gas);
-          const bool determined =
-            gas_stiffness->prepare([&](LA::Vector &x, const LA::Vector &b) {
-              x = solve_without_gas({b})[0];
-              return !failure;
-            });
-          if (!determined && !failure)
-            failure = Failure{FailureCause::singular_tangent,
-                              "the pressure of the gas is not determined"};
-        }
+        equations.tangent(),
+        equations.is_symmetric(step.loads, equations.tangent())));
+      const bool determined =
+        low_rank.prepare([&](LA::Vector &x, const LA::Vector &b) {
+          x = solve_with_matrix({b})[0];
+          return !failure;
+        });
+      if (!determined && !failure)
+        failure = Failure{FailureCause::singular_tangent,
+                          "the pressure of the gas is not determined"};
       if (step.trial.equations && !failure)
         {
           std::vector<LA::Vector> directions;
@@ -347,15 +299,15 @@ namespace Biface
         }
     }
 
-    /** The displacements per each of the given forces, with the pressure of the
-     * gas; those of the supports do not change. */
+    /** The displacements per each of the given forces; those of the supports do
+     * not change. */
     std::vector<LA::Vector>
     solve(const std::vector<LA::Vector> &forces)
     {
-      std::vector<LA::Vector> solutions = solve_without_gas(forces);
-      if (gas_stiffness && !failure)
+      std::vector<LA::Vector> solutions = solve_with_matrix(forces);
+      if (!failure)
         for (LA::Vector &solution : solutions)
-          gas_stiffness->correct(solution);
+          low_rank.correct(solution);
       return solutions;
     }
 
@@ -369,7 +321,7 @@ namespace Biface
 
   private:
     std::vector<LA::Vector>
-    solve_without_gas(const std::vector<LA::Vector> &forces)
+    solve_with_matrix(const std::vector<LA::Vector> &forces)
     {
       constexpr double exactness = 1e-12;
 
@@ -411,7 +363,7 @@ namespace Biface
         failure = Failure{result.cause, result.message};
     }
 
-    std::optional<GasStiffness> gas_stiffness;
+    LowRankStiffness low_rank;
   };
 
 
@@ -453,21 +405,19 @@ namespace Biface
     for (const auto &number : own.numbers)
       if (number.first.rfind("start", 0) == 0)
         memory.numbers[number.first] = number.second;
-    neighbor.control->restore(memory);
-    neighbor.trial = neighbor.control->propose(
-      {neighbor.model.equations,
-       neighbor.model.contact,
-       neighbor.before,
-       neighbor.progress.reached,
-       neighbor.progress.last_change,
-       [&](const LoadLevel &level) { return loads_on(neighbor, level); }});
+    neighbor.run->control->restore(memory);
+    neighbor.trial =
+      neighbor.run->control->propose(neighbor.run->last_converged());
+    // the run may have replaced a step beyond the end of the stage
+    if (!step.trial.equations)
+      neighbor.trial.equations = nullptr;
 
     State &state       = neighbor.state;
     state.displacement = step.state.displacement;
     state.active       = step.state.active;
     state.grips        = step.state.grips;
     neighbor.model.equations.move_supports(
-      state, loads_on(neighbor, neighbor.trial.level(step.mu)));
+      state, neighbor.run->loads_at(neighbor.trial.level(step.mu)));
     return owned_part(state.displacement);
   }
 
@@ -498,7 +448,7 @@ namespace Biface
         LoadParameters mu       = step.mu;
         add(mu, half, derivative.mu);
         neighbor.level = neighbor.trial.level(mu);
-        neighbor.loads = loads_on(neighbor, neighbor.level);
+        neighbor.loads = neighbor.run->loads_at(neighbor.level);
 
         State &state = neighbor.state;
         // the very positions for which the forces were evaluated: contact is so
@@ -508,7 +458,7 @@ namespace Biface
         LoadParameters balanced_mu = step.mu;
         add(balanced_mu, half, derivative.balanced_mu);
         const auto contact_before = neighbor.model.contact.linearize(
-          state, loads_on(neighbor, neighbor.trial.level(balanced_mu)));
+          state, neighbor.run->loads_at(neighbor.trial.level(balanced_mu)));
         double travel = 0;
         if (neighbor.trial.equations)
           for (unsigned int i = 0; i < mu.size(); ++i)
@@ -520,9 +470,9 @@ namespace Biface
         state.displacement           = moved;
         LA::Vector ghosted_increment = model.mesh->ghosted_vector();
         ghosted_increment            = increment;
-        if (const auto gas = sealed_in(neighbor))
-          neighbor.loads.pressure = neighbor.level.pressure =
-            gas->pressure(neighbor.state);
+        neighbor.loads = neighbor.model.equations.with_dependent_loads(
+          neighbor.state, neighbor.loads);
+        neighbor.level.pressure = neighbor.loads.pressure;
         neighbor.model.contact.compute_multipliers(
           state, neighbor.loads, contact_before, ghosted_increment, travel);
       }
@@ -549,7 +499,7 @@ namespace Biface
       }
     LA::Vector difference = forces[1];
     difference -= forces[0];
-    if (!step.loads.friction)
+    if (!has_friction(step.loads))
       {
         LA::Vector curvature = forces[1];
         curvature += forces[0];
@@ -614,7 +564,7 @@ namespace Biface
   void
   SensitivityAnalysis::follow(const Step &step)
   {
-    if (!is_read(step) || lost_stages.count(step.position) > 0)
+    if (!is_read(step) || lost_stages.count(step.run.progress.stage) > 0)
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
 
@@ -623,12 +573,7 @@ namespace Biface
         neighbor->before       = neighbor->state;
         neighbor->level_before = neighbor->progress.reached;
       }
-    std::optional<Gas::Sealed> gas;
-    // the content in the run is between those of its neighbors
-    if (neighbors[0]->progress.gas_content)
-      gas.emplace(*model.gas,
-                  model.gas->content(step.loads.pressure, step.state));
-    Linearization tangent(model, linear_solver, step, gas);
+    Linearization tangent(model, linear_solver, step);
     if (!tangent.failure)
       carry_along(step, tangent);
     if (tangent.failure)
@@ -686,7 +631,7 @@ namespace Biface
                 return;
               }
             // without friction, the forces of contact are linear
-            if (step.loads.friction &&
+            if (has_friction(step.loads) &&
                 corrections[i].l2_norm() >
                   exact * derivative.displacements.l2_norm())
               still_unsettled.push_back(e);
@@ -702,7 +647,8 @@ namespace Biface
         neighbor.progress.reached = neighbor.level;
         neighbor.model.equations.internal_forces().settle_resultants(
           neighbor.state);
-        neighbor.model.contact.record_history(neighbor.state, neighbor.loads);
+        neighbor.model.equations.commit_step(
+          neighbor.before, neighbor.loads, step.time, neighbor.state);
       }
   }
 
@@ -712,12 +658,11 @@ namespace Biface
   {
     for (const auto &neighbor : neighbors)
       neighbor->state = neighbor->before;
-    lost_stages.insert(step.position);
-    out << "  Warning: the derivatives in " << step.stage.name
+    lost_stages.insert(step.run.progress.stage);
+    out << "  Warning: the derivatives in " << step.run.stage.name
         << " and in stages that start from its end are left out: "
-        << failure.message
-        << "; what may help: " << advice(failure.cause, step.stage.contact)
-        << std::endl;
+        << failure.message << ". Possible remedies: "
+        << advice(failure.cause, step.run.stage.contact) << std::endl;
   }
 
 
@@ -729,26 +674,27 @@ namespace Biface
   }
 
 
-  std::shared_ptr<const SensitivityTable>
-  SensitivityAnalysis::end_stage(const StepReport &report, const State &state)
+  void
+  SensitivityAnalysis::end_stage(const StageRun &run, StepReport &report)
   {
     const unsigned int position = report.instant.stage;
     if (lost_stages.count(position) > 0)
-      return nullptr;
+      return;
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const auto &neighbor : neighbors)
-      neighbor->progress.end_stage(neighbor->stage);
+      neighbor->progress.end_stage(neighbor->run->stage);
     const SensitivityParameters &asked = parameters.sensitivities;
     if (!asked.is_wanted(position, parameters.stages.size()))
-      return nullptr;
+      return;
 
     const auto evaluate = [&](const ShellModel &model,
                               const StepReport &report,
                               const State      &state) {
-      return results.evaluate(model.equations, model.cavity(), report, state);
+      return results.evaluate(
+        model.equations, model.cavity.get(), report, state);
     };
     auto                      table = std::make_shared<SensitivityTable>();
-    const std::vector<double> here  = evaluate(model, report, state);
+    const std::vector<double> here  = evaluate(model, report, run.state);
     const auto               &names = results.get_names();
     for (unsigned int o = 0; o < names.size(); ++o)
       table->outputs.push_back({names[o], here[o]});
@@ -758,21 +704,11 @@ namespace Biface
         std::array<std::vector<double>, 2> values;
         for (unsigned int side = 0; side < 2; ++side)
           {
-            Neighbor                 &neighbor = *neighbors[2 * e + side];
-            const ContactInteraction &contact  = neighbor.model.contact;
-            const LoadLevel          &level    = neighbor.progress.reached;
-
-            StepReport changed = report;
-            changed.loads      = loads_on(neighbor, level);
-            if (report.in_contact)
-              {
-                changed.approach = level.travel;
-                changed.slide    = level.slide;
-                changed.turn     = level.turn;
-              }
-            changed.contact = contact.summarize(neighbor.state, changed.loads);
-            changed.footprint =
-              find_footprint(contact, neighbor.state, changed.loads);
+            Neighbor  &neighbor = *neighbors[2 * e + side];
+            StepReport changed  = report;
+            report_contact(*neighbor.run,
+                           neighbor.run->loads_at(neighbor.progress.reached),
+                           changed);
             if (results.have_force())
               changed.forces =
                 std::make_shared<const NodalForces>(forces_in_equilibrium(
@@ -806,10 +742,10 @@ namespace Biface
             table->derivatives.end(),
             [&](const auto &of_entry) { return !std::isfinite(of_entry[o]); }))
         out << "  Warning: '" << names[o]
-            << "' has no derivatives here, like a frequency at the onset of "
-               "flutter, where two modes become one"
+            << "' is not differentiable here; a frequency, for example, is "
+               "not at the onset of flutter, where two modes coincide"
             << std::endl;
-    return table;
+    report.sensitivities = table;
   }
 
 
@@ -818,14 +754,12 @@ namespace Biface
                                     Neighbor             &neighbor,
                                     const Loads          &loads)
   {
-    const auto gas     = sealed_in(neighbor);
     auto       changed = std::make_shared<VibrationModes>(modes);
     const auto omegas  = omegas_for_shapes(neighbor.model.equations,
                                           neighbor.model.contact,
                                           timer,
                                           neighbor.state,
                                           loads,
-                                          gas ? &*gas : nullptr,
                                           modes);
     for (unsigned int m = 0; m < omegas.size(); ++m)
       changed->modes[m].omega = omegas[m];
@@ -844,16 +778,13 @@ namespace Biface
     changed.modes              = buckling.modes;
     const LoadLevel    &start  = neighbor.progress.control.start;
     const BucklingStart before = buckling_start(
-      neighbor.model.equations.internal_forces(),
+      neighbor.state,
       start,
       {neighbor.before, neighbor.level_before},
-      [&](const LoadLevel &level) { return loads_on(neighbor, level); });
-    const bool                sealed = neighbor.stage.sealed;
-    const std::vector<double> positions =
-      analysis.quotients({before.state, before.loads},
-                         {neighbor.state, loads},
-                         sealed ? neighbor.model.gas.get() : nullptr,
-                         changed.modes);
+      [&](const LoadLevel &level) { return neighbor.run->loads_at(level); });
+    const bool                sealed    = neighbor.run->stage.sealed;
+    const std::vector<double> positions = analysis.quotients(
+      {before.state, before.loads}, {neighbor.state, loads}, changed.modes);
     for (unsigned int m = 0; m < positions.size(); ++m)
       changed.modes[m].position = positions[m];
     return std::make_shared<const Buckling>(buckling_from(
@@ -884,9 +815,10 @@ namespace Biface
     if (std::count(warned.begin(), warned.end(), change.name + what) > 0)
       return;
     warned.push_back(change.name + what);
-    out << "  Warning: with the entry '" << change.name << "', " << what
-        << " changes differently upward and downward; its derivative is "
-           "uncertain: see 'Sensitivities/Relative step'"
+    out << "  Warning: forward and backward differences of " << what
+        << " by the entry '" << change.name
+        << "' disagree; its derivative is uncertain, see "
+           "'Sensitivities/Relative step'"
         << std::endl;
   }
 } // namespace Biface

@@ -44,9 +44,11 @@ namespace Biface
       "Relative step",
       step,
       "automatic",
-      "The change of an entry in differences, in parts of its value; for an "
-      "entry that is 0, the change itself. 'automatic': 1e-4, for entries of "
-      "the sections Surface and Mesh, and with friction, 2e-5. No unit.");
+      "The change of an entry in differences, in parts of its value, from 1e-8 "
+      "to 0.1; for an entry that is 0, the change itself. 'automatic': 1e-4, for "
+      "entries of the sections Surface and Mesh, and with friction, 2e-5; an "
+      "entry that is 0 and has a unit other than degrees needs a number. No "
+      "unit.");
   }
 
 
@@ -55,11 +57,9 @@ namespace Biface
   {
     if (step)
       {
-        check_positive("Sensitivities/Relative step", *step);
-        if (*step > 0.1)
-          throw InputError("Sensitivities/Relative step",
-                           number_to_string(*step),
-                           "it must be at most 0.1");
+        // smaller changes are lost in round-off
+        check_at_least("Sensitivities/Relative step", *step, 1e-8);
+        check_at_most("Sensitivities/Relative step", *step, 0.1);
       }
     for (const unsigned int stage : stages)
       if (stage > n_stages)

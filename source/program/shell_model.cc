@@ -10,6 +10,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/forces/gas.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/program/shell_model.h>
 
@@ -66,6 +67,21 @@ namespace Biface
               parameters.materials,
               plies_on_surface(make_surface(parameters.surface), finest)};
     }
+
+
+    /** Those of make_force_terms(), and the gas in the cavity, if any. */
+    ForceTerms
+    force_terms(const Parameters         &parameters,
+                const ShellMesh          &mesh,
+                const ContactInteraction &contact,
+                const Cavity             *cavity)
+    {
+      ForceTerms terms =
+        make_force_terms(mesh, contact, parameters.loads, parameters.pressure);
+      if (cavity)
+        terms.push_back(std::make_unique<Gas>(parameters.gas, *cavity));
+      return terms;
+    }
   } // namespace
 
 
@@ -104,12 +120,10 @@ namespace Biface
                          std::shared_ptr<const ShellMesh> shell_mesh)
     : mesh(std::move(shell_mesh))
     , contact(*mesh, parameters.contact)
-    , equations(
-        *mesh,
-        make_force_terms(*mesh, contact, parameters.loads, parameters.pressure))
-    , gas(parameters.gas.ambient_pressure
-            ? std::make_unique<const Gas>(
-                *mesh, parameters.gas, parameters.pressure.face)
-            : nullptr)
+    , cavity(parameters.gas.ambient_pressure
+               ? std::make_unique<const Cavity>(
+                   *mesh, parameters.gas.cavity, parameters.pressure.face)
+               : nullptr)
+    , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
   {}
 } // namespace Biface

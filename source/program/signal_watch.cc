@@ -17,6 +17,12 @@ namespace Biface
     extern "C" void
     biface_note_signal(int signal)
     {
+      // whoever sends another one, of either kind, does not want to wait
+      if (noted != 0)
+        {
+          std::signal(signal, SIG_DFL);
+          std::raise(signal);
+        }
       noted = signal;
     }
 
@@ -33,8 +39,8 @@ namespace Biface
         const bool       ignore = (watched[i] == SIGXFSZ);
         struct sigaction action = {};
         action.sa_handler       = (ignore ? SIG_IGN : biface_note_signal);
-        // system calls continue; the second signal has its previous effect
-        action.sa_flags = (ignore ? 0 : SA_RESTART | SA_RESETHAND);
+        // system calls continue
+        action.sa_flags = (ignore ? 0 : SA_RESTART);
         sigemptyset(&action.sa_mask);
         sigaction(watched[i], &action, &before[i]);
       }

@@ -10,10 +10,13 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/program/proportions.h>
 #include <biface/program/sensitivity_analysis.h>
 #include <biface/program/simulation.h>
 #include <biface/solver/buckling_analysis.h>
-#include <biface/solver/modal_analysis.h>
+#include <biface/stepping/stage_buckling.h>
+#include <biface/stepping/stage_modes.h>
+#include <biface/stepping/step_warnings.h>
 
 namespace Biface
 {
@@ -43,7 +46,9 @@ namespace Biface
                  communicator,
                  stream,
                  make_shell_mesh(parameters, communicator))
-  {}
+  {
+    check_proportions(parameters, *mesh);
+  }
 
 
   Simulation::Simulation(const Parameters                &parameters,
@@ -58,7 +63,6 @@ namespace Biface
     , mesh(model.mesh)
     , contact(model.contact)
     , equations(model.equations)
-    , gas(model.gas)
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
     , state(*mesh)
   {
@@ -91,13 +95,13 @@ namespace Biface
         if (coarser.lines == grid.lines)
           throw InputError("Mesh/Coarse meshes",
                            std::to_string(parameters.mesh.n_coarse),
-                           "the mesh has too few cells for so many coarser "
-                           "meshes");
+                           "the mesh has too few cells for this number of "
+                           "coarser meshes");
         grid = coarser;
       }
 
     if (!parameters.sensitivities.changes.empty())
-      sensitivities = std::make_unique<SensitivityAnalysis>(
+      sensitivities = std::make_shared<SensitivityAnalysis>(
         parameters, model, *linear_solver, out, timer);
   }
 
@@ -162,7 +166,7 @@ namespace Biface
   RestorePoints
   Simulation::get_restore_points() const
   {
-    return {{state, equations.internal_forces().get_history(), progress}, ends};
+    return {{state, progress}, ends};
   }
 
 
@@ -184,17 +188,14 @@ namespace Biface
         if (change.step != record.differences[i])
           throw InputError("Sensitivities/Entries",
                            change.name,
-                           "the run to be continued has taken derivatives by "
-                           "a difference of " +
+                           "the run to be continued used the relative step " +
                              number_to_string(record.differences[i]) +
-                             " of its value, not " +
-                             number_to_string(change.step));
+                             " for it, not " + number_to_string(change.step));
       }
     const RestorePoints points = checkpoint.run(*mesh);
     state                      = points.last.state;
     progress                   = points.last.progress;
     ends                       = points.ends;
-    equations.internal_forces().restore(points.last.history);
     if (sensitivities)
       sensitivities->restore(checkpoint.neighbors(*mesh));
     for (unsigned int next = progress.stage + 1;
@@ -214,6 +215,27 @@ namespace Biface
   }
 
 
+  StageAnalyses
+  Simulation::make_analyses(BucklingAnalysis &buckling_analysis)
+  {
+    const auto with_left = [this](const unsigned int stage) {
+      return sensitivities && sensitivities->reads_left_eigenvectors(stage);
+    };
+    StageAnalyses analyses{std::make_shared<StepWarnings>(out)};
+    if (std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [](const Stage &stage) { return stage.n_modes > 0; }))
+      analyses.push_back(std::make_shared<StageModes>(
+        equations, contact, *linear_solver, timer, with_left, out));
+    analyses.push_back(
+      std::make_shared<StageBuckling>(buckling_analysis, with_left, out));
+    // it reads the results of the others
+    if (sensitivities)
+      analyses.push_back(sensitivities);
+    return analyses;
+  }
+
+
   LoadSteppingResult
   Simulation::run(const LoadStepping::Observer &observer,
                   const Newton::Stop           &stop,
@@ -224,34 +246,22 @@ namespace Biface
     if (nested)
       out << "\nFiner mesh of " << mesh->n_cells() << " cells, "
           << mesh->n_unknowns() << " unknowns" << std::endl;
+    const NestedPredictor none;
 
     Newton newton(
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
-    std::unique_ptr<ModalAnalysis> modal_analysis;
-    if (std::any_of(parameters.stages.begin(),
-                    parameters.stages.end(),
-                    [](const Stage &stage) { return stage.n_modes > 0; }))
-      modal_analysis = std::make_unique<ModalAnalysis>(
-        equations, contact, *linear_solver, timer);
-    std::unique_ptr<BucklingAnalysis> buckling_analysis;
-    if (std::any_of(parameters.stages.begin(),
-                    parameters.stages.end(),
-                    [](const Stage &stage) {
-                      return stage.n_buckling > 0 ||
-                             stage.critical_points != CriticalPoints::ignore;
-                    }))
-      buckling_analysis = std::make_unique<BucklingAnalysis>(
-        equations, contact, *linear_solver, timer);
+    BucklingAnalysis buckling_analysis(
+      equations, contact, *linear_solver, timer);
     LoadStepping load_stepping(parameters.load_stepping,
                                equations,
                                contact,
                                newton,
-                               out,
-                               predictor ? predictor : nested.get(),
-                               gas.get(),
-                               modal_analysis.get(),
-                               buckling_analysis.get(),
-                               sensitivities.get());
+                               predictor ? *predictor
+                               : nested  ? *nested
+                                         : none,
+                               buckling_analysis,
+                               make_analyses(buckling_analysis),
+                               out);
     return load_stepping.run(
       parameters.stages, progress, state, ends, observer);
   }

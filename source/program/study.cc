@@ -41,6 +41,23 @@ namespace Biface
     constexpr const char *study_name = "study.prm";
 
 
+    /** The base file with all that it reads: the contents of the files that it
+     * names follow in comments. */
+    std::string
+    text_of_base(const ParameterHandler &prm, const Parameters &parameters)
+    {
+      std::string text = print_parameters(prm);
+      for (const auto &[entry, pairs] : parameters.named_pairs())
+        {
+          text += "\n# " + entry + ":\n";
+          for (const Point<2> &pair : pairs)
+            text += "# " + exact_number(pair[0]) + ", " +
+                    exact_number(pair[1]) + '\n';
+        }
+      return text;
+    }
+
+
     /** The communicator of the group of a rank. */
     class Group
     {
@@ -78,8 +95,7 @@ namespace Biface
                         const Parameters                           &parameters,
                         const Simulation                           &simulation)
       {
-        const Gas    *gas    = simulation.get_gas();
-        const Cavity *cavity = (gas ? &gas->cavity : nullptr);
+        const Cavity *cavity = simulation.get_cavity();
         for (unsigned int s = 0; s < parameters.stages.size(); ++s)
           {
             std::vector<unsigned int> numbers;
@@ -114,12 +130,8 @@ namespace Biface
         const OfStage &stage = of_stages[report.instant.stage];
         if (report.instant.fraction < 1 || stage.numbers.empty())
           return;
-        const Gas                *gas = simulation.get_gas();
-        const std::vector<double> found =
-          stage.results.evaluate(simulation.get_equations(),
-                                 gas ? &gas->cavity : nullptr,
-                                 report,
-                                 state);
+        const std::vector<double> found = stage.results.evaluate(
+          simulation.get_equations(), simulation.get_cavity(), report, state);
         for (unsigned int i = 0; i < found.size(); ++i)
           values[stage.numbers[i]] = found[i];
       }
@@ -333,7 +345,7 @@ namespace Biface
       StudyTable table(parameters.directory, columns, samples);
 
       const ResultsDirectory directory(parameters.directory, communicator);
-      const std::string      base_text = print_parameters(base_prm);
+      const std::string      base_text = text_of_base(base_prm, base);
       std::string            reason;
       if (is_root && restart)
         {
@@ -346,8 +358,8 @@ namespace Biface
                      " contains no study that can be continued.";
           else if (before != base_text)
             reason = "the study in " + name +
-                     " has another base file or other settings, see "
-                     "'base.prm' there, and cannot be continued.";
+                     " has another base file, other settings or other tables, "
+                     "see 'base.prm' there, and cannot be continued.";
           else if (table.has_foreign_row())
             reason = "the study in " + name +
                      " has other samples or outputs and cannot be continued.";
@@ -500,17 +512,21 @@ namespace Biface
           << std::endl;
 
       unsigned int n_done = samples.size() - todo.size();
-      const auto   report = [&]() {
-        if (!is_root)
-          return;
-        const std::vector<unsigned int> news = table.collect();
+      // on all ranks of a group, which learn together that a file cannot be
+      // written
+      const auto report = [&]() {
+        const std::vector<unsigned int> news = Utilities::MPI::broadcast(
+          group.communicator,
+          is_root ? table.collect() : std::vector<unsigned int>());
         for (const unsigned int i : news)
           out << "  " << ++n_done << " of " << samples.size() << ": sample "
               << i + 1 << ' ' << table.status(i) << ", " << table.seconds(i)
               << " s" << std::endl;
         if (!news.empty())
-          write_text(
-            path(StudyTable::file_name), table.text(), false, MPI_COMM_SELF);
+          write_text(path(StudyTable::file_name),
+                     table.text(),
+                     false,
+                     group.communicator);
       };
 
       const SignalWatch signals;

@@ -32,7 +32,7 @@ namespace Biface
     }
 
 
-    /** The grips of nodes as numbers, and back. */
+    /** The tangential states of nodes as numbers, and back. */
     ActiveSet
     numbers_of(const std::vector<Grip> &grips)
     {
@@ -67,14 +67,29 @@ namespace Biface
     }
 
 
-    /** Add the distributed part of a restore point, by name after a prefix. */
-    void
+    /** The names of the tables of a force term. */
+    std::string
+    at_nodes(const std::string &term)
+    {
+      return term + " at nodes";
+    }
+
+    std::string
+    at_cells(const std::string &term)
+    {
+      return term + " at cells";
+    }
+
+
+    /** Add the distributed part of a restore point, by name after a prefix.
+     * @return its numbers. */
+    RunRecord::Point
     add_tables(const std::string                  &prefix,
                const RestorePoint                 &point,
                const ShellMesh                    &mesh,
                std::vector<CheckpointFile::Table> &tables)
     {
-      const auto &[state, history, progress] = point;
+      const auto &[state, progress] = point;
       const auto add = [&](const std::string &name, const auto &values) {
         tables.emplace_back(prefix + name, rows_of(values, mesh));
       };
@@ -86,17 +101,31 @@ namespace Biface
       add("stick points",
           std::vector<Tensor<1, 3>>(state.stick_points.begin(),
                                     state.stick_points.end()));
-      add("initial resultants", history.initial_resultants);
-      add("initial strains", history.initial_strains);
-      if (history.linearization_point)
+      RunRecord::Point numbers;
+      numbers.progress = progress;
+      for (const auto &[name, term] : state.terms)
         {
-          add("linearization displacement",
-              history.linearization_point->displacement);
-          add("linearization resultants",
-              history.linearization_point->resultants);
+          numbers.of_terms[name] = term.numbers;
+          for (auto &table :
+               {CheckpointFile::Table(prefix + at_nodes(name),
+                                      rows_of_nodes(term.at_nodes, mesh)),
+                CheckpointFile::Table(prefix + at_cells(name),
+                                      rows_of_cells(term.at_cells, mesh))})
+            if (table.second.width > 0)
+              tables.push_back(table);
         }
-      if (history.balancing_forces.size() > 0)
-        add("balancing forces", history.balancing_forces);
+      if (const auto &prestress = state.prestress)
+        {
+          add("initial resultants", prestress->resultants);
+          add("initial strains", prestress->strains);
+          if (prestress->balancing_forces.size() > 0)
+            add("balancing forces", prestress->balancing_forces);
+        }
+      if (const auto &base = state.linearization_point)
+        {
+          add("linearization displacement", base->displacement);
+          add("linearization resultants", base->resultants);
+        }
       if (const auto &step = progress.predictor.get_last())
         {
           add("predictor displacement", step->displacement);
@@ -108,6 +137,7 @@ namespace Biface
         add("branch", progress.branch);
       for (const auto &vector : progress.control.vectors)
         add("control: " + vector.first, vector.second);
+      return numbers;
     }
 
 
@@ -120,13 +150,10 @@ namespace Biface
                std::vector<CheckpointFile::Table> &tables)
     {
       RunRecord::Points numbers;
-      numbers.progress = points.last.progress;
-      add_tables(prefix, points.last, mesh, tables);
+      numbers.last = add_tables(prefix, points.last, mesh, tables);
       for (const auto &[position, end] : points.ends)
-        {
-          numbers.ends[position] = end.progress;
+        numbers.ends[position] =
           add_tables(prefix + prefix_of_end(position), end, mesh, tables);
-        }
       return numbers;
     }
   } // namespace
@@ -207,9 +234,9 @@ namespace Biface
 
 
   RestorePoint
-  Checkpoint::read_point(const std::string &prefix,
-                         const Progress    &progress,
-                         const ShellMesh   &mesh) const
+  Checkpoint::read_point(const std::string      &prefix,
+                         const RunRecord::Point &numbers,
+                         const ShellMesh        &mesh) const
   {
     const auto nodes     = numbers_of_owned_nodes(mesh);
     const auto all_nodes = numbers_of_nodes(mesh);
@@ -244,23 +271,38 @@ namespace Biface
     const auto points  = vectors_from(rows("stick points", all_nodes));
     state.stick_points.assign(points.begin(), points.end());
 
-    InternalForces::History history;
-    history.initial_resultants = modes("initial resultants");
-    history.initial_strains    = modes("initial strains");
+    for (const auto &[name, of_term] : numbers.of_terms)
+      {
+        TermState &term = state.terms[name];
+        term.numbers    = of_term;
+        if (has(at_nodes(name)))
+          term.at_nodes =
+            table_from(rows(at_nodes(name), all_nodes), all_nodes.size());
+        if (has(at_cells(name)))
+          term.at_cells = table_from(rows(at_cells(name), cells), cells.size());
+      }
+    if (has("initial resultants"))
+      {
+        auto prestress        = std::make_shared<Prestress>();
+        prestress->resultants = modes("initial resultants");
+        prestress->strains    = modes("initial strains");
+        if (has("balancing forces"))
+          prestress->balancing_forces = vector("balancing forces");
+        state.prestress = prestress;
+      }
     if (has("linearization displacement"))
       {
-        State point(mesh);
-        point.displacement          = ghosted("linearization displacement");
-        point.resultants            = modes("linearization resultants");
-        history.linearization_point = point;
+        State base(mesh);
+        base.displacement         = ghosted("linearization displacement");
+        base.resultants           = modes("linearization resultants");
+        base.prestress            = state.prestress;
+        state.linearization_point = std::make_shared<const State>(base);
       }
-    if (has("balancing forces"))
-      history.balancing_forces = vector("balancing forces");
 
-    RestorePoint result{state, history, progress};
-    if (progress.predictor.get_last())
+    RestorePoint result{state, numbers.progress};
+    if (const auto &last = numbers.progress.predictor.get_last())
       {
-        SecantPredictor::Step step = *progress.predictor.get_last();
+        SecantPredictor::Step step = *last;
         step.displacement          = vector("predictor displacement");
         step.resultants            = modes("predictor resultants");
         result.progress.predictor.restore(step);
@@ -280,7 +322,7 @@ namespace Biface
                           const RunRecord::Points &numbers,
                           const ShellMesh         &mesh) const
   {
-    RestorePoints points{read_point(prefix, numbers.progress, mesh), {}};
+    RestorePoints points{read_point(prefix, numbers.last, mesh), {}};
     for (const auto &[position, end] : numbers.ends)
       points.ends.emplace(
         position, read_point(prefix + prefix_of_end(position), end, mesh));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
 #include <biface/restart/numbered_rows.h>
 
 namespace Biface
@@ -63,6 +65,47 @@ namespace Biface
       if (mesh.nodes[n].locally_owned)
         for (unsigned int i = 0; i < 3; ++i)
           rows.values.push_back(values[n][i]);
+    return rows;
+  }
+
+
+  namespace
+  {
+    /** A table without rows has lost its width. */
+    unsigned int
+    width_on_all_ranks(const Table<2, double> &table, const ShellMesh &mesh)
+    {
+      return Utilities::MPI::max(static_cast<unsigned int>(table.size(1)),
+                                 mesh.communicator);
+    }
+  } // namespace
+
+
+  NumberedRows
+  rows_of_nodes(const Table<2, double> &table, const ShellMesh &mesh)
+  {
+    NumberedRows rows;
+    rows.width   = width_on_all_ranks(table, mesh);
+    rows.n_rows  = mesh.n_nodes();
+    rows.numbers = numbers_of_owned_nodes(mesh);
+    for (unsigned int n = 0; n < table.size(0); ++n)
+      if (mesh.nodes[n].locally_owned)
+        for (unsigned int i = 0; i < rows.width; ++i)
+          rows.values.push_back(table[n][i]);
+    return rows;
+  }
+
+
+  NumberedRows
+  rows_of_cells(const Table<2, double> &table, const ShellMesh &mesh)
+  {
+    NumberedRows rows;
+    rows.width   = width_on_all_ranks(table, mesh);
+    rows.n_rows  = mesh.n_cells();
+    rows.numbers = numbers_of_cells(mesh);
+    for (unsigned int c = 0; c < table.size(0); ++c)
+      for (unsigned int i = 0; i < rows.width; ++i)
+        rows.values.push_back(table[c][i]);
     return rows;
   }
 
@@ -139,5 +182,15 @@ namespace Biface
     for (std::size_t i = 0; i < values.size(); ++i)
       vectors[i / 3][i % 3] = values[i];
     return vectors;
+  }
+
+
+  Table<2, double>
+  table_from(const std::vector<double> &values, const std::size_t n)
+  {
+    Table<2, double> table(n, n > 0 ? values.size() / n : 0);
+    if (!values.empty())
+      table.fill(values.begin());
+    return table;
   }
 } // namespace Biface

@@ -4,59 +4,32 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/model/equations/symmetry.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/buckling_analysis.h>
-#include <biface/solver/gas_stiffness.h>
+#include <biface/solver/linear/deflation.h>
+#include <biface/solver/low_rank_stiffness.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** In linear theory, the resultants do not change the tangent: while this
-     * exists, theory is nonlinear. */
-    class NonlinearTheory
-    {
-    public:
-      explicit NonlinearTheory(ShellEquations &equations)
-        : internal(equations.internal_forces())
-        , linearization_point(internal.linearization_point())
-      {
-        if (linearization_point)
-          internal.set_theory(StrainTheory::nonlinear, *linearization_point);
-      }
-
-      ~NonlinearTheory()
-      {
-        if (linearization_point)
-          internal.set_theory(StrainTheory::linear, *linearization_point);
-      }
-
-      NonlinearTheory(const NonlinearTheory &) = delete;
-      NonlinearTheory &
-      operator=(const NonlinearTheory &) = delete;
-
-    private:
-      InternalForces            &internal;
-      const std::optional<State> linearization_point;
-    };
-  } // namespace
-
-
-  /** The matrices @f$\mathbf K_0-s\,\mathbf G@f$, with the parts of a sealed
-   * gas beside them. */
+  /** The matrices @f$\mathbf K_0-s\,\mathbf G@f$, with the parts of low rank
+   * beside them. */
   struct BucklingAnalysis::Pencil
   {
-    LA::SparseMatrix            K_0, K_1, G;
-    std::optional<GasStiffness> gas_0, gas_1;
+    LA::SparseMatrix K_0, K_1, G;
+    LowRankStiffness low_rank_0, low_rank_1;
     /** The last matrix that was factorized, and its shift. */
-    LA::SparseMatrix            shifted;
-    std::optional<GasStiffness> gas_shifted;
+    LA::SparseMatrix shifted;
+    LowRankStiffness low_rank_shifted;
     /** That of the transposed matrix, if it is wanted. */
-    std::optional<GasStiffness> gas_transposed;
-    double                      shift = 0;
-    /** Whether the matrices are symmetric, and with the gas. */
+    LowRankStiffness low_rank_transposed;
+    double           shift = 0;
+    /** Keeps the shapes free of the motions that nothing holds, for the last
+     * matrix that was factorized and for the transposed one. */
+    std::optional<Deflation> deflation, deflation_transposed;
+    /** Whether the matrices are symmetric, and with the parts of low rank. */
     bool symmetric_matrices = true, symmetric = true;
     /** Whether @f$\mathbf K_0@f$ is symmetric positive definite. */
     bool definite = false;
@@ -65,8 +38,7 @@ namespace Biface
     multiply_K_0(LA::Vector &product, const LA::Vector &x) const
     {
       K_0.vmult(product, x);
-      if (gas_0)
-        gas_0->vmult_add(product, x);
+      low_rank_0.vmult_add(product, x);
     }
 
     void
@@ -75,17 +47,15 @@ namespace Biface
                const System      system = System::original) const
     {
       SystemMatrix{G, system}.vmult(product, x);
-      if (!gas_0)
-        return;
       if (system == System::original)
         {
-          gas_0->vmult_add(product, x);
-          gas_1->vmult_add(product, x, -1);
+          low_rank_0.vmult_add(product, x);
+          low_rank_1.vmult_add(product, x, -1);
         }
       else
         {
-          gas_0->Tvmult_add(product, x);
-          gas_1->Tvmult_add(product, x, -1);
+          low_rank_0.Tvmult_add(product, x);
+          low_rank_1.Tvmult_add(product, x, -1);
         }
     }
   };
@@ -122,17 +92,13 @@ namespace Biface
   void
   BucklingAnalysis::assemble(const Equilibrium &before,
                              const Equilibrium &now,
-                             const Gas         *gas,
                              Pencil            &pencil)
   {
     State later   = equations.internal_forces().in_shape_of_tangent(now.state);
     State earlier = later;
     earlier.resultants = before.state.resultants;
-    {
-      const NonlinearTheory theory(equations);
-      tangent.assemble(earlier, before.loads, pencil.K_0);
-      tangent.assemble(later, now.loads, pencil.K_1);
-    }
+    tangent.assemble(earlier, before.loads, pencil.K_0);
+    tangent.assemble(later, now.loads, pencil.K_1);
     for (LA::SparseMatrix *K : {&pencil.K_0, &pencil.K_1})
       tangent.hold(now.state, now.loads, *K);
     pencil.G.copy_from(pencil.K_0);
@@ -143,24 +109,24 @@ namespace Biface
         pencil.G.set(i, i, 0.);
     pencil.G.compress(VectorOperation::insert);
 
-    const auto is_symmetric = [&](const Loads &loads) {
-      return equations.is_symmetric(HeldTangent::without_foundation(loads));
-    };
     pencil.symmetric_matrices =
-      (is_symmetric(before.loads) && is_symmetric(now.loads)) ||
-      (tangent.is_symmetric(pencil.K_0) && tangent.is_symmetric(pencil.K_1));
-    pencil.symmetric = pencil.symmetric_matrices;
-    if (gas)
-      {
-        // in the same shape, the pressure before belongs to another amount
-        const auto stiffness = [&](const Loads &loads) {
-          const double content = gas->content(loads.pressure, later);
-          return GasStiffness(equations, later, loads, {*gas, content});
-        };
-        pencil.gas_0.emplace(stiffness(before.loads));
-        pencil.gas_1.emplace(stiffness(now.loads));
-        pencil.symmetric = pencil.symmetric && pencil.gas_0->is_symmetric();
-      }
+      tangent.is_symmetric(before.loads, pencil.K_0) &&
+      tangent.is_symmetric(now.loads, pencil.K_1);
+    // in the same shape, the pressure before belongs to another amount of gas
+    const auto low_rank = [&](const Loads &loads) {
+      return LowRankStiffness(
+        equations, later, HeldTangent::without_foundation(loads));
+    };
+    pencil.low_rank_0 = low_rank(before.loads);
+    pencil.low_rank_1 = low_rank(now.loads);
+    pencil.symmetric =
+      pencil.symmetric_matrices && pencil.low_rank_0.is_symmetric();
+    std::vector<LA::Vector> motions;
+    for (const RigidMotion &motion : tangent.free_motions(now.state, now.loads))
+      motions.push_back(motion.displacement);
+    if (!motions.empty())
+      pencil.deflation.emplace(
+        motions, [](LA::Vector &product, const LA::Vector &x) { product = x; });
   }
 
 
@@ -179,26 +145,39 @@ namespace Biface
     pencil.shifted.add(-shift, pencil.G);
     LinearSolverResult result = linear_solver.factorize_for_many(
       pencil.shifted, pencil.symmetric_matrices);
-    if (!pencil.gas_0 || !result.success)
+    if (!result.success)
       return result;
-    pencil.gas_shifted = pencil.gas_0;
-    pencil.gas_shifted->sadd(1 - shift, shift, *pencil.gas_1);
-    LinearSolverResult of_gas = result;
-    if (!pencil.gas_shifted->prepare([&](LA::Vector &x, const LA::Vector &b) {
-          of_gas = linear_solver.solve(x, b, exactness);
-          return of_gas.success;
-        }))
-      {
-        if (of_gas.success)
-          of_gas.message = "the tangent with the gas is singular";
-        of_gas.success = false;
-        return of_gas;
-      }
-    if (!pencil.symmetric)
-      result.n_negative_pivots.reset();
+    LinearSolverResult last = result;
+    const auto         fail = [&](const std::string &why) {
+      if (last.success)
+        last.message = why;
+      last.success = false;
+      return last;
+    };
+    const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
+      last = linear_solver.solve(x, b, exactness);
+      return last.success;
+    };
+    pencil.low_rank_shifted = pencil.low_rank_0;
+    pencil.low_rank_shifted.sadd(1 - shift, shift, pencil.low_rank_1);
+    if (!pencil.low_rank_shifted.prepare(solve_matrix))
+      return fail("the tangent with the gas is singular");
     if (result.n_negative_pivots)
       result.n_negative_pivots =
-        pencil.gas_shifted->n_negative(*result.n_negative_pivots);
+        pencil.low_rank_shifted.n_negative(*result.n_negative_pivots);
+    if (pencil.deflation)
+      {
+        if (!pencil.deflation->prepare([&](LA::Vector &x, const LA::Vector &b) {
+              if (!solve_matrix(x, b))
+                return false;
+              pencil.low_rank_shifted.correct(x);
+              return true;
+            }))
+          return fail("the tangent is singular");
+        if (result.n_negative_pivots)
+          result.n_negative_pivots =
+            pencil.deflation->n_negative(*result.n_negative_pivots);
+      }
     return result;
   }
 
@@ -209,13 +188,18 @@ namespace Biface
                           const LA::Vector &b,
                           const System      system)
   {
-    if (!linear_solver.solve_system(system, x, b, exactness).success)
-      return false;
-    const auto &gas =
-      (system == System::original ? pencil.gas_shifted : pencil.gas_transposed);
-    if (gas)
-      gas->correct(x);
-    return true;
+    const bool  original = (system == System::original);
+    const auto &low_rank =
+      (original ? pencil.low_rank_shifted : pencil.low_rank_transposed);
+    const auto &deflation =
+      (original ? pencil.deflation : pencil.deflation_transposed);
+    const auto solve = [&](LA::Vector &x, const LA::Vector &b) {
+      if (!linear_solver.solve_system(system, x, b, exactness).success)
+        return false;
+      low_rank.correct(x);
+      return true;
+    };
+    return deflation ? deflation->solve(x, b, solve) : solve(x, b);
   }
 
 
@@ -311,14 +295,20 @@ namespace Biface
                               const std::vector<Eigenpair> &right,
                               const unsigned int            n)
   {
-    if (pencil.gas_shifted)
+    pencil.low_rank_transposed = pencil.low_rank_shifted.transposed();
+    if (!pencil.low_rank_transposed.prepare(
+          [&](LA::Vector &x, const LA::Vector &b) {
+            return linear_solver.solve_transposed(x, b, exactness).success;
+          }))
+      return std::vector<Eigenpair>(right.size());
+    if (pencil.deflation)
       {
-        pencil.gas_transposed = pencil.gas_shifted->transposed();
-        if (!pencil.gas_transposed->prepare(
-              [&](LA::Vector &x, const LA::Vector &b) {
-                return linear_solver.solve_transposed(x, b, exactness).success;
-              }))
+        Deflation transposed = *pencil.deflation;
+        if (!transposed.prepare([&](LA::Vector &x, const LA::Vector &b) {
+              return solve(pencil, x, b, System::transposed);
+            }))
           return std::vector<Eigenpair>(right.size());
+        pencil.deflation_transposed = transposed;
       }
     return left_eigenpairs(
       right,
@@ -360,15 +350,15 @@ namespace Biface
   {
     LA::Vector product(shape);
     pencil.multiply_G(product, shape);
-    return std::abs(product * shape) > tangent.roundoff(pencil.K_0, shape) +
-                                         tangent.roundoff(pencil.K_1, shape);
+    return std::abs(product * shape) >
+           roundoff(equations.mesh, pencil.K_0, shape) +
+             roundoff(equations.mesh, pencil.K_1, shape);
   }
 
 
   BucklingModes
   BucklingAnalysis::compute(const Equilibrium &before,
                             const Equilibrium &now,
-                            const Gas         *gas,
                             const LoadRates   &rates,
                             const unsigned int n,
                             const bool         with_left)
@@ -378,7 +368,9 @@ namespace Biface
     const ShellMesh &mesh = equations.mesh;
     BucklingModes    result;
     Pencil           pencil;
-    assemble(before, now, gas, pencil);
+    assemble(before, now, pencil);
+    for (const RigidMotion &motion : tangent.free_motions(now.state, now.loads))
+      result.free_motions.push_back(motion.name);
     const std::optional<double> lowest = estimate_lowest(pencil, result);
     if (!lowest)
       return result;
@@ -427,8 +419,7 @@ namespace Biface
     if (with_left)
       left = (pencil.symmetric ? pairs : find_left(pencil, pairs, n_computed));
 
-    const NonlinearTheory theory(equations);
-    const LA::Vector      loads = equations.load_direction(
+    const LA::Vector loads = equations.load_direction(
       equations.internal_forces().in_shape_of_tangent(now.state),
       now.loads,
       rates);
@@ -445,11 +436,10 @@ namespace Biface
   std::vector<double>
   BucklingAnalysis::quotients(const Equilibrium               &before,
                               const Equilibrium               &now,
-                              const Gas                       *gas,
                               const std::vector<BucklingMode> &modes)
   {
     Pencil pencil;
-    assemble(before, now, gas, pencil);
+    assemble(before, now, pencil);
     BothEigenpairs neighbors;
     for (const BucklingMode &mode : modes)
       {
@@ -490,8 +480,7 @@ namespace Biface
   {
     tangent.assemble(now.state, now.loads, K);
     tangent.hold(now.state, now.loads, K);
-    return equations.is_symmetric(HeldTangent::without_foundation(now.loads)) ||
-           tangent.is_symmetric(K);
+    return tangent.is_symmetric(now.loads, K);
   }
 
 

@@ -26,7 +26,7 @@ namespace Biface
         {
           case FailureCause::too_many_iterations:
             return "The iteration neither converged nor diverged; the lines "
-                   "with 'residual' in run.log show how it went.";
+                   "with 'residual' in run.log show its course.";
           case FailureCause::divergence:
             return "The iteration diverged or became NaN: the step is too "
                    "large, or there is no equilibrium nearby.";
@@ -34,9 +34,9 @@ namespace Biface
             return "The same nodes enter and leave contact in turn, and "
                    "holding them in contact did not help.";
           case FailureCause::singular_tangent:
-            return "Some motion of the shell meets no resistance: supports are "
-                   "missing, a material or a ply has almost no stiffness, or "
-                   "the load has reached its maximum.";
+            return "The tangent stiffness is singular: supports are missing, "
+                   "a material or a ply has almost no stiffness, or the load "
+                   "has reached its maximum.";
           case FailureCause::out_of_memory:
             return "The factorized matrix did not fit into memory.";
           case FailureCause::linear_iterations:
@@ -46,8 +46,8 @@ namespace Biface
             return "The prescribed displacement or force does not change with "
                    "the loads.";
           case FailureCause::too_many_steps:
-            return "The equilibrium path continues, but away from the loads "
-                   "of the stage, or slowly.";
+            return "The equilibrium path leads away from the loads of the "
+                   "stage, or approaches them too slowly.";
         }
       Assert(false, dealii::ExcInternalError());
       return {};
@@ -96,7 +96,7 @@ namespace Biface
   std::string
   explain(const FailureCause cause, const bool in_contact)
   {
-    return meaning(cause) + " What may help: " + advice(cause, in_contact) +
+    return meaning(cause) + " Possible remedies: " + advice(cause, in_contact) +
            '.';
   }
 } // namespace Biface

@@ -2,12 +2,13 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_CrsMatrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
+#include <biface/model/equations/tangent_matrix.h>
 #include <biface/solver/held_tangent.h>
 
 namespace Biface
@@ -16,32 +17,23 @@ namespace Biface
 
   namespace
   {
-    /** A number between -1 and 1 that looks random. */
-    double
-    scattered(const double seed)
-    {
-      const double value = std::sin(12.9898 * seed + 1) * 43758.5453;
-      return 2 * (value - std::floor(value)) - 1;
-    }
-
-
     bool
     rolls_with_friction(const Loads &loads)
     {
-      return loads.rolling && loads.foundation && loads.friction;
+      return loads.foundation && law_of(loads).depends_on_velocity();
     }
 
 
     /** The stiffness by which the foundation holds the nodes in contact. */
-    void
-    add_contact(const ContactInteraction &contact,
-                const State              &state,
-                const Loads              &loads,
-                LA::SparseMatrix         &K)
+    std::unique_ptr<const TangentMatrix>
+    stiffness_of_contact(const ContactInteraction &contact,
+                         State                     state,
+                         const Loads              &loads)
     {
+      law_of(loads).hold(state);
       const ShellMesh &mesh = contact.mesh;
-      TangentMatrix    held(mesh, mesh.constraints);
-      LA::Vector       nothing = mesh.owned_vector();
+      auto       held = std::make_unique<TangentMatrix>(mesh, mesh.constraints);
+      LA::Vector nothing = mesh.owned_vector();
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         {
           const Cell               &cell = mesh.cells[c];
@@ -65,10 +57,45 @@ namespace Biface
               MixedElement::add_stiffness(in_frame, v, sign, v, sign, matrix);
             }
           if (any)
-            held.add(c, matrix, MixedElement::NodalVector(), nothing);
+            held->add(c, matrix, MixedElement::NodalVector(), nothing);
         }
-      held.compress();
-      K.add(1., held.get());
+      held->compress();
+      return held;
+    }
+
+
+    /** The forces on the nodes that turn with the shell: those of the shell and
+     * of loads that follow it. */
+    LA::Vector
+    forces_that_turn(const ShellEquations &equations,
+                     const State          &state,
+                     const Loads          &loads)
+    {
+      const NodalForces forces   = equations.nodal_forces(state, loads);
+      LA::Vector        constant = equations.mesh.owned_vector();
+      for (const ForceTerm *term : equations.get_terms())
+        term->add_dead_forces({loads.pressure, loads.factor, 0}, constant);
+      equations.internal_forces().add_constant_forces(state, constant);
+      LA::Vector result = forces[ForceTerm::Source::shell];
+      result += forces[ForceTerm::Source::loads];
+      result -= constant;
+      return result;
+    }
+
+
+    /** The same state, in linear theory with the tangent that has its stresses:
+     * that of the equations has those at the start of the stage. */
+    State
+    with_stresses_in_tangent(const State &state)
+    {
+      State result = state;
+      if (state.linearization_point)
+        {
+          auto start = std::make_shared<State>(*state.linearization_point);
+          start->resultants          = state.resultants;
+          result.linearization_point = start;
+        }
+      return result;
     }
   } // namespace
 
@@ -86,8 +113,9 @@ namespace Biface
                         LA::SparseMatrix &K)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    equations.assemble(
-      state, rolls_with_friction(loads) ? loads : without_foundation(loads));
+    equations.assemble(with_stresses_in_tangent(state),
+                       rolls_with_friction(loads) ? loads
+                                                  : without_foundation(loads));
     K.copy_from(equations.tangent());
   }
 
@@ -99,10 +127,53 @@ namespace Biface
   {
     if (!loads.foundation || rolls_with_friction(loads))
       return;
-    State held = state;
-    if (loads.friction)
-      contact.set_glued(held, true);
-    add_contact(contact, held, loads, K);
+    K.add(1., stiffness_of_contact(contact, state, loads)->get());
+  }
+
+
+  std::vector<RigidMotion>
+  HeldTangent::free_motions(const State &state, const Loads &loads) const
+  {
+    if (loads.rolling)
+      return {};
+    std::unique_ptr<const TangentMatrix> held;
+    if (loads.foundation)
+      held = stiffness_of_contact(contact, state, loads);
+    return free_rigid_motions(
+      equations.mesh,
+      equations.internal_forces().in_shape_of_tangent(state).displacement,
+      held ? &held->get() : nullptr);
+  }
+
+
+  std::vector<RigidMotion>
+  HeldTangent::neutral_motions(const State            &state,
+                               const Loads            &loads,
+                               const LA::SparseMatrix &K) const
+  {
+    // of the resistance that is computed for a rotation, to which interpolation
+    // in a curved shell contributes
+    constexpr double negligible = 0.1;
+
+    const ShellMesh          &mesh = equations.mesh;
+    std::vector<RigidMotion>  neutral;
+    std::optional<LA::Vector> turning;
+    for (const RigidMotion &motion : free_motions(state, loads))
+      {
+        if (motion.rotation.norm() > 0)
+          {
+            if (!turning)
+              turning = forces_that_turn(equations, state, loads);
+            LA::Vector exact = turned(mesh, motion.rotation, *turning);
+            mesh.condense(exact);
+            LA::Vector computed(exact);
+            K.vmult(computed, motion.displacement);
+            if (exact.l2_norm() > negligible * computed.l2_norm())
+              continue;
+          }
+        neutral.push_back(motion);
+      }
+    return neutral;
   }
 
 
@@ -111,56 +182,16 @@ namespace Biface
   {
     Loads alone = loads;
     alone.foundation.reset();
-    alone.friction.reset();
+    alone.law.reset();
     return alone;
   }
 
 
   bool
-  HeldTangent::is_symmetric(const LA::SparseMatrix &K) const
+  HeldTangent::is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const
   {
-    const LA::Vector start = arbitrary_displacements(equations.mesh, 0);
-    const LA::Vector other = arbitrary_displacements(equations.mesh, 7);
-    LA::Vector       product(start);
-    K.vmult(product, start);
-    double difference = other * product;
-    K.vmult(product, other);
-    difference -= start * product;
-    return std::abs(difference) <=
-           10 * (roundoff(K, start) + roundoff(K, other));
-  }
-
-
-  double
-  HeldTangent::roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const
-  {
-    const ShellMesh &mesh    = equations.mesh;
-    LA::Vector       ghosted = mesh.ghosted_vector();
-    ghosted                  = x;
-
-    const Epetra_CrsMatrix &epetra       = K.trilinos_matrix();
-    const Epetra_Vector     x_of_columns = at_columns(K, ghosted);
-    double                  sum          = 0;
-    for (int row = 0; row < epetra.NumMyRows(); ++row)
-      sum += absolute_product(K, row, x_of_columns) *
-             std::abs(ghosted(epetra.GRID(row)));
-    return std::numeric_limits<double>::epsilon() *
-           Utilities::MPI::sum(sum, mesh.communicator);
-  }
-
-
-  LA::Vector
-  arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed)
-  {
-    LA::Vector v = mesh.owned_vector();
-    for (const Node &node : mesh.nodes)
-      if (node.locally_owned)
-        for (unsigned int d = 0; d < 6; ++d)
-          v(node.dofs[d]) =
-            scattered(6. * node.number + d + std::sqrt(2.) * seed);
-    v.compress(VectorOperation::insert);
-    mesh.constraints.set_zero(v);
-    return v;
+    return equations.is_symmetric(
+      rolls_with_friction(loads) ? loads : without_foundation(loads), K);
   }
 
 

@@ -10,9 +10,11 @@
 #include <optional>
 #include <utility>
 
+#include <biface/model/equations/symmetry.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>
-#include <biface/solver/gas_stiffness.h>
+#include <biface/solver/linear/deflation.h>
+#include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 
 namespace Biface
@@ -101,7 +103,7 @@ namespace Biface
     LA::Vector product(vector);
     mass.vmult(product, vector);
     return std::abs(eigenvalue) * (product * vector) <=
-           tangent.roundoff(K, vector);
+           roundoff(equations.mesh, K, vector);
   }
 
 
@@ -170,8 +172,13 @@ namespace Biface
     LA::SparseMatrix K;
     /** @f$\mathbf G@f$ of a shell that rolls or spins; else null. */
     std::unique_ptr<const VelocityMatrix> velocity;
-    std::optional<GasStiffness>           gas;
-    /** Whether K is symmetric, and with the gas. */
+    /** That of loads that follow from the displacements, beside K. */
+    LowRankStiffness low_rank;
+    /** The rigid motions whose frequency is zero; the others are orthogonal to
+     * them. */
+    std::vector<RigidMotion>       neutral;
+    std::optional<const Deflation> deflation;
+    /** Whether K is symmetric, and with the part of low rank. */
     bool symmetric_matrix = true, symmetric = true;
     /** See QuadraticEigenvalueProblem. */
     bool conservative = true;
@@ -196,29 +203,28 @@ namespace Biface
 
 
   ModalAnalysis::Problem
-  ModalAnalysis::assemble(const State       &state,
-                          const Loads       &loads,
-                          const Gas::Sealed *gas)
+  ModalAnalysis::assemble(const State &state, const Loads &loads)
   {
     Problem problem;
     tangent.assemble(state, loads, problem.K);
     tangent.hold(state, loads, problem.K);
-    const Loads alone = HeldTangent::without_foundation(loads);
-
-    problem.symmetric_matrix =
-      (!(loads.rolling && loads.friction) && equations.is_symmetric(alone)) ||
-      tangent.is_symmetric(problem.K);
-    problem.symmetric = problem.symmetric_matrix;
-    if (gas)
-      {
-        problem.gas.emplace(equations, state, loads, *gas);
-        problem.symmetric = problem.symmetric && problem.gas->is_symmetric();
-      }
+    problem.symmetric_matrix = tangent.is_symmetric(loads, problem.K);
+    problem.low_rank         = LowRankStiffness(
+      equations, state, HeldTangent::without_foundation(loads));
+    problem.symmetric =
+      problem.symmetric_matrix && problem.low_rank.is_symmetric();
     if (loads.rolling)
       problem.velocity =
         std::make_unique<const VelocityMatrix>(contact, state, loads);
-    problem.conservative =
-      problem.symmetric && !(loads.foundation && loads.friction);
+    problem.conservative = problem.symmetric && !has_friction(loads);
+    problem.neutral      = tangent.neutral_motions(state, loads, problem.K);
+    if (!problem.neutral.empty())
+      {
+        std::vector<LA::Vector> motions;
+        for (const RigidMotion &motion : problem.neutral)
+          motions.push_back(motion.displacement);
+        problem.deflation.emplace(motions, multiply_by(mass));
+      }
     return problem;
   }
 
@@ -244,28 +250,38 @@ namespace Biface
                          const unsigned int  n,
                          LinearSolverResult &linear) const
   {
-    const bool transposed        = (system == System::transposed);
-    const auto solve_without_gas = [&](LA::Vector &x, const LA::Vector &b) {
+    const bool transposed   = (system == System::transposed);
+    const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
       linear = linear_solver.solve_system(system, x, b, exactness);
       return linear.success;
     };
-    std::optional<GasStiffness> gas;
-    if (problem.gas)
+    LowRankStiffness low_rank =
+      (transposed ? problem.low_rank.transposed() : problem.low_rank);
+    if (!low_rank.prepare(solve_matrix))
       {
-        gas = (transposed ? problem.gas->transposed() : *problem.gas);
-        if (!gas->prepare(solve_without_gas))
+        Eigenpairs result;
+        result.message = "the tangent with the gas is singular";
+        return result;
+      }
+    const auto solve_all = [&](LA::Vector &x, const LA::Vector &b) {
+      if (!solve_matrix(x, b))
+        return false;
+      low_rank.correct(x);
+      return true;
+    };
+    std::optional<Deflation> deflation;
+    if (problem.deflation)
+      {
+        deflation.emplace(*problem.deflation);
+        if (!deflation->prepare(solve_all))
           {
             Eigenpairs result;
-            result.message = "the tangent with the gas is singular";
+            result.message = "the tangent is singular";
             return result;
           }
       }
     const auto solve = [&](LA::Vector &x, const LA::Vector &b) {
-      if (!solve_without_gas(x, b))
-        return false;
-      if (gas)
-        gas->correct(x);
-      return true;
+      return deflation ? deflation->solve(x, b, solve_all) : solve_all(x, b);
     };
 
     if (problem.velocity)
@@ -344,27 +360,27 @@ namespace Biface
   ModalAnalysis::find_left(const Problem                &problem,
                            const std::vector<Eigenpair> &right) const
   {
-    LinearSolverResult linear;
-    return left_eigenpairs(
-      right,
-      nearest(problem, System::transposed, right.size(), linear).pairs,
-      [&](const Eigenpair &x) {
-        const Eigenpair of_mass = product(multiply_by(mass), x);
-        if (!problem.velocity)
-          return of_mass;
-        // i G x - 2 omega M x
-        const Eigenpair of_velocity =
-          product(multiply_by(*problem.velocity), x);
-        return combination({std::complex<double>(0, 1), -2. * x.value},
-                           {of_velocity, of_mass});
-      });
+    LinearSolverResult     linear;
+    std::vector<Eigenpair> found =
+      nearest(problem, System::transposed, right.size(), linear).pairs;
+    if (problem.deflation)
+      for (const LA::Vector &motion : problem.deflation->get_vectors())
+        found.push_back({0, motion, {}});
+    return left_eigenpairs(right, found, [&](const Eigenpair &x) {
+      const Eigenpair of_mass = product(multiply_by(mass), x);
+      if (!problem.velocity)
+        return of_mass;
+      // i G x - 2 omega M x
+      const Eigenpair of_velocity = product(multiply_by(*problem.velocity), x);
+      return combination({std::complex<double>(0, 1), -2. * x.value},
+                         {of_velocity, of_mass});
+    });
   }
 
 
   VibrationModes
   ModalAnalysis::compute(const State       &state,
                          const Loads       &loads,
-                         const Gas::Sealed *gas,
                          const unsigned int n,
                          const bool         with_left)
   {
@@ -374,9 +390,11 @@ namespace Biface
     const unsigned int n_computed = std::max(
       n, std::min<unsigned int>(n + 4, equations.mesh.n_unknowns() / 4));
 
-    Problem          problem    = assemble(state, loads, gas);
-    const Eigenpairs eigenpairs = lowest(problem, n_computed);
-    VibrationModes   result;
+    Problem            problem   = assemble(state, loads);
+    const unsigned int n_neutral = problem.neutral.size();
+    const Eigenpairs   eigenpairs =
+      lowest(problem, std::max(n_computed, n_neutral + 1) - n_neutral);
+    VibrationModes result;
     result.success    = eigenpairs.success;
     result.message    = eigenpairs.message;
     result.total_mass = mass.total();
@@ -385,6 +403,11 @@ namespace Biface
       return result;
 
     std::vector<Eigenpair> pairs = eigenpairs.pairs;
+    if (problem.deflation)
+      for (const LA::Vector &motion : problem.deflation->get_vectors())
+        pairs.push_back({0, motion, {}});
+    for (const RigidMotion &motion : problem.neutral)
+      result.neutral_motions.push_back(motion.name);
     for (Eigenpair &pair : pairs)
       {
         constexpr double real = 1e-8;
@@ -406,6 +429,9 @@ namespace Biface
       left = (result.symmetric ? pairs : find_left(problem, pairs));
     for (unsigned int i = 0; i < pairs.size() && i < n; ++i)
       {
+        // motions that nothing resists have no frequency that changes
+        if (problem.deflation && pairs[i].value == 0.)
+          left[i] = Eigenpair();
         if (!problem.velocity)
           pairs[i].value = omega_of(pairs[i].value);
         result.modes.push_back(finish(pairs[i], loads));
@@ -421,7 +447,6 @@ namespace Biface
                     TimerOutput              &timer,
                     const State              &state,
                     const Loads              &loads,
-                    const Gas::Sealed        *gas,
                     const VibrationModes     &modes)
   {
     const ShellMesh &mesh = equations.mesh;
@@ -429,14 +454,12 @@ namespace Biface
     LA::SparseMatrix K;
     tangent.assemble(state, loads, K);
     tangent.hold(state, loads, K);
-    std::optional<const GasStiffness> gas_stiffness;
-    if (gas)
-      gas_stiffness.emplace(equations, state, loads, *gas);
+    const LowRankStiffness low_rank(
+      equations, state, HeldTangent::without_foundation(loads));
     const MassMatrix mass(mesh);
     const Multiply multiply_k = [&](LA::Vector &product, const LA::Vector &x) {
       K.vmult(product, x);
-      if (gas_stiffness)
-        gas_stiffness->vmult_add(product, x);
+      low_rank.vmult_add(product, x);
     };
 
     BothEigenpairs neighbors;

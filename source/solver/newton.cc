@@ -7,7 +7,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
-#include <biface/solver/gas_stiffness.h>
+#include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/newton.h>
 
 namespace Biface
@@ -32,14 +32,14 @@ namespace Biface
                       residual_tolerance,
                       "A step has converged when the active set is unchanged "
                       "and the residual, relative to the forces that cancel "
-                      "in it, is at most this. No unit.",
+                      "in it, is at most this. At most 0.01. No unit.",
                       Patterns::Double());
     prm.add_parameter("Update tolerance",
                       update_tolerance,
                       "A step has also converged when the active set is "
                       "unchanged, the maximum nodal update relative to the "
                       "thickness is at most this, and the relative residual "
-                      "is at most 1e-3. No unit.",
+                      "is at most 1e-3. At most 0.01. No unit.",
                       Patterns::Double());
   }
 
@@ -47,8 +47,13 @@ namespace Biface
   void
   Newton::Parameters::check() const
   {
+    // of the forces and of the thickness: beyond, nothing is in equilibrium
+    constexpr double maximum = 1e-2;
+
     check_positive("Newton/Residual tolerance", residual_tolerance);
     check_not_negative("Newton/Update tolerance", update_tolerance);
+    check_at_most("Newton/Residual tolerance", residual_tolerance, maximum);
+    check_at_most("Newton/Update tolerance", update_tolerance, maximum);
   }
 
 
@@ -74,7 +79,7 @@ namespace Biface
     /**
      * The tolerance of the next linear solve, in the norm of the solver
      * @cite EisenstatWalker1996: the square of the last reduction of the
-     * residual, but not below what leaves no trace in the last iterate, and at
+     * residual, but not below what would not change the last iterate, and at
      * most @p maximum.
      */
     double
@@ -103,6 +108,7 @@ namespace Biface
             LoadParameters           &mu,
             const NewtonIteration     iteration,
             const bool                zone_given,
+            const ShellEquations     &equations,
             const ContactInteraction &contact,
             ConditionalOStream       &out)
       : state(state)
@@ -110,7 +116,7 @@ namespace Biface
       , mu(mu)
       , iteration(iteration)
       , zone_given(zone_given)
-      , loads(path.on(state, mu))
+      , loads(equations.with_dependent_loads(state, path.at(mu)))
       , zone(contact, out)
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
@@ -146,7 +152,7 @@ namespace Biface
     is_at_rest() const
     {
       return result.iterations == 0 ? parametrized.equations == nullptr &&
-                                        !zone_given && !loads.friction
+                                        !zone_given && !has_friction(loads)
                                     : n_changes == 0;
     }
 
@@ -167,7 +173,8 @@ namespace Biface
                 const NewtonIteration    iteration,
                 const bool               zone_given)
   {
-    Iterate iterate(state, loads, mu, iteration, zone_given, contact, out);
+    Iterate iterate(
+      state, loads, mu, iteration, zone_given, equations, contact, out);
     NewtonResult &result = iterate.result;
     Increment     increment;
     increment.displacement = equations.mesh.owned_vector();
@@ -255,7 +262,7 @@ namespace Biface
                   contact.count_active(iterate.state),
                   iterate.n_changes);
     out << line;
-    if (iterate.loads.friction)
+    if (has_friction(iterate.loads))
       {
         std::snprintf(line,
                       sizeof(line),
@@ -294,7 +301,7 @@ namespace Biface
   {
     // larger residuals are neither round-off nor stagnation
     constexpr double maximum_residual = 1e-3;
-    // of the displacements, where round-off ends the iteration
+    // relative error of the displacements at which round-off ends the iteration
     constexpr double maximum_error = 1e-4;
 
     const double thickness = equations.mesh.thickness();
@@ -338,16 +345,29 @@ namespace Biface
                                           parameters.residual_tolerance,
                                           iterate.zone_given ? 1e-3 : 1e-6);
 
-    LinearSolverResult linear = linear_solver.factorize(
-      equations.tangent(),
-      equations.is_symmetric(iterate.loads),
-      iterate.result.iterations > 0 && iterate.n_changes == 0);
-    iterate.result.n_negative_pivots = linear.n_negative_pivots;
+    LowRankStiffness low_rank(equations, iterate.state, iterate.loads);
+    // a solution may take new factors
+    LinearSolverResult linear, factorized;
+    const auto         count_pivots = [&]() {
+      if (linear.n_negative_pivots)
+        factorized = linear;
+      NewtonResult &result    = iterate.result;
+      result.pivots_are_exact = factorized.pivots_are_exact;
+      result.n_negative_pivots =
+        (factorized.n_negative_pivots
+                   ? low_rank.n_negative(*factorized.n_negative_pivots)
+                   : std::nullopt);
+    };
+
+    linear = linear_solver.factorize(equations.tangent(),
+                                     equations.is_symmetric(iterate.loads),
+                                     iterate.result.iterations > 0 &&
+                                       iterate.n_changes == 0);
+    count_pivots();
     if (linear.success)
       linear = linear_solver.solve(
         increment.displacement, equations.residual(), exactness);
-    if (linear.n_negative_pivots)
-      iterate.result.n_negative_pivots = linear.n_negative_pivots;
+    count_pivots();
     if (!linear.success)
       return Failure{linear.cause, linear.message};
     equations.distribute(increment.displacement);
@@ -357,29 +377,20 @@ namespace Biface
     // the displacements per given forces; supported ones do not change
     const auto solve = [&](LA::Vector &solution, const LA::Vector &forces) {
       linear = linear_solver.solve(solution, forces, exactness);
-      if (linear.n_negative_pivots)
-        iterate.result.n_negative_pivots = linear.n_negative_pivots;
+      count_pivots();
       equations.mesh.constraints.distribute(solution);
       return linear.success;
     };
 
-    std::optional<GasStiffness> gas_stiffness;
-    if (const Gas::Sealed *gas = iterate.parametrized.gas)
-      {
-        gas_stiffness.emplace(equations, iterate.state, iterate.loads, *gas);
-        if (!gas_stiffness->prepare(solve))
-          return linear.success
-                   ? Failure{FailureCause::singular_tangent,
-                             "the pressure of the gas is not determined"}
-                   : Failure{linear.cause, linear.message};
-        if (auto &n_negative = iterate.result.n_negative_pivots)
-          n_negative = gas_stiffness->n_negative(*n_negative);
-        LA::Vector supports = equations.mesh.owned_vector();
-        equations.distribute(supports);
-        gas_stiffness->correct(increment.displacement,
-                               gas->pressure_gradient(iterate.state) *
-                                 supports);
-      }
+    if (!low_rank.prepare(solve))
+      return linear.success ? Failure{FailureCause::singular_tangent,
+                                      "the pressure of the gas is not "
+                                      "determined"}
+                            : Failure{linear.cause, linear.message};
+    count_pivots();
+    LA::Vector supports = equations.mesh.owned_vector();
+    equations.distribute(supports);
+    low_rank.correct(increment.displacement, &supports);
 
     if (const ControlEquations *control = iterate.parametrized.equations)
       {
@@ -393,8 +404,7 @@ namespace Biface
                        equations.load_direction(
                          iterate.state, iterate.loads, control->rates[i])))
               return Failure{linear.cause, linear.message};
-            if (gas_stiffness)
-              gas_stiffness->correct(per_parameter[i]);
+            low_rank.correct(per_parameter[i]);
           }
         increment.mu = control->parameter_changes(
           here, increment.displacement, per_parameter);
@@ -420,7 +430,8 @@ namespace Biface
     iterate.total += increment.displacement;
     const auto contacts = contact.linearize(iterate.state, iterate.loads);
     equations.update(iterate.state, increment.displacement, iterate.iteration);
-    iterate.loads = iterate.parametrized.on(iterate.state, iterate.mu);
+    iterate.loads = equations.with_dependent_loads(
+      iterate.state, iterate.parametrized.at(iterate.mu));
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
     iterate.last_update = increment.displacement.linfty_norm();

@@ -4,17 +4,29 @@
 
 namespace Biface
 {
+  LoadRates
+  change_of(const LoadLevel &before, const LoadLevel &after)
+  {
+    LoadRates change;
+    change.pressure         = after.pressure - before.pressure;
+    change.factor           = after.factor - before.factor;
+    change.travel           = after.travel - before.travel;
+    change.angular_velocity = after.angular_velocity - before.angular_velocity;
+    return change;
+  }
+
+
   BucklingStart
-  buckling_start(const InternalForces                          &internal_forces,
+  buckling_start(const State                                   &now,
                  const LoadLevel                               &start,
                  const EarlierEquilibrium                      &before_step,
                  const std::function<Loads(const LoadLevel &)> &loads_at)
   {
-    const auto              &linearized = internal_forces.linearization_point();
+    const auto              &linearized = now.linearization_point;
     const EarlierEquilibrium from =
       (linearized ? EarlierEquilibrium{*linearized, start} : before_step);
     BucklingStart result{from, loads_at(from.level)};
-    // that of a sealed gas was another than it is now
+    // the pressure of a sealed gas may have changed since
     result.loads.pressure = from.level.pressure;
     return result;
   }

@@ -41,7 +41,7 @@ namespace Biface
     const auto end_before = [&]() -> const GridState * {
       const auto position = stage_before(stages, instant.stage);
       if (!position || stages[instant.stage].from_prestress)
-        return &undeformed;
+        return &*undeformed;
       const auto next = states.lower_bound({*position + 1, 0});
       return next == states.begin() || std::prev(next)->first.stage != *position
                ? nullptr
@@ -72,6 +72,8 @@ namespace Biface
                            const Instant   &to,
                            State           &state) const
   {
+    if (states.empty())
+      return false;
     const Mean begin = at(from), end = at(to);
     if (begin.before == nullptr || end.before == nullptr)
       return false;

@@ -22,7 +22,7 @@ namespace Biface
     changed->restore(control);
     LoadLevel level = reached;
     // the pressure of a sealed gas is on no path
-    if (gas_content)
+    if (before.sealed)
       level.pressure = control.start.pressure;
     if (changed->change_stage(with_angular_velocity(now), level))
       predictor.reset();

@@ -14,7 +14,7 @@ using namespace Biface;
 int
 main()
 {
-  const ContactCondition condition{ContactCondition::Parameters()};
+  const ContactCondition condition(ContactCondition::Parameters(), 1);
   const double           p = 0.3;
 
   // the clearance that an active node with such a multiplier has

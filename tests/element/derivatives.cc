@@ -62,7 +62,7 @@ namespace
 
     const double      step = 1e-4;
     const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(1, 2);
-    // of the size that the strains give
+    // initial resultants as large as those of the strains
     Modes::Vector H_0;
     if (with_initial_resultants)
       H_0 = some_vector<Modes::n>(

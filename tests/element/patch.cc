@@ -161,8 +161,9 @@ namespace
          },
          {{stress(0, 0, 2 * e), stress(0, 0, 2 * e)}});
 
-    // of bending, the fibers of the middle keep their length; the change of
-    // thickness due to Poisson's ratio is not linear and cancels in the mean
+    // in bending, the fibers of the middle surface keep their length; the
+    // change of thickness due to Poisson's ratio is not linear and cancels in
+    // the mean
     const auto bending = [&](const double k_1, const double k_2) {
       return [=](const Point<3> &x) {
         const double z = x[2] - h / 2;

@@ -50,7 +50,7 @@ namespace
     check_small("the sixth eigenvalue", eigenvalues[5], 1e-13, largest);
     check_range("the seventh one", eigenvalues[6] / largest, 1e-2, 1);
 
-    // those six are rotations and translations
+    // the first six are rotations and translations
     double energy = 0;
     for (unsigned int mode = 0; mode < 6; ++mode)
       {

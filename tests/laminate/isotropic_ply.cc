@@ -16,10 +16,10 @@ namespace
 {
   const double E = 1000, nu = 0.3, h = 2;
 
-  /** Of a stack whose thickness strain is free. */
+  /** The stiffness of a stack whose thickness strain is free. */
   struct Stiffness
   {
-    /** By the pairs 11, 22, 12. */
+    /** The components are in the order 11, 22, 12. */
     Tensor<2, 3> membrane, coupling, bending;
     Tensor<2, 2> shear;
 

@@ -195,7 +195,8 @@ main(int argc, char *argv[])
   check_ply(on_surface("cord: 1 @ lift(60)", around), 50, 1, lifted);
   check_ply(on_surface("cord: 1 @ lift(-60)", around), 50, 1, -lifted);
   check_ply(on_surface("cord: 1 @ -lift(30)", around), 0, 1, -60);
-  check_ply(on_surface("cord: 1 @ beta_c"), 80, 1, 40); // that of the table
+  check_ply(
+    on_surface("cord: 1 @ beta_c"), 80, 1, 40); // the angle of the table
   Layup::Parameters with_crown;
   with_crown.plies           = parse_plies("plies", "cord: 1 @ -lift(beta_c)");
   with_crown.angle_reference = around;

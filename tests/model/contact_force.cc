@@ -56,7 +56,8 @@ namespace
     const Tensor<1, 3> d    = line.direction / line.direction.norm();
     const double       radius =
       (foundation.shape == Shape::drum ? foundation.drum.radius
-                                       : foundation.sphere.radius);
+                                       : foundation.sphere.radius)
+        .value_or(0);
     // it has come by as much as it lacks at the point of its line
     const double   travel = -loads.foundation->clearance(line.point);
     const Point<3> center = line.point + (radius - travel) * d;

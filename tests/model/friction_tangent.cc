@@ -48,9 +48,9 @@ namespace
     const Tensor<1, 3> across =
       cross_product_3d(loads.foundation->direction(), Tensor<1, 3>({1, 2, 3}));
     loads.foundation = loads.foundation->displaced(across, 0.1, pivot);
-    loads.friction   = contact.friction("", "", false);
+    loads.law        = contact.law("", "", false, false);
     contact.settle(state, loads);
-    contact.record_history(state, loads);
+    contact.commit_step(state, loads);
 
     // the foundation moves on, and some nodes are said to do something else
     loads.foundation =

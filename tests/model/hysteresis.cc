@@ -60,7 +60,8 @@ namespace
     double                first;
   };
 
-  /** Of a ring that waves, relative to that of a single harmonic. */
+  /** The losses of a ring with waves, relative to those of a single
+   * harmonic. */
   Losses
   losses_of_ring(const unsigned int n_cells)
   {

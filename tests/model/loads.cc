@@ -136,7 +136,7 @@ namespace
   on_plate()
   {
     const auto shell = plate();
-    // of x over the area; of x^2 and y^2 by the trapezoidal rule
+    // integrals of x, and of x^2 and y^2 by the trapezoidal rule, over the area
     const double x_dA  = 16;
     const double xx_dA = 2 * (64. / 3 + 4 * 0.8 * 0.8 / 6);
     const double yy_dA = 4 * (8. / 3 + 2 * 4. / 9 / 6);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Of a wheel with mass that rolls with friction on an inclined plane or on a
-// drum, some nodes slipping, with a coefficient of friction that depends on
-// pressure and slip velocity, the tangent is the derivative of the residual,
-// also by the angular velocity and by the travel of the ground, and so are the
-// derivatives of the moment of the axle and of the force on the ground; without
-// friction the tangent is symmetric. A wheel that stands still in the same
-// frame has the same derivatives.
+// The tangent of a rolling wheel is the derivative of the residual, also with
+// respect to the angular velocity and to the travel of the ground; the
+// derivatives of the moment of the axle and of the force on the ground are
+// exact, too. The wheel has mass and rolls on an inclined plane or on a drum,
+// some nodes slip, and the coefficient of friction depends on pressure and slip
+// velocity. Without friction the tangent is symmetric. A wheel that stands
+// still in the same frame has the same derivatives.
 
 #include <array>
 #include <cmath>
@@ -55,7 +55,7 @@ namespace
     };
     loads.rolling = Rolling{omega};
     set_travel(loads, 15);
-    loads.friction = contact.friction("", "", false);
+    loads.law = contact.law("", "", false, true);
     contact.settle(state, loads);
     const unsigned int n_active   = contact.count_active(state);
     const unsigned int n_slipping = contact.count_slipping(state, loads);
@@ -118,7 +118,7 @@ namespace
       }
 
     Loads smooth = loads;
-    smooth.friction.reset();
+    smooth.law   = std::make_shared<const TangentialLaw>();
     equations.assemble(state, smooth);
     const LA::Vector other = some_displacement(*mesh, 1, 9);
     LA::Vector       left = mesh->owned_vector(), right = left;

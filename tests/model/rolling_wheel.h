@@ -52,7 +52,8 @@ struct RollingRun
 };
 
 
-/** Those of the steps that roll, see rolling_reports(). */
+/** The forces of the wheel at rest and in the steps that roll, see
+ * rolling_reports(). */
 inline RollingRun
 roll(const std::vector<Biface::Override> &changes)
 {

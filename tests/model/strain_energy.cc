@@ -34,7 +34,7 @@ namespace
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     equations.internal_forces().take_as_prestress(state);
     state = at(equations, state, some_displacement(*mesh, 0.2, 2));
-    equations.internal_forces().set_theory(theory, state);
+    InternalForces::set_theory(theory, state);
     if (theory == StrainTheory::linear)
       state = at(equations, state, some_displacement(*mesh, 0.2, 5));
 

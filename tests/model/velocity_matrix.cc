@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Of a wheel that rolls with friction on a plane or on a drum, the damping for
-// a velocity of the whole wheel is the derivative of the residual by the
-// velocity of the ground; the gyroscopic terms are skew.
+// The damping of a wheel that rolls with friction on a plane or on a drum, for
+// a velocity of the whole wheel, is the derivative of the residual with respect
+// to the velocity of the ground; the gyroscopic terms are skew.
 
 #include <deal.II/base/mpi.h>
 
@@ -48,7 +48,7 @@ namespace
     loads.rolling    = Rolling{5};
     loads.rolling->ground =
       GroundMotion::under_wheel(*loads.foundation, 1005, 0.02);
-    loads.friction = contact.friction("", "", false);
+    loads.law = contact.law("", "", false, true);
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
 
@@ -74,7 +74,7 @@ namespace
 
     const auto               heavy = mesh(1e-4);
     const ContactInteraction no_friction(*heavy, parameters);
-    loads.friction.reset();
+    loads.law = std::make_shared<const TangentialLaw>();
     const VelocityMatrix gyroscopic(no_friction, State(*heavy), loads);
     const LA::Vector     x = some_displacement(*heavy, 1, 4),
                      y     = some_displacement(*heavy, 1, 9);

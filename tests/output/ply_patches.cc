@@ -112,7 +112,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  // of the arcs between the radii R - 0.5 and R + 1 about the circle of the
+  // volume between the arcs of radii R - 0.5 and R + 1 about the circle of
   // radius 200: the turn times the integral of (200 + r cos psi) r dr dpsi
   const std::string plies = "cord: 0.2 @ 52, cord: 1 @ -52, cord: 0.3 @ 0";
   const double      a = 49.5, b = 51;

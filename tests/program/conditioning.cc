@@ -38,8 +38,9 @@ namespace
   }
 
 
-  /** Of the free unknowns of a plate of side 1, by its thickness; in the
-   * unknowns of the program, and in the displacements of the faces. */
+  /** The condition numbers of the stiffness of a plate of side 1 with a given
+   * thickness, in the unknowns of the program and in the displacements of the
+   * faces. */
   std::array<double, 2>
   condition_numbers(const std::string &thickness)
   {

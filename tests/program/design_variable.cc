@@ -50,6 +50,8 @@ namespace
           std::cout << ' ' << variable.get_name() << ' '
                     << variable.value(changed_prm);
         std::cout << std::endl;
+        if (changed.laminate.plies.size() != parameters.laminate.plies.size())
+          std::cout << "  FAILED: another number of plies" << std::endl;
       }
     catch (const InputError &error)
       {
@@ -81,6 +83,10 @@ main(int argc, char *argv[])
          {7},
          {"Laminate/Plies=cord: 1.2 - 0.1 * sin(alpha_1) @ 2*alpha_1-3"});
   change("Contact/Direction[2]", {-1e-20});
+  change("Laminate/Plies[3]", {45}, {"Laminate/Plies=2 x (cord: 1.2 @ +-52)"});
+  change("Laminate/Plies[2]",
+         {-45},
+         {"Laminate/Plies=cord: 1.2 @ -+52, cord: 1.2 @ 2 - -10*alpha_1"});
 
   // what is refused
   change("Stage 1/Presure", {1});

@@ -72,7 +72,7 @@ namespace
       make_linear_solver(parameters.linear_solver, mesh, timer);
     ModalAnalysis analysis(
       model.equations, model.contact, *linear_solver, timer);
-    const VibrationModes found = analysis.compute(state, loads, nullptr, n);
+    const VibrationModes found = analysis.compute(state, loads, n);
     if (!found.success)
       std::cout << "FAILED: " << found.message << std::endl;
     return found.modes;
@@ -128,7 +128,7 @@ namespace
   }
 
 
-  /** Of a stretched hoop without bending stiffness, with
+  /** The frequencies of a stretched hoop without bending stiffness, with
    * k = E (1 + g)^2/(rho R^2),
    * (1 + n^2) k (2 n Omega - omega) - 4 n Omega k +
    * omega ((2 n Omega - omega)^2 - 4 Omega^2) = 0, or omega = 0: from the

@@ -64,7 +64,7 @@ end
     double u_x = 0;
     /** Its change in the last step. */
     double du_x = 0;
-    /** Of the last step, as text. */
+    /** The values of the last step, as text. */
     std::string pressure, load_factor, iterations;
     /** The sum of the forces on the shell in the last step, and the line
      * `prestress`, relative to the maximum force. */

@@ -21,17 +21,16 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const Layup     layup(Layup::Parameters(), cord_ply());
-  const auto      mesh = coarse_torus(layup);
-  ShellEquations  equations(*mesh);
-  InternalForces &internal = equations.internal_forces();
+  const Layup           layup(Layup::Parameters(), cord_ply());
+  const auto            mesh = coarse_torus(layup);
+  ShellEquations        equations(*mesh);
+  const InternalForces &internal = equations.internal_forces();
 
-  const InternalForces::History initial_history = internal.get_history();
   State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
   internal.take_as_prestress(state);
-  internal.balance(some_displacement(*mesh, 1, 4));
+  internal.balance(some_displacement(*mesh, 1, 4), state);
   state = at(equations, state, some_displacement(*mesh, 0.2, 2));
-  internal.set_theory(StrainTheory::linear, state);
+  InternalForces::set_theory(StrainTheory::linear, state);
   state = at(equations, state, some_displacement(*mesh, 0.3, 3));
   for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
     {
@@ -40,6 +39,14 @@ main(int argc, char *argv[])
       for (unsigned int i = 0; i < 3; ++i)
         state.multipliers[n][i] = std::sin(3 * alpha[0] + 7 * alpha[1] + i);
     }
+  state.terms["term"] = {
+    {1, 2}, {mesh->nodes.size(), 2}, {mesh->cells.size(), 3}};
+  for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
+    for (unsigned int i = 0; i < 2; ++i)
+      state.terms["term"].at_nodes[n][i] = mesh->nodes[n].number + i / 2.;
+  for (unsigned int c = 0; c < mesh->cells.size(); ++c)
+    for (unsigned int i = 0; i < 3; ++i)
+      state.terms["term"].at_cells[c][i] = mesh->cells[c].number + i / 3.;
 
   const std::string directory = "checkpoint";
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
@@ -50,11 +57,11 @@ main(int argc, char *argv[])
   end_progress.n_steps = 7;
   const State end =
     at(equations, State(*mesh), some_displacement(*mesh, 0.1, 5));
-  const RestorePoint at_end{end, initial_history, end_progress};
+  const RestorePoint at_end{end, end_progress};
   write_checkpoint(directory,
                    record,
                    *mesh,
-                   {{state, internal.get_history(), Progress()}, {{1, at_end}}},
+                   {{state, Progress()}, {{1, at_end}}},
                    {{{at_end, {}}, {at_end, {{1, at_end}}}}, {3}});
 
   const Checkpoint     checkpoint(directory, MPI_COMM_WORLD);
@@ -75,32 +82,33 @@ main(int argc, char *argv[])
     return Utilities::MPI::min(static_cast<int>(on_this_rank),
                                MPI_COMM_WORLD) == 1;
   };
-  const InternalForces::History &before     = internal.get_history();
-  const InternalForces::History &after      = points.last.history;
-  LA::Vector                     difference = before.balancing_forces;
+  const Prestress &before     = *state.prestress;
+  const Prestress &after      = *other.prestress;
+  LA::Vector       difference = before.balancing_forces;
   difference -= after.balancing_forces;
-  const bool found[] = {
-    all(same),
-    all(other.resultants == state.resultants),
-    all(other.active == state.active),
-    all(other.multipliers == state.multipliers),
-    all(after.initial_resultants == before.initial_resultants &&
-        after.initial_strains == before.initial_strains),
-    all(after.linearization_point.has_value() &&
-        after.linearization_point->resultants ==
-          before.linearization_point->resultants),
-    difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0,
-    all(same_end && ends.at(1).state.resultants == end.resultants &&
-        ends.at(1).history.initial_resultants ==
-          initial_history.initial_resultants &&
-        !ends.at(1).history.linearization_point &&
-        ends.at(1).history.balancing_forces.size() == 0 &&
+  const TermState &term      = state.terms.at("term"),
+                  &same_term = other.terms.at("term");
+  const bool found[]         = {
+            all(same),
+            all(other.resultants == state.resultants),
+            all(other.active == state.active),
+            all(other.multipliers == state.multipliers),
+            all(after.resultants == before.resultants &&
+        after.strains == before.strains),
+            all(other.linearization_point && other.linearization_point->resultants ==
+                                       state.linearization_point->resultants),
+            difference.l2_norm() == 0 && after.balancing_forces.l2_norm() > 0,
+            all(same_end && ends.at(1).state.resultants == end.resultants &&
+        !ends.at(1).state.prestress && !ends.at(1).state.linearization_point &&
         ends.at(1).progress.n_steps == 7),
-    all(neighbors.size() == 2 && neighbors[0].ends.empty() &&
+            all(neighbors.size() == 2 && neighbors[0].ends.empty() &&
         neighbors[1].last.state.resultants == end.resultants &&
         neighbors[1].ends.at(1).state.resultants == end.resultants &&
         neighbors[1].last.progress.n_steps == 7 &&
-        read.lost_stages == std::set<unsigned int>{3})};
+        read.lost_stages == std::set<unsigned int>{3}),
+            all(term.numbers == same_term.numbers &&
+        term.at_nodes == same_term.at_nodes &&
+        term.at_cells == same_term.at_cells)};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("displacements", found[0]);
@@ -112,4 +120,5 @@ main(int argc, char *argv[])
   check_true("balancing forces", found[6]);
   check_true("end of an earlier stage", found[7]);
   check_true("neighbors", found[8]);
+  check_true("what a force term remembers", found[9]);
 }

@@ -2,9 +2,9 @@
 
 // Derivatives are those of whole runs with a changed entry, by central
 // differences, along every kind of path: where the foundation touches a shell
-// that depends on the entry, with friction, linear strain theory, a force or a
-// displacement that is controlled, a sealed gas, a prestress, and a stage that
-// starts from an earlier one; of frequencies and buckling factors, too.
+// that depends on the entry, with friction, linear strain theory, a force or an
+// arc length that is controlled, a sealed gas, and a stage that starts from an
+// earlier one; of frequencies and buckling factors, too.
 
 #include <deal.II/base/mpi.h>
 
@@ -80,6 +80,14 @@ main(int argc, char **argv)
                             "Stage 2/Travel=5"}),
                       "Stage 1/Pressure; Stage 3/Pressure; Material cord/E_L",
                       "side u_x, strain_energy");
+  // the last step is that to the loads of the stage
+  check_sensitivities("arc length",
+                      DATA_DIR "/../verification/cantilever_end_shear.prm",
+                      {"Stage 1/Control=arc length",
+                       "Stage 1/Load factor=0.3",
+                       "Stage 1/Steps=5"},
+                      "Material strip/E; Stage 1/Load factor",
+                      "load_factor, tip u_z, strain_energy");
   check_sensitivities(
     "modes",
     tire,

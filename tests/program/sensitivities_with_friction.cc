@@ -18,6 +18,7 @@ main(int argc, char **argv)
     {"Mesh/Intervals alpha_1=-120:120:16",
      "Mesh/Intervals alpha_2=-180:-30:5:smooth,-30:30:8,30:180:5:smooth",
      "Contact/Multiplier mass=lumped",
+     "Contact/Tangential regularization=100",
      "Stage 2/Friction=0.5",
      "Stage 2/Steps=2",
      "Newton/Residual tolerance=1e-11",

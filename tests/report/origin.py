@@ -16,5 +16,5 @@ check(page.headings[0] == "biface: bias_tire.prm", f"{page.headings[0]}")
 check(f"{version}," in page.text, f"the page does not name {version}")
 rows = [cells for cells, _ in page.rows]
 check(["Stage 2/Steps", "4", "1"] in rows, "Stage 2/Steps is not listed")
-check(not any(cells[0] == "Contact/Regularization" for cells in rows),
-      "1e4 is listed as other than the default 10000")
+check(not any(cells[0] == "Newton/Residual tolerance" for cells in rows),
+      "1e-8 is listed as other than the default 1e-08")

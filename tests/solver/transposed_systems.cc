@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-#include <biface/solver/held_tangent.h>
+#include <biface/model/equations/symmetry.h>
 #include <biface/solver/linear/amesos_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 #include <biface/solver/linear/mumps_solver.h>

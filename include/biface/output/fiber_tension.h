@@ -73,9 +73,9 @@ namespace Biface
     unsigned int ply = 0;
   };
 
-  /** Of places where the tension differs by round-off, the first one in the
-   * order of the cells is given, on any number of ranks. NaN without tension
-   * members. Must be called on all ranks. */
+  /** If the tension at several places differs by round-off only, the first of
+   * them in the order of the cells is given, on any number of ranks. NaN
+   * without tension members. Must be called on all ranks. */
   MaximumTension
   find_maximum_tension(const ShellEquations &equations, const State &state);
 } // namespace Biface

@@ -64,7 +64,7 @@ namespace Biface
     std::vector<std::string>
     warnings() const override;
 
-    /** Those of the last step written. */
+    /** The maxima of the last step written. */
     const std::vector<FailureMaximum> &
     get_failure_maxima() const
     {

@@ -29,7 +29,7 @@ namespace Biface
               ResultsDirectory      &directory,
               const ShellEquations  &equations);
 
-    /** Not if no point is named. */
+    /** False if no point is named. */
     bool
     is_wanted() const override;
 

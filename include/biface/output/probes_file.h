@@ -34,7 +34,7 @@ namespace Biface
   public:
     ProbesFile(ResultsDirectory &directory, const ShellEquations &equations);
 
-    /** Not if no point is named. */
+    /** False if no point is named. */
     bool
     is_wanted() const override;
 

@@ -47,8 +47,8 @@ namespace Biface
     enum class Columns
     {
       all,
-      /** Those of which derivatives make sense: no works, which are sums over
-       * all steps, numbers and places. */
+      /** The differentiable ones: neither works, which are sums over all steps,
+       * nor counts, nor positions. */
       differentiable
     };
 
@@ -111,8 +111,8 @@ namespace Biface
       };
 
       Kind kind = Kind::history;
-      /** That of the group of columns of history.csv, of the point, the body or
-       * the shape. */
+      /** The number of the group of columns of history.csv, of the point, the
+       * body or the shape. */
       unsigned int position = 0;
       /** Position in the group, or among the components of the last columns of
        * probes.csv or forces.csv. */

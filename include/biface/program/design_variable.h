@@ -22,7 +22,8 @@ namespace Biface
    * only needed if there are several. The numbers in
    * `cord: 1.2 @ 52, cord: 1.2 @ -52` are 1.2, 52, 1.2, -52: names that contain
    * digits, such as `alpha_1` or `cord2`, and texts in quotes are not counted.
-   * A sign belongs to a number unless it is an operator of a formula.
+   * A sign belongs to a number unless it is an operator of a formula, or part
+   * of the `+-` or `-+` before the angle of two plies.
    *
    * The value of the variable is that of each of its numbers, with the opposite
    * sign after a minus, as for the angles of a bias tire. The value of a

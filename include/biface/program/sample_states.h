@@ -19,7 +19,7 @@ namespace Biface
     /** The states in the steps of a sample. */
     struct Sample
     {
-      /** Of the design variables. */
+      /** The values of the design variables. */
       std::vector<double> values;
       ChartGrid           grid;
       NestedPredictor     states;

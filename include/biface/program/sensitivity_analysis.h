@@ -19,7 +19,7 @@
 #include <biface/program/shell_model.h>
 #include <biface/solver/linear/linear_solver.h>
 #include <biface/stepping/restore_point.h>
-#include <biface/stepping/step_follower.h>
+#include <biface/stepping/stage_analysis.h>
 
 namespace Biface
 {
@@ -42,7 +42,7 @@ namespace Biface
    * an equation determines is one more unknown. The derivative of a result
    * @f$y@f$ is @f$(y_+(\mathbf V_+)-y_-(\mathbf V_-))/2h@f$.
    */
-  class SensitivityAnalysis : public StepFollower
+  class SensitivityAnalysis : public StageAnalysis
   {
   public:
     /** The objects are kept by reference. Throws InputError if a result does
@@ -64,20 +64,21 @@ namespace Biface
     restore(const NeighborPoints &points);
 
     void
-    start_stage(const std::optional<unsigned int> &before,
-                const unsigned int                 position) override;
+    start_stage(const StageRun                    &run,
+                const std::optional<unsigned int> &before) override;
 
-    /** If a linear system is not solved, the neighbors have lost the stage:
-     * with a warning, it has no derivatives, nor have the stages that start
-     * from its end. */
+    /** If a linear system cannot be solved, the derivatives in this stage and
+     * in those that start from its end are left out, with a warning. */
     void
     follow(const Step &step) override;
 
-    bool
-    reads_left_eigenvectors(const unsigned int stage) const override;
+    void
+    end_stage(const StageRun &run, StepReport &report) override;
 
-    std::shared_ptr<const SensitivityTable>
-    end_stage(const StepReport &report, const State &state) override;
+    /** Whether end_stage() reads the left eigenvectors of the modes of
+     * vibration or buckling at the end of a stage. */
+    bool
+    reads_left_eigenvectors(const unsigned int stage) const;
 
   private:
     struct Neighbor;
@@ -87,11 +88,12 @@ namespace Biface
      * entry in a step, as far as it is known. */
     struct Derivative
     {
-      /** Those of the run, but at the supports those of both neighbors. */
+      /** The displacements of the run, but at the supports those of the two
+       * perturbed runs. */
       std::array<LA::Vector, 2> fixed;
       LA::Vector                displacements;
-      /** Those for which the forces were evaluated last. The round-off in
-       * their positions is balanced by the displacements since. */
+      /** The displacements for which the forces were evaluated last. The
+       * round-off in the positions is balanced by the displacements since. */
       LA::Vector     balanced;
       LoadParameters mu;
       /** The load parameters for which the forces were evaluated last. */
@@ -107,10 +109,6 @@ namespace Biface
     };
 
     using Change = SensitivityParameters::Change;
-
-    /** Set what belongs to the current stage of a neighbor. */
-    void
-    enter_stage(Neighbor &neighbor) const;
 
     /** The change of an entry in one of its neighbors. */
     double
@@ -167,10 +165,6 @@ namespace Biface
     /** Leave the neighbors where they were before a step. */
     void
     lose(const Step &step, const Failure &failure);
-
-    /** The loads on a neighbor. */
-    Loads
-    loads_on(const Neighbor &neighbor, const LoadLevel &level) const;
 
     /** The modes of the run with the frequencies of a neighbor. */
     std::shared_ptr<const VibrationModes>

@@ -25,8 +25,8 @@ namespace Biface
     /** The numbers of the stages at whose ends derivatives are computed; empty
      * for the last one. */
     std::vector<unsigned int> stages;
-    /** The change of an entry in parts of its value; not set for what suits the
-     * run. */
+    /** The change of an entry relative to its value; chosen by the program if
+     * not set. */
     std::optional<double> step;
 
     /** What a change of an entry changes in the mesh. */
@@ -46,7 +46,7 @@ namespace Biface
       /** The difference of the values, and the parameters below and above. */
       double                                           step;
       std::array<std::shared_ptr<const Parameters>, 2> parameters;
-      /** What can be another in the mesh. */
+      /** The parts of the mesh that may differ. */
       MeshChange mesh_change;
     };
 

@@ -9,7 +9,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/forces/gas.h>
+#include <biface/model/forces/cavity.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/program/parameters.h>
 #include <biface/surface/chart_grid.h>
@@ -39,18 +39,11 @@ namespace Biface
     ShellModel(const Parameters                &parameters,
                std::shared_ptr<const ShellMesh> mesh);
 
-    /** The volume that the gas fills; null if it is not of interest. */
-    const Cavity *
-    cavity() const
-    {
-      return gas ? &gas->cavity : nullptr;
-    }
-
     const std::shared_ptr<const ShellMesh> mesh;
     const ContactInteraction               contact;
-    ShellEquations                         equations;
-    /** Null if it cannot be sealed in. */
-    const std::unique_ptr<const Gas> gas;
+    /** The space that the gas fills; null if it cannot be sealed in. */
+    const std::unique_ptr<const Cavity> cavity;
+    ShellEquations                      equations;
   };
 } // namespace Biface
 

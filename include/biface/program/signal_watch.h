@@ -14,9 +14,9 @@ namespace Biface
   /**
    * During the life of an object, SIGTERM and SIGINT are recorded instead of
    * ending the process, and exceeding the file size limit is a write error
-   * instead of ending the process (SIGXFSZ). A second signal of the same kind
-   * has its previous effect. Signals belong to the process: only one object at
-   * a time.
+   * instead of ending the process (SIGXFSZ). The second of these signals, also
+   * one of the other kind, ends the process at once, for example where it
+   * hangs. Signals belong to the process: only one object at a time.
    */
   class SignalWatch
   {

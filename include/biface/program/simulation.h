@@ -69,11 +69,11 @@ namespace Biface
       return contact;
     }
 
-    /** The gas; null if it cannot be sealed in. */
-    const Gas *
-    get_gas() const
+    /** The space that the gas fills; null if it cannot be sealed in. */
+    const Cavity *
+    get_cavity() const
     {
-      return gas.get();
+      return model.cavity.get();
     }
 
     /** The state of the last converged step, also while the observer is
@@ -137,6 +137,10 @@ namespace Biface
     ChartGrid
     coarser_grid(const ChartGrid &grid) const;
 
+    /** What accompanies the stages. */
+    StageAnalyses
+    make_analyses(BucklingAnalysis &buckling_analysis);
+
     /** Run all stages on the coarser mesh, and record the states of its steps.
      */
     std::unique_ptr<const NestedPredictor>
@@ -151,11 +155,10 @@ namespace Biface
     const std::shared_ptr<const ShellMesh> &mesh;
     const ContactInteraction               &contact;
     ShellEquations                         &equations;
-    const std::unique_ptr<const Gas>       &gas;
 
     const std::unique_ptr<LinearSolver> linear_solver;
     /** Null if no derivatives are asked for. */
-    std::unique_ptr<SensitivityAnalysis> sensitivities;
+    std::shared_ptr<SensitivityAnalysis> sensitivities;
 
     State     state;
     double    coarse_solver_seconds = 0;

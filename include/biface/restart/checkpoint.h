@@ -36,23 +36,38 @@ namespace Biface
      * SensitivityParameters. */
     std::vector<double> differences;
 
-    /** The numbers of RestorePoints. */
-    struct Points
+    /** The numbers of a RestorePoint. */
+    struct Point
     {
       Progress progress;
-      /** At the ends of stages, see StageEnds. */
-      std::map<unsigned int, Progress> ends;
+      /** See TermState, by the names of the terms. */
+      std::map<std::string, std::vector<double>> of_terms;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &progress &ends;
+        archive &progress &of_terms;
+      }
+    };
+
+    /** The numbers of RestorePoints. */
+    struct Points
+    {
+      Point last;
+      /** At the ends of stages, see StageEnds. */
+      std::map<unsigned int, Point> ends;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &last &ends;
       }
     };
 
     Points run;
-    /** Those of NeighborPoints. */
+    /** The points of NeighborPoints. */
     std::vector<Points>    neighbors;
     std::set<unsigned int> lost_stages;
     ResultsWriter::Written written;
@@ -72,8 +87,8 @@ namespace Biface
   /** Write a checkpoint into a directory, keeping the previous one. Must be
    * called on all ranks. Throws OutputError.
    * @param record without the numbers of the points, which are set.
-   * @param mesh of the run, whose nodes and cells are those of neighbors.
-   */
+   * @param mesh of the run, whose nodes and cells are those of perturbed runs,
+   * too. */
   void
   write_checkpoint(const std::string    &directory,
                    RunRecord            &record,
@@ -128,9 +143,9 @@ namespace Biface
     /** What was written after a step.
      * @param prefix of the names of its tables. */
     RestorePoint
-    read_point(const std::string &prefix,
-               const Progress    &progress,
-               const ShellMesh   &mesh) const;
+    read_point(const std::string      &prefix,
+               const RunRecord::Point &numbers,
+               const ShellMesh        &mesh) const;
 
     /** @param prefix see read_point(). */
     RestorePoints

@@ -47,6 +47,15 @@ namespace Biface
   rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
           const ShellMesh                         &mesh);
 
+  /** The rows of a table with one row for each node of this rank; their width
+   * is 0 if the table is empty. Must be called on all ranks. */
+  NumberedRows
+  rows_of_nodes(const dealii::Table<2, double> &table, const ShellMesh &mesh);
+
+  /** Likewise for each locally owned cell. */
+  NumberedRows
+  rows_of_cells(const dealii::Table<2, double> &table, const ShellMesh &mesh);
+
   /** The rows needed by the functions below. */
   std::vector<std::uint64_t>
   numbers_of_owned_nodes(const ShellMesh &mesh);
@@ -72,6 +81,10 @@ namespace Biface
   /** From rows of nodes. */
   std::vector<dealii::Tensor<1, 3>>
   vectors_from(const std::vector<double> &values);
+
+  /** From any rows, of which there are @p n. */
+  dealii::Table<2, double>
+  table_from(const std::vector<double> &values, const std::size_t n);
 } // namespace Biface
 
 #endif

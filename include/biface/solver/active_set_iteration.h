@@ -68,9 +68,9 @@ namespace Biface
 
   /**
    * The active set in the iterations of a step. If it is cycling, the nodes
-   * that toggle lose their glue: the glue may lift a node off the foundation,
-   * which without it comes back, so that no active set is a solution. If none
-   * of them is glued, they are held in contact until the iteration has
+   * that toggle are no longer glued: glue may lift a node off the foundation to
+   * which the node returns without it, so that no active set is a solution. If
+   * none of them is glued, they are held in contact until the iteration has
    * converged with them; then they are released. A second cycle of these is a
    * failure.
    */

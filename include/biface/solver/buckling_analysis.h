@@ -12,7 +12,6 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/forces/gas.h>
 #include <biface/model/mesh/wave_numbers.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/held_tangent.h>
@@ -43,7 +42,7 @@ namespace Biface
      * not at a limit point. */
     double load_work = 0;
 
-    /** Of a shell that is a full turn. */
+    /** The wave numbers of the shape, if the shell is a full turn. */
     std::optional<WaveNumbers> waves;
   };
 
@@ -54,6 +53,9 @@ namespace Biface
     bool success = false;
     /** The reason of a failure, as part of a sentence. */
     std::string message;
+    /** The rigid motions that nothing holds, which the shapes do not contain:
+     * see HeldTangent::free_motions(). */
+    std::vector<std::string> free_motions;
     /** In ascending order of the position. */
     std::vector<BucklingMode> modes;
   };
@@ -71,8 +73,11 @@ namespace Biface
    * that of frozen displacements. In linear strain theory, these are the
    * displacements about which the strains are linearized.
    *
-   * A sealed gas stiffens both tangents by the pressure in each, see
-   * GasStiffness.
+   * Loads that follow from the displacements, such as the pressure of a sealed
+   * gas, stiffen both tangents by their value in each, see LowRankStiffness.
+   * The shapes are orthogonal to rigid motions that nothing holds, see
+   * Deflation: they would meet no resistance but that by which interpolation
+   * fails to carry them, and come first.
    *
    * If @f$\mathbf K_0@f$ is symmetric and the linear solver counts no negative
    * pivots, Lanczos' method works in the inner product of @f$\mathbf K_0@f$,
@@ -101,32 +106,29 @@ namespace Biface
      *
      * @param before an earlier equilibrium; its displacements do not matter.
      * @param now the equilibrium from which to predict.
-     * @param gas that is sealed in the shell, if any.
-     * @param rates the change of the loads from one to the other, in any unit,
-     * without the pressure of a sealed gas.
+     * @param rates the change of the given loads from one to the other, in any
+     * unit.
      * @param n the number of shapes; there may be fewer.
      * @param with_left whether left eigenvectors are wanted, too.
      */
     BucklingModes
     compute(const Equilibrium &before,
             const Equilibrium &now,
-            const Gas         *gas,
             const LoadRates   &rates,
             const unsigned int n,
             const bool         with_left = false);
 
     /**
-     * The positions up to terms of second order by the right and left
-     * eigenvectors of a neighboring shell, see rayleigh_quotients(); not a
-     * number without a left one. The last assembly of the equations is lost.
+     * The positions up to terms of second order, from the right and left
+     * eigenvectors of a slightly different shell, see rayleigh_quotients(); NaN
+     * without a left one. The last assembly of the equations is lost.
      *
-     * @param before, now, gas see compute().
+     * @param before, now see compute().
      * @param modes of the neighbor, whose degrees of freedom are the same.
      */
     std::vector<double>
     quotients(const Equilibrium               &before,
               const Equilibrium               &now,
-              const Gas                       *gas,
               const std::vector<BucklingMode> &modes);
 
     /** The number of negative pivots of the tangent, if it is symmetric and the
@@ -155,10 +157,7 @@ namespace Biface
     struct Pencil;
 
     void
-    assemble(const Equilibrium &before,
-             const Equilibrium &now,
-             const Gas         *gas,
-             Pencil            &pencil);
+    assemble(const Equilibrium &before, const Equilibrium &now, Pencil &pencil);
 
     /** The tangent of one equilibrium, and whether it is symmetric. */
     bool
@@ -180,7 +179,7 @@ namespace Biface
           const LA::Vector &b,
           const System      system = System::original);
 
-    /** The lowest position, roughly; none if there is none. */
+    /** An estimate of the lowest position; not set if there is none. */
     std::optional<double>
     estimate_lowest(Pencil &pencil, BucklingModes &result);
 

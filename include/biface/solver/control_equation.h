@@ -56,7 +56,8 @@ namespace Biface
       const Loads              &loads;
       /** Change of the displacements since the start of the step. */
       const LA::Vector &total;
-      /** Of the tangent, if the linear solver counts them. */
+      /** The number of negative pivots of the tangent, if the linear solver
+       * counts them. */
       std::optional<unsigned int> n_negative_pivots;
     };
 

@@ -10,6 +10,7 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -17,12 +18,14 @@ namespace Biface
   /**
    * The tangent of an equilibrium for motions that do not change the nodes in
    * contact, for eigenvalue problems: with the prestress and the loads that
-   * follow the shell, without the gas sealed in it.
+   * follow the shell, without the gas sealed in it. In linear strain theory it
+   * is that of the shape about which the strains are linearized, with the
+   * stresses of the equilibrium.
    *
    * The nodes in contact are held along the normal of the foundation by the
    * regularization of the contact condition, with the lumped multiplier mass,
    * so that contact never makes the tangent unsymmetric. With friction, they
-   * also stick to the foundation; see ContactInteraction::set_glued(). While
+   * also stick to the foundation; see TangentialLaw::hold(). While
    * the shell rolls, the whole tangent of the contact is part of it instead:
    * friction follows from the slip velocity, needs the lumped multiplier mass,
    * and makes the tangent unsymmetric.
@@ -45,19 +48,27 @@ namespace Biface
     void
     hold(const State &state, const Loads &loads, LA::SparseMatrix &K) const;
 
+    /** The rigid motions of the shell that neither supports nor the foundation
+     * resist; none while it rolls. */
+    std::vector<RigidMotion>
+    free_motions(const State &state, const Loads &loads) const;
+
+    /** Those of free_motions() that loads and reactions do not resist, either,
+     * as a rotation of an unloaded shell.
+     * @param K the tangent of the equilibrium. */
+    std::vector<RigidMotion>
+    neutral_motions(const State            &state,
+                    const Loads            &loads,
+                    const LA::SparseMatrix &K) const;
+
     /** The loads without the foundation. */
     static Loads
     without_foundation(const Loads &loads);
 
-    /** Whether a tangent is symmetric up to round-off, which follower loads
-     * can be, too. */
+    /** Whether what assemble() gave for these loads is symmetric, see
+     * ShellEquations::is_symmetric(). */
     bool
-    is_symmetric(const LA::SparseMatrix &K) const;
-
-    /** A bound of the round-off in
-     * @f$\mathbf x^T\mathbf K\mathbf x@f$. */
-    double
-    roundoff(const LA::SparseMatrix &K, const LA::Vector &x) const;
+    is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const;
 
   private:
     ShellEquations           &equations;
@@ -65,11 +76,6 @@ namespace Biface
     dealii::TimerOutput      &timer;
   };
 
-
-  /** Different displacements of the nodes for each @p seed, zero where supports
-   * prescribe them, the same on any number of ranks. */
-  LA::Vector
-  arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed);
 
   /** The shape of an eigenvector, or its real and imaginary parts, with the
    * entries of all nodes of this rank and those that constraints give; the

@@ -15,7 +15,6 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/forces/gas.h>
 #include <biface/model/mesh/wave_numbers.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/held_tangent.h>
@@ -58,8 +57,8 @@ namespace Biface
      * their magnitudes. */
     dealii::Tensor<1, 3> participation;
 
-    /** Of a shell that is a full turn; WaveNumbers::travel in the direction in
-     * which the wheel turns. */
+    /** The wave numbers of the shape, if the shell is a full turn;
+     * WaveNumbers::travel is in the direction in which the wheel turns. */
     std::optional<WaveNumbers> waves;
 
     /** @f$\omega^2@f$ */
@@ -103,7 +102,10 @@ namespace Biface
     /** In ascending order of @f$\Re\omega^2@f$, or of @f$|\omega|@f$ if the
      * shell rolls or spins. */
     std::vector<VibrationMode> modes;
-    /** Of the whole shell. */
+    /** The rigid motions that nothing resists, whose frequency is zero: see
+     * HeldTangent::neutral_motions(). */
+    std::vector<std::string> neutral_motions;
+    /** The mass of the whole shell. */
     double total_mass = 0;
     /** Whether the shell stands and its tangent is symmetric, so that left
      * eigenvectors are the shapes. */
@@ -126,6 +128,10 @@ namespace Biface
    * \boldsymbol\varphi=\mathbf 0@f$, where @f$\mathbf G@f$ is the
    * VelocityMatrix. Its nodes in contact are not held sideways: friction
    * follows from the slip velocity.
+   *
+   * Rigid motions that nothing resists have the frequency zero, though
+   * interpolation in a curved shell gives them a small stiffness; the other
+   * modes are orthogonal to them, see Deflation.
    *
    * The eigenvalues closest to zero are computed by nearest_eigenpairs() with
    * the factors of the linear solver, if @f$\mathbf K@f$ is singular, as for a
@@ -150,14 +156,12 @@ namespace Biface
      * Compute the modes of a converged state. The last assembly of the
      * equations is lost.
      *
-     * @param gas the gas sealed in; null for none.
      * @param n the number of modes.
      * @param with_left whether left eigenvectors are wanted, too.
      */
     VibrationModes
     compute(const State       &state,
             const Loads       &loads,
-            const Gas::Sealed *gas,
             const unsigned int n,
             const bool         with_left = false);
 
@@ -165,7 +169,7 @@ namespace Biface
     struct Problem;
 
     Problem
-    assemble(const State &state, const Loads &loads, const Gas::Sealed *gas);
+    assemble(const State &state, const Loads &loads);
 
     /** Prepare to solve systems with the matrix at the shift of the problem. */
     LinearSolverResult
@@ -221,13 +225,12 @@ namespace Biface
 
 
   /**
-   * The frequencies @f$\omega@f$ of a shell up to terms of second order by the
-   * right and left eigenvectors of a neighboring one, see rayleigh_quotients()
-   * and rayleigh_roots(); not a number without a left one. The last assembly of
-   * the equations is lost.
+   * The frequencies @f$\omega@f$ of a shell up to terms of second order, from
+   * the right and left eigenvectors of a slightly different one, see
+   * rayleigh_quotients() and rayleigh_roots(); NaN without a left one. The last
+   * assembly of the equations is lost.
    *
    * @param modes of the neighbor, whose degrees of freedom are the same.
-   * @param gas the gas sealed in; null for none.
    */
   std::vector<std::complex<double>>
   omegas_for_shapes(ShellEquations           &equations,
@@ -235,7 +238,6 @@ namespace Biface
                     dealii::TimerOutput      &timer,
                     const State              &state,
                     const Loads              &loads,
-                    const Gas::Sealed        *gas,
                     const VibrationModes     &modes);
 } // namespace Biface
 

@@ -14,7 +14,6 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/forces/gas.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 #include <biface/solver/failure.h>
@@ -29,19 +28,6 @@ namespace Biface
     /** The equations that determine the parameters; null if they are
      * prescribed. */
     const ControlEquations *equations = nullptr;
-    /** The gas whose pressure is that of the loads; null if it is
-     * prescribed. */
-    const Gas::Sealed *gas = nullptr;
-
-    /** The loads for given parameters and a state. */
-    Loads
-    on(const State &state, const LoadParameters &mu) const
-    {
-      Loads loads = at(mu);
-      if (gas)
-        loads.pressure = gas->pressure(state);
-      return loads;
-    }
   };
 
 
@@ -57,9 +43,25 @@ namespace Biface
     /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
     /** The number of negative pivots of the last tangent that was factorized,
-     * if the linear solver counts them: the number of unstable directions of
-     * this equilibrium, or of an iterate close to it. */
+     * with the gas, if it was symmetric and the linear solver counts them: the
+     * number of unstable directions of this equilibrium, or of an iterate close
+     * to it. */
     std::optional<unsigned int> n_negative_pivots;
+    /** See LinearSolverResult. */
+    bool pivots_are_exact = false;
+
+    std::optional<unsigned int>
+    exact_pivots() const
+    {
+      return pivots_are_exact ? n_negative_pivots : std::nullopt;
+    }
+
+    void
+    set_exact_pivots(const unsigned int n_negative)
+    {
+      n_negative_pivots = n_negative;
+      pivots_are_exact  = true;
+    }
 
     /** Whether another attempt may help. */
     bool

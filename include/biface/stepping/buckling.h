@@ -6,7 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include <biface/model/forces/internal_forces.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/load_level.h>
@@ -33,6 +32,12 @@ namespace Biface
   };
 
 
+  /** The change from one level to another of the loads that can make a shell
+   * buckle. */
+  LoadRates
+  change_of(const LoadLevel &before, const LoadLevel &after);
+
+
   /** An equilibrium before that at the end of a stage. Kept by reference. */
   struct EarlierEquilibrium
   {
@@ -41,8 +46,8 @@ namespace Biface
   };
 
 
-  /** That from which the resultants and loads change on the way to the end of
-   * a stage, with its loads. */
+  /** The equilibrium from which the resultants and loads change on the way to
+   * the end of a stage, with its loads. */
   struct BucklingStart : public EarlierEquilibrium
   {
     Loads loads;
@@ -51,11 +56,12 @@ namespace Biface
 
   /** The equilibrium before the last step or, in linear strain theory, that at
    * the start of the stage, whose tangent is that of the stage.
+   * @param now the end of the stage.
    * @param start the loads at the start of the stage.
    * @param before_step the equilibrium before the last step.
    * @param loads_at the loads of a level. */
   BucklingStart
-  buckling_start(const InternalForces                          &internal_forces,
+  buckling_start(const State                                   &now,
                  const LoadLevel                               &start,
                  const EarlierEquilibrium                      &before_step,
                  const std::function<Loads(const LoadLevel &)> &loads_at);

@@ -16,10 +16,11 @@ namespace Biface
   struct LoadsOf
   {
     Value<double> pressure{};
-    /** Of the dead loads and of prescribed displacements of supports. */
+    /** The factor of the dead loads and of prescribed displacements of
+     * supports. */
     Value<double> factor{};
 
-    /** Since the foundation first touched the shell. */
+    /** The travel since the foundation first touched the shell. */
     Value<double> travel{};
     /** See RigidFoundation::displaced(); the turn is in degrees. */
     Value<dealii::Tensor<1, 3>> slide{};
@@ -28,7 +29,8 @@ namespace Biface
      * see RigidFoundation::around(). */
     Value<double> wheel_turn{};
 
-    /** Of a rolling wheel, see Rolling; the slip angle is in degrees. */
+    /** The motion of a rolling wheel, see Rolling; the slip angle is in
+     * degrees. */
     Value<double> angular_velocity{};
     Value<double> ground_velocity{};
     Value<double> slip_angle{};

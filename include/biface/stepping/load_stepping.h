@@ -14,26 +14,22 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/forces/gas.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
-#include <biface/stepping/buckling.h>
-#include <biface/stepping/controls/control.h>
+#include <biface/stepping/attempt.h>
+#include <biface/stepping/critical_point_search.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/progress.h>
 #include <biface/stepping/restore_point.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/stage_analysis.h>
+#include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
-  class BucklingAnalysis;
-  class ModalAnalysis;
-  class StepFollower;
-
-
   /** The result of all stages. */
   struct LoadSteppingResult
   {
@@ -51,7 +47,8 @@ namespace Biface
     LoadLevel tried;
     /** The worst strains of the last converged step, if a step failed. */
     std::optional<WorstStrains> worst;
-    /** Of the last tangent of the failed step, if the solver counts them. */
+    /** The number of negative pivots of the last tangent of the failed step, if
+     * the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
   };
 
@@ -80,30 +77,24 @@ namespace Biface
     using Observer = std::function<void(const StepReport &, const State &)>;
 
     /** All objects are kept by reference.
-     * @param nested the states of a coarser mesh from which steps start; null
-     * for none.
-     * @param gas null if no stage has a sealed gas.
-     * @param modal_analysis null if no stage asks for modes.
-     * @param buckling_analysis null if no stage asks for buckling or critical
-     * points.
-     * @param follower null for none. */
+     * @param nested the states of a coarser mesh from which steps start.
+     * @param buckling_analysis for critical points.
+     * @param analyses what accompanies the stages. */
     LoadStepping(const Parameters           &parameters,
-                 ShellEquations             &equations,
+                 const ShellEquations       &equations,
                  const ContactInteraction   &contact,
                  Newton                     &newton,
-                 dealii::ConditionalOStream &out,
-                 const NestedPredictor      *nested            = nullptr,
-                 const Gas                  *gas               = nullptr,
-                 ModalAnalysis              *modal_analysis    = nullptr,
-                 BucklingAnalysis           *buckling_analysis = nullptr,
-                 StepFollower               *follower          = nullptr);
+                 const NestedPredictor      &nested,
+                 BucklingAnalysis           &buckling_analysis,
+                 const StageAnalyses        &analyses,
+                 dealii::ConditionalOStream &out);
 
     /**
      * Run the stages, continuing from the given progress.
      *
-     * @param progress, state those of the start or of an interrupted run, whose
-     * history is in the equations; in the end those of the last converged step.
-     * They are up to date when the observer is called.
+     * @param progress, state those of the start or of an interrupted run; in
+     * the end those of the last converged step. They are up to date when the
+     * observer is called.
      * @param ends those of completed stages; the run adds its own.
      */
     LoadSteppingResult
@@ -114,34 +105,6 @@ namespace Biface
         const Observer           &observer);
 
   private:
-    /** The current stage. */
-    struct StageRun
-    {
-      const Stage &stage;
-      Control     &control;
-      Progress    &progress;
-      State       &state;
-      /** Null without friction. */
-      std::shared_ptr<const FrictionLaw> friction;
-      /** See Stage::rolls(). */
-      bool rolls;
-      /** The forces on the nodes at the end of the last step; null in the first
-       * step of this run of the stage. */
-      std::shared_ptr<const NodalForces> &forces;
-    };
-
-    /** The result of an attempt at a step. */
-    struct Attempt
-    {
-      NewtonResult   result;
-      State          state;
-      LoadParameters mu;
-      /** The loads at the final load parameters. */
-      LoadLevel level;
-      /** Whether it has left the path for another branch. */
-      bool to_branch = false;
-    };
-
     /** Go on to the next stage: to the end of the stage before it, from which
      * it starts. */
     void
@@ -150,8 +113,9 @@ namespace Biface
           Progress                 &progress,
           State                    &state);
 
+    /** @param before the position of the stage from whose end it starts. */
     void
-    begin_stage(const StageRun &run);
+    start_stage(StageRun &run, const std::optional<unsigned int> &before);
 
     /** Print what is out of balance in a start from a prestress. */
     void
@@ -160,134 +124,65 @@ namespace Biface
     /** A converged step, halved as often as needed.
      * @return its report or the failure. */
     std::variant<StepReport, LoadSteppingResult>
-    next_step(const StageRun &run);
+    next_step(StageRun &run);
+
+    /** An attempt at the step that the control proposes, along another branch
+     * if the last one ended at a bifurcation and it is to be followed.
+     * @param trial the step. */
+    Attempt
+    try_proposed_step(StageRun &run, Control::Trial &trial);
+
+    /** An attempt from the last converged state, and others if it fails. */
+    Attempt
+    try_step(const StageRun &run, const Control::Trial &trial);
 
     /** Print the number and the loads of a step. */
     void
     announce(const StageRun &run, const Control::Trial &trial) const;
 
-    /** An attempt from the last converged state. */
-    Attempt
-    try_step(const StageRun &run, const Control::Trial &trial);
-
-    /** An attempt from the last converged state after all others failed: with
-     * larger critical velocities of friction, for which it is viscous and
-     * gentle, down to the given one.
-     * @param failed what is returned if this fails, too. */
-    Attempt
-    try_gentle_friction(const StageRun       &run,
-                        const Control::Trial &trial,
-                        const Attempt        &failed);
-
-    /** Newton's method from the predicted state.
-     * @param secant whether to use the secant predictor. */
-    Attempt
-    iterate(const StageRun       &run,
+    /** @param secant whether to use the secant predictor if a coarser mesh does
+     * not help. */
+    InitialGuess
+    predict(const StageRun       &run,
             const Control::Trial &trial,
-            const NewtonIteration iteration,
-            const bool            secant);
+            const bool            secant) const;
 
-    /** Newton's method from a given state and load parameters.
-     * @param zone_given see Newton::solve(). */
-    Attempt
-    converge(const StageRun       &run,
-             const Control::Trial &trial,
-             const State          &guess,
-             const LoadParameters &mu,
-             const NewtonIteration iteration,
-             const bool            zone_given = false);
-
-    /** The number of negative pivots of a converged attempt, if it is known:
-     * exact if the stage locates critical points, otherwise that of the last
-     * iterate. */
-    std::optional<unsigned int>
-    negative_pivots(const StageRun &run, const Attempt &attempt);
-
-    /**
-     * Shorten a step in which the number of negative pivots changes to end
-     * where it does, see CriticalPoints.
-     *
-     * @param attempt, n_negative those of the whole step, then those of the
-     * shortened one, or the attempt that was stopped.
-     * @return the part of the step that is left.
-     */
-    double
-    bisect(const StageRun              &run,
-           Control::Trial              &trial,
-           Attempt                     &attempt,
-           std::optional<unsigned int> &n_negative);
-
-    /** Describe and print the critical point of the last step.
-     * @return null if its shape was not found. */
-    std::shared_ptr<const CriticalPoint>
-    critical_point(const StageRun    &run,
-                   const LoadLevel   &level_before,
-                   const unsigned int n_before,
-                   const unsigned int n_after,
-                   const bool         located);
-
-    /** A step to the other branch at a bifurcation, where the last one ended.
-     * @param trial that step.
-     * @return none if the branch was not found. */
-    std::optional<Attempt>
-    try_branch(const StageRun &run, Control::Trial &trial);
-
-    /** Accept a converged attempt, and record its history of friction. */
+    /** Accept a converged attempt up to the critical point where the stage is
+     * to stop, if it passes one.
+     * @param attempt that of the whole step, then that accepted, or the attempt
+     * that was stopped, without a report. */
     StepReport
-    accept(const StageRun &run, const Control::Trial &trial, Attempt &attempt);
+    accept_to_critical_point(StageRun       &run,
+                             Control::Trial &trial,
+                             Attempt        &attempt);
 
-    /** The stiffness of the last step, if the foundation alone has moved.
-     * @param before that of the step before. */
-    std::optional<StepStiffness>
-    stiffness(const StageRun                          &run,
-              const std::optional<FoundationReaction> &before) const;
+    /** Accept a converged attempt, and let force terms record it. */
+    StepReport
+    accept(StageRun &run, const Control::Trial &trial, Attempt &attempt);
 
-    /** Whether the follower reads the left eigenvectors at the end of a stage.
-     */
-    bool
-    wants_left_eigenvectors(const StageRun &run) const;
+    /** A failure of the stage without its reason.
+     * @param tried the loads of the last attempt. */
+    LoadSteppingResult
+    failure_at(const StageRun &run, const LoadLevel &tried) const;
 
-    /** Compute the modes of the end of a stage and print their frequencies.
-     * @return null if they were not found. */
-    std::shared_ptr<const VibrationModes>
-    find_modes(const StageRun &run, const Loads &loads);
-
-    /** Predict buckling at the end of a stage and print the factors.
-     * @param before_step the equilibrium before the last step.
-     * @return null if the prediction failed. */
-    std::shared_ptr<const Buckling>
-    find_buckling(const StageRun &run, const EarlierEquilibrium &before_step);
-
-    /** Warn once of supported nodes that the foundation has passed through. */
-    void
-    warn_of_pierced_nodes(const State &state, const Loads &loads);
-
-    /** Warn once of negative pivots of a wheel with inertia, and of its largest
-     * cells. */
-    void
-    warn_of_fast_wheel(const StepReport &report);
-
-    Control::Equilibrium
-    last_converged(const StageRun &run) const;
-
-    Loads
-    loads_at(const LoadLevel &level, const StageRun &run) const;
+    /** That of a step. */
+    LoadSteppingResult
+    failure_of(const StageRun       &run,
+               const Control::Trial &trial,
+               const NewtonResult   &result) const;
 
     const Parameters            parameters;
-    ShellEquations             &equations;
+    const ShellEquations       &equations;
     const ContactInteraction   &contact;
     Newton                     &newton;
+    const NestedPredictor      &nested;
+    const StageAnalyses         analyses;
+    CriticalPointSearch         critical_points;
     dealii::ConditionalOStream &out;
-    const NestedPredictor      *nested;
-    const Gas                  *gas;
-    ModalAnalysis              *modal_analysis;
-    BucklingAnalysis           *buckling_analysis;
-    StepFollower               *follower;
 
-    /** Whether these warnings were given. */
-    bool warned_of_pierced_nodes   = false;
-    bool warned_of_fast_wheel      = false;
-    bool warned_of_critical_points = false;
+    /** The forces on the nodes at the end of the last step; null in the first
+     * step of this run of a stage. */
+    std::shared_ptr<const NodalForces> forces;
   };
 } // namespace Biface
 

@@ -4,6 +4,7 @@
 #define biface_stepping_nested_predictor_h
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <biface/model/mesh/shell_mesh.h>
@@ -26,6 +27,9 @@ namespace Biface
   class NestedPredictor
   {
   public:
+    /** Without a coarser mesh: predicts nothing. */
+    NestedPredictor() = default;
+
     /** At the start, before any stage. */
     NestedPredictor(const ChartGrid &coarse, const std::vector<Stage> &stages);
 
@@ -59,8 +63,9 @@ namespace Biface
     Mean
     at(const Instant &instant) const;
 
-    const GridState              undeformed;
-    const std::vector<Stage>     stages;
+    /** Not set without a coarser mesh. */
+    std::optional<GridState>     undeformed;
+    std::vector<Stage>           stages;
     std::map<Instant, GridState> states;
   };
 } // namespace Biface

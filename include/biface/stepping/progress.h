@@ -50,10 +50,6 @@ namespace Biface
      * Biface::free_rolling_radius(). */
     std::optional<double> free_rolling_radius;
 
-    /** The content of the gas in a stage where it is sealed, see
-     * Gas::content(). */
-    std::optional<double> gas_content;
-
     /** The number of negative pivots of the tangent of the last converged
      * step, if it was counted; none for the unloaded shell. */
     std::optional<unsigned int> n_negative_pivots = 0;
@@ -107,7 +103,6 @@ namespace Biface
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, free_rolling_radius);
-      serialize_optional(archive, gas_content);
       serialize_optional(archive, n_negative_pivots);
       archive &control &predictor;
     }

@@ -7,7 +7,6 @@
 #include <set>
 #include <vector>
 
-#include <biface/model/forces/internal_forces.h>
 #include <biface/model/state/state.h>
 #include <biface/stepping/progress.h>
 
@@ -17,9 +16,8 @@ namespace Biface
    * from a copy. */
   struct RestorePoint
   {
-    State                   state;
-    InternalForces::History history;
-    Progress                progress;
+    State    state;
+    Progress progress;
   };
 
   /** The ends of the stages from which others than the next one start, see

@@ -62,7 +62,7 @@ namespace Biface
     unsigned int                 iterations = 0;
     /** Relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
-    /** See NewtonResult. */
+    /** See NewtonResult; exact. */
     std::optional<unsigned int> n_negative_pivots;
     double                      seconds = 0;
     /** At the end of a stage that asks for them; null if there are none. */

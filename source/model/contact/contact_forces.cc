@@ -35,7 +35,7 @@ namespace Biface
         const unsigned int node = at.cell.nodes[s];
         if (!at.state.active[node])
           continue;
-        const ContactInteraction::Traction traction =
+        const LinearizedTraction traction =
           contact.traction(at.state, at.loads, node);
         std::array<Tensor<1, 3>, 3> columns;
         for (unsigned int j = 0; j < 3; ++j)
@@ -61,20 +61,20 @@ namespace Biface
                                         at.cell.sign_of_outer_face(s),
                                         forces.tangent);
           }
-        if (at.loads.rolling)
+        if (law_of(at.loads).depends_on_velocity())
           add_neighbor(at.cell, s, traction, forces.tangent);
       }
   }
 
 
   void
-  ContactForces::add_neighbor(const Cell                         &cell,
-                              const unsigned int                  s,
-                              const ContactInteraction::Traction &traction,
-                              MixedElement::NodalMatrix          &K) const
+  ContactForces::add_neighbor(const Cell                &cell,
+                              const unsigned int         s,
+                              const LinearizedTraction  &traction,
+                              MixedElement::NodalMatrix &K) const
   {
-    const ShellMesh &mesh = contact.mesh;
-    const auto &stencil = contact.rolling_friction.flow_lines.at(cell.nodes[s]);
+    const ShellMesh &mesh    = contact.mesh;
+    const auto      &stencil = contact.rolling.flow_lines.at(cell.nodes[s]);
     if (!stencil)
       return;
     const unsigned int r    = s ^ 2;
@@ -118,7 +118,7 @@ namespace Biface
           continue;
         // a travel of the foundation is equivalent to the opposite displacement
         // of the node
-        const ContactInteraction::Traction traction =
+        const LinearizedTraction traction =
           contact.traction(at.state, at.loads, node);
         const Tensor<1, 3> change =
           -rates.travel *

@@ -9,6 +9,8 @@
 
 #include <biface/base/errors.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/friction_by_slip_velocity.h>
+#include <biface/model/contact/friction_with_history.h>
 
 namespace Biface
 {
@@ -29,12 +31,9 @@ namespace Biface
         ->evaluate(mesh.deformed_position(
           state.displacement, mesh.nodes[node], Resultants::outer))
         .normal;
-    if (loads.friction)
-      {
-        const auto tangents = loads.foundation->tangents(normal);
-        for (unsigned int i = 0; i < 2; ++i)
-          result.friction += lambda[1 + i] * tangents[i];
-      }
+    const auto tangents = loads.foundation->tangents(normal);
+    for (unsigned int i = 0; i < 2; ++i)
+      result.friction += lambda[1 + i] * tangents[i];
     result.total = lambda[0] * normal + result.friction;
     return result;
   }
@@ -61,25 +60,27 @@ namespace Biface
   ContactInteraction::ContactInteraction(const ShellMesh  &mesh,
                                          const Parameters &parameters)
     : mesh(mesh)
-    , condition(parameters.condition)
-    , rolling_friction(mesh, condition)
+    , condition(parameters.condition, mesh.wall_stiffness())
+    , rolling(mesh)
     , foundation_at_rest(parameters.foundation)
     , friction_parameters(parameters.friction)
   {}
 
 
-  std::shared_ptr<const FrictionLaw>
-  ContactInteraction::friction(const std::string &entry,
-                               const std::string &coefficient,
-                               const bool         glued) const
+  std::shared_ptr<const TangentialLaw>
+  ContactInteraction::law(const std::string &entry,
+                          const std::string &coefficient,
+                          const bool         glued,
+                          const bool         rolls) const
   {
-    const bool own = !coefficient.empty();
-    auto       law = std::make_shared<const FrictionLaw>(
-      own ? entry : "Contact/Friction",
-      own ? coefficient : friction_parameters.coefficient,
-      friction_parameters.regularization,
-      friction_parameters.critical_velocity);
-    return law->is_zero() && !glued ? nullptr : law;
+    const FrictionLaw law =
+      friction_parameters.of_stage(entry, coefficient, mesh.wall_stiffness());
+    if (law.is_zero() && !glued)
+      return std::make_shared<const TangentialLaw>();
+    if (rolls)
+      return std::make_shared<const FrictionBySlipVelocity>(
+        law, condition, rolling);
+    return std::make_shared<const FrictionWithHistory>(law, condition, glued);
   }
 
 
@@ -191,7 +192,7 @@ namespace Biface
         const Node        &node   = mesh.nodes[n];
         const Tensor<1, 3> last   = state.multipliers[n];
         bool               active = false;
-        Contact            at{};
+        NodeInContact      at{};
         if (loads.foundation && node.outer_face_free)
           {
             at = contact_at(state, loads, n);
@@ -209,30 +210,11 @@ namespace Biface
         if (!active)
           continue;
         state.multipliers[n][0] = last[0];
-        if (!rubs(state, loads, n))
+        if (!law_of(loads).acts_on(state, n))
           continue;
-        const auto tangents = loads.foundation->tangents(at.foundation.normal);
-        if (loads.rolling)
-          state.grips[n] =
-            (rolling_friction.slips(state, loads, n) ? Grip::slip
-                                                     : Grip::stick);
-        else if (state.grips[n] != Grip::glued)
-          {
-            const Tensor<1, 3> trial =
-              loads.friction->trial(slip(state, loads, n, at).tangential);
-            // A node that slips meets no resistance along its traction and
-            // moves too far. Where it has passed its stick point, the reversed
-            // traction would throw it back, and so forth.
-            const bool reversed =
-              state.grips[n] == Grip::slip &&
-              trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
-            const bool beyond = loads.friction->should_slip(trial, -last[0]);
-            state.grips[n] = (beyond && !reversed ? Grip::slip : Grip::stick);
-            // the iteration has to go on until the node obeys the law
-            if (beyond && reversed && node.locally_owned)
-              ++n_changes;
-          }
-        set_tangential_multipliers(state, loads, n, at);
+        if (law_of(loads).decide(state, loads, at, last) && node.locally_owned)
+          ++n_changes;
+        set_tangential_multipliers(state, loads, at);
       }
     return Utilities::MPI::sum(n_changes, mesh.communicator);
   }
@@ -246,10 +228,10 @@ namespace Biface
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (state.active[n])
           {
-            const Contact at = contact_at(state, loads, n);
-            result[n]        = {loads.foundation->at_rest(at.x),
-                                at.foundation.clearance,
-                                at.foundation.normal};
+            const NodeInContact at = contact_at(state, loads, n);
+            result[n]              = {loads.foundation->at_rest(at.x),
+                                      at.foundation.clearance,
+                                      at.foundation.normal};
           }
     return result;
   }
@@ -311,32 +293,21 @@ namespace Biface
           mesh.displacement(increment, node, Resultants::outer));
         state.multipliers[n][0] = condition.multiplier(
           before[n].clearance - before[n].normal * (motion - of_foundation));
-        if (rubs(state, loads, n))
-          set_tangential_multipliers(
-            state, loads, n, contact_at(state, loads, n));
+        if (law_of(loads).acts_on(state, n))
+          set_tangential_multipliers(state, loads, contact_at(state, loads, n));
       }
   }
 
 
-  bool
-  ContactInteraction::rubs(const State       &state,
-                           const Loads       &loads,
-                           const unsigned int node) const
-  {
-    return loads.friction && (loads.rolling || state.grips[node] != Grip::none);
-  }
-
-
   void
-  ContactInteraction::set_tangential_multipliers(State             &state,
-                                                 const Loads       &loads,
-                                                 const unsigned int node,
-                                                 const Contact     &at) const
+  ContactInteraction::set_tangential_multipliers(State               &state,
+                                                 const Loads         &loads,
+                                                 const NodeInContact &at) const
   {
     const auto tangents = loads.foundation->tangents(at.foundation.normal);
-    const Tensor<1, 3> friction = friction_traction(state, loads, node, at);
+    const Tensor<1, 3> traction = law_of(loads).traction(state, loads, at);
     for (unsigned int i = 0; i < 2; ++i)
-      state.multipliers[node][1 + i] = tangents[i] * friction;
+      state.multipliers[at.node][1 + i] = tangents[i] * traction;
   }
 
 
@@ -350,55 +321,13 @@ namespace Biface
 
 
   void
-  ContactInteraction::record_history(State &state, const Loads &loads) const
+  ContactInteraction::commit_step(State &state, const Loads &loads) const
   {
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      {
-        if (!state.active[n] || (loads.rolling && !loads.friction))
-          {
-            state.grips[n]        = Grip::none;
-            state.stick_points[n] = Point<3>();
-            continue;
-          }
-        if (loads.rolling)
-          continue;
-        const bool holds = (loads.friction && state.grips[n] != Grip::none);
-        if (holds && state.grips[n] != Grip::slip)
-          continue;
-        // nodes slide freely without friction and in the step in which they
-        // enter
-        const Contact at = contact_at(state, loads, n);
-        Point<3>      x  = at.x;
-        if (holds)
-          x -= loads.friction->elastic_slip(
-            friction_traction(state, loads, n, at));
-        // without slip there is no direction for the traction of a node that
-        // slips
-        state.grips[n]        = (holds ? Grip::slip : Grip::stick);
-        state.stick_points[n] = loads.foundation->at_rest(x);
-      }
-  }
-
-
-  void
-  ContactInteraction::forget_history(State &state) const
-  {
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      {
-        state.grips[n]        = Grip::none;
-        state.stick_points[n] = Point<3>();
-      }
-  }
-
-
-  void
-  ContactInteraction::set_glued(State &state, const bool glued) const
-  {
-    for (Grip &grip : state.grips)
-      if (glued && grip != Grip::none)
-        grip = Grip::glued;
-      else if (!glued && grip == Grip::glued)
-        grip = Grip::stick;
+      if (state.active[n])
+        law_of(loads).commit_step(state, loads, contact_at(state, loads, n));
+      else
+        forget_stick_point(state, n);
   }
 
 
@@ -440,95 +369,31 @@ namespace Biface
   }
 
 
-  ContactInteraction::Contact
+  NodeInContact
   ContactInteraction::contact_at(const State       &state,
                                  const Loads       &loads,
                                  const unsigned int node) const
   {
     const Point<3> x = mesh.deformed_position(
       state.displacement, mesh.nodes[node], Resultants::outer);
-    return {x, loads.foundation->evaluate(x)};
+    return {node, x, loads.foundation->evaluate(x)};
   }
 
 
-  ContactInteraction::Slip
-  ContactInteraction::slip(const State       &state,
-                           const Loads       &loads,
-                           const unsigned int node,
-                           const Contact     &at) const
-  {
-    const Tensor<1, 3> &n = at.foundation.normal;
-    const Tensor<1, 3>  total =
-      at.x - loads.foundation->present(state.stick_points[node]);
-    return {total, total - (n * total) * n};
-  }
-
-
-  Tensor<1, 3>
-  ContactInteraction::friction_traction(const State       &state,
-                                        const Loads       &loads,
-                                        const unsigned int node,
-                                        const Contact     &at) const
-  {
-    if (loads.rolling)
-      return rolling_friction.traction(state, loads, node).value;
-    const FrictionLaw &law = *loads.friction;
-    const Tensor<1, 3> trial =
-      law.trial(slip(state, loads, node, at).tangential);
-    return state.grips[node] == Grip::slip
-             ? law.slip(trial, -state.multipliers[node][0]).traction
-             : trial;
-  }
-
-
-  ContactInteraction::Traction
+  LinearizedTraction
   ContactInteraction::traction(const State       &state,
                                const Loads       &loads,
                                const unsigned int node) const
   {
-    const Contact          contact = contact_at(state, loads, node);
-    const FoundationPoint &at      = contact.foundation;
-    const Tensor<1, 3>    &n       = at.normal;
-    const double           lambda  = state.multipliers[node][0];
-    const double           exact   = condition.multiplier(at.clearance);
-    const double           epsilon = condition.multiplier_stiffness();
-    const Tensor<2, 3>     normal_gradient(at.normal_gradient);
-    Traction               result;
-    result.value     = exact * n;
-    result.stiffness = epsilon * outer_product(n, n) - lambda * normal_gradient;
-    if (!loads.friction)
-      return result;
-    if (loads.rolling)
-      {
-        const RollingFriction::Traction t =
-          rolling_friction.traction(state, loads, node);
-        result.value += t.value;
-        result.stiffness += t.stiffness;
-        result.stiffness_of_neighbors = t.stiffness_of_neighbors;
-        result.per_angular_velocity   = t.per_angular_velocity;
-        return result;
-      }
-    if (state.grips[node] == Grip::none)
-      return result;
-
-    const FrictionLaw &law  = *loads.friction;
-    const Slip         slip = this->slip(state, loads, node, contact);
-    Tensor<1, 3>       t    = law.trial(slip.tangential);
-    // of the trial traction, by the position of the node
-    Tensor<2, 3> derivative =
-      -law.stiffness() *
-      (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
-       (n * slip.total) * normal_gradient -
-       outer_product(n, normal_gradient * slip.total));
-    if (state.grips[node] == Grip::slip)
-      {
-        const FrictionLaw::Slip limited = law.slip(t, -lambda);
-        t          = limited.traction + (lambda - exact) * limited.per_pressure;
-        derivative = limited.per_trial * derivative +
-                     outer_product(limited.per_pressure, epsilon * n);
-      }
-    result.value += t;
-    result.stiffness -= derivative;
+    const NodeInContact at      = contact_at(state, loads, node);
+    const Tensor<1, 3> &n       = at.foundation.normal;
+    const double        epsilon = condition.multiplier_stiffness();
+    LinearizedTraction  result;
+    result.value = condition.multiplier(at.foundation.clearance) * n;
+    result.stiffness =
+      epsilon * outer_product(n, n) -
+      state.multipliers[node][0] * Tensor<2, 3>(at.foundation.normal_gradient);
+    law_of(loads).linearize(state, loads, at, result);
     return result;
   }
 
@@ -539,15 +404,14 @@ namespace Biface
                                     const Loads &loads) const
   {
     double work = 0;
-    if (loads.friction && !loads.rolling)
+    if (has_friction(loads))
       for (const Cell &cell : mesh.cells)
         for (const unsigned int n : cell.nodes)
-          if (slips(after, loads, n) && before.grips[n] != Grip::none)
+          if (after.active[n])
             // each column of both masses adds up to a quarter
             work -= cell.geometry.weight / 4 *
                     (contact_traction(mesh, after, loads, n).friction *
-                     (loads.foundation->present(after.stick_points[n]) -
-                      loads.foundation->present(before.stick_points[n])));
+                     law_of(loads).slip_in_step(before, after, loads, n));
     return Utilities::MPI::sum(work, mesh.communicator);
   }
 

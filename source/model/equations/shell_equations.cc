@@ -11,6 +11,7 @@
 
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/centrifugal_forces.h>
 #include <biface/model/forces/edge_moments.h>
 
@@ -74,7 +75,7 @@ namespace Biface
     };
 
     const auto  V    = mesh.cell_values(state.displacement, cell);
-    const auto &base = internal.linearization_point();
+    const auto &base = state.linearization_point;
     if (base && begin < n_linearized)
       {
         const auto V_0 = mesh.cell_values(base->displacement, cell);
@@ -118,7 +119,7 @@ namespace Biface
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
     LA::Vector constant = mesh.owned_vector();
-    internal.add_constant_forces(constant);
+    internal.add_constant_forces(state, constant);
     mesh.condense(constant);
 
     double                square = 0;
@@ -150,13 +151,13 @@ namespace Biface
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
     LA::Vector constant = mesh.owned_vector();
-    internal.add_constant_forces(constant);
+    internal.add_constant_forces(state, constant);
 
     LA::Vector sum = load;
     sum += constant;
     double                square = 0;
     ForceTerm::CellForces forces;
-    forces.with_tangent = internal.linearization_point().has_value();
+    forces.with_tangent = state.linearization_point != nullptr;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         sum_forces(c, state, loads, forces);
@@ -179,9 +180,11 @@ namespace Biface
   ShellEquations::assemble_residual(const State &state, const Loads &loads)
   {
     update_constraints(state, loads);
-    const Balance balance = this->balance(state, loads);
-    rhs                   = balance.sum;
-    force_scale           = balance.scale;
+    Balance balance = this->balance(state, loads);
+    // after an assignment, adding to a vector is collective, but a rank without
+    // cells adds nothing
+    rhs.swap(balance.sum);
+    force_scale = balance.scale;
   }
 
 
@@ -214,12 +217,75 @@ namespace Biface
   }
 
 
+  bool
+  ShellEquations::has_unsymmetric_contact(const Loads &loads) const
+  {
+    return std::any_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
+      return term->source() == ForceTerm::Source::foundation &&
+             !term->is_symmetric(loads);
+    });
+  }
+
+
+  bool
+  ShellEquations::is_symmetric(const Loads            &loads,
+                               const LA::SparseMatrix &tangent) const
+  {
+    return !has_unsymmetric_contact(loads) &&
+           (is_symmetric(loads) || Biface::is_symmetric(mesh, tangent));
+  }
+
+
+  void
+  ShellEquations::start_stage(const Loads &loads, State &state) const
+  {
+    for (const ForceTerm *term : terms)
+      term->start_stage(loads, state);
+  }
+
+
+  void
+  ShellEquations::commit_step(const State        &before,
+                              const Loads        &loads,
+                              const TimeInterval &time,
+                              State              &after) const
+  {
+    for (const ForceTerm *term : terms)
+      term->commit_step(before, loads, time, after);
+  }
+
+
+  Loads
+  ShellEquations::with_dependent_loads(const State &state,
+                                       const Loads &loads) const
+  {
+    Loads result = loads;
+    for (const ForceTerm *term : terms)
+      term->set_dependent_loads(state, result);
+    return result;
+  }
+
+
+  std::vector<ShellEquations::RankOne>
+  ShellEquations::low_rank_part(const State &state, const Loads &loads) const
+  {
+    std::vector<DependentLoads> dependent;
+    for (const ForceTerm *term : terms)
+      term->add_dependent_loads(state, loads, dependent);
+    std::vector<RankOne> parts;
+    for (const DependentLoads &load : dependent)
+      parts.push_back(
+        {load_direction(state, loads, load.rates), load.gradient});
+    return parts;
+  }
+
+
   LA::Vector
   ShellEquations::load_direction(const State     &state,
                                  const Loads     &loads,
                                  const LoadRates &rates) const
   {
-    Assert(!internal.linearization_point(), ExcNotImplemented());
+    Assert(!state.linearization_point, ExcNotImplemented());
     LA::Vector direction = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces(rates, direction);
@@ -241,14 +307,14 @@ namespace Biface
 
 
   ShellEquations::Unbalance
-  ShellEquations::start_from_prestress(State &state, const Loads &loads)
+  ShellEquations::start_from_prestress(State &state, const Loads &loads) const
   {
     Assert(!loads.foundation, ExcInternalError());
     internal.take_as_prestress(state);
     LA::Vector given = nodal_forces(state, loads)[ForceTerm::Source::loads];
-    internal.balance(given);
+    internal.balance(given, state);
 
-    LA::Vector unbalanced = internal.unbalanced_forces();
+    LA::Vector unbalanced = internal.unbalanced_forces(state);
     Unbalance  result;
     result.with_supports = unbalanced.l2_norm();
     mesh.condense(unbalanced);
@@ -266,10 +332,10 @@ namespace Biface
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factor, 0},
                             result[term->source()]);
-    internal.add_constant_forces(result[ForceTerm::Source::shell]);
+    internal.add_constant_forces(state, result[ForceTerm::Source::shell]);
 
     ForceTerm::CellForces forces;
-    forces.with_tangent = internal.linearization_point().has_value();
+    forces.with_tangent = state.linearization_point != nullptr;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       for (unsigned int t = 0; t < terms.size(); ++t)
         {
@@ -340,7 +406,7 @@ namespace Biface
                          const NewtonIteration iteration) const
   {
     const bool predicts =
-      iteration == NewtonIteration::mixed && !internal.linearization_point();
+      iteration == NewtonIteration::mixed && !state.linearization_point;
     if (predicts)
       {
         LA::Vector ghosted_increment = mesh.ghosted_vector();

@@ -22,11 +22,13 @@ namespace Biface
     , scratch_vector(MixedElement::n_dofs)
     , scratch_dofs(MixedElement::n_dofs)
   {
+    // deal.II counts the rows of a rank without any as more than an int holds
+    const unsigned int n_per_row = (mesh.locally_owned.is_empty() ? 0 : 54);
     TrilinosWrappers::SparsityPattern pattern(mesh.locally_owned,
                                               mesh.locally_owned,
                                               mesh.locally_relevant,
                                               mesh.communicator,
-                                              54);
+                                              n_per_row);
     DoFTools::make_sparsity_pattern(
       mesh.get_dof_handler(),
       pattern,

@@ -59,7 +59,7 @@ namespace Biface
             continue;
           const auto        &frame = contact.mesh.nodes[node].surface.frame;
           const Tensor<2, 3> per_velocity =
-            contact.rolling_friction.traction(state, loads, node).per_velocity;
+            contact.traction(state, loads, node).per_velocity;
           Tensor<2, 3> in_frame;
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)
@@ -94,7 +94,7 @@ namespace Biface
                        mass_moments[cell.strip],
                        angular_velocity,
                        velocity_matrix);
-        if (loads.foundation && loads.friction)
+        if (loads.foundation)
           add_friction(contact, state, loads, cell, velocity_matrix);
         matrix.add(c, velocity_matrix, MixedElement::NodalVector(), nothing);
       }

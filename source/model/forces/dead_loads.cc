@@ -57,6 +57,7 @@ namespace Biface
                "beyond the edge. 'dead' is a couple of forces on the faces "
                "with constant directions; 'follower' does work on the angle "
                "by which the line between the faces rotates about the edge. "
+               "Several moments on one edge add up. "
                "Unit: force (moment per length of the edge on the reference "
                "surface).");
     for (const auto face : {Resultants::inner, Resultants::outer})

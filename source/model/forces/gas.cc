@@ -44,39 +44,49 @@ namespace Biface
   }
 
 
-  Gas::Gas(const ShellMesh       &mesh,
-           const Parameters      &parameters,
-           const Resultants::Face face)
-    : cavity(mesh, parameters.cavity, face)
+  Gas::Gas(const Parameters &parameters, const Cavity &cavity)
+    : cavity(cavity)
     , ambient_pressure(*parameters.ambient_pressure)
     , exponent(parameters.exponent)
   {}
 
 
-  double
-  Gas::content(const double pressure, const State &state) const
+  void
+  Gas::start_stage(const Loads &loads, State &state) const
   {
-    return (pressure + ambient_pressure) *
-           std::pow(cavity.volume(state), exponent);
+    state.terms.erase(name());
+    if (loads.sealed_gas)
+      state.terms[name()].numbers = {(loads.pressure + ambient_pressure) *
+                                     std::pow(cavity.volume(state), exponent)};
   }
 
 
-  double
-  Gas::Sealed::pressure(const State &state) const
+  void
+  Gas::set_dependent_loads(const State &state, Loads &loads) const
   {
-    const double volume = gas.cavity.volume(state);
-    if (!(volume > 0))
-      return std::numeric_limits<double>::quiet_NaN();
-    return content / std::pow(volume, gas.exponent) - gas.ambient_pressure;
+    const auto sealed = state.terms.find(name());
+    if (sealed == state.terms.end())
+      return;
+    const double volume  = cavity.volume(state);
+    const double content = sealed->second.numbers[0];
+    loads.pressure =
+      (volume > 0 ? content / std::pow(volume, exponent) - ambient_pressure
+                  : std::numeric_limits<double>::quiet_NaN());
   }
 
 
-  LA::Vector
-  Gas::Sealed::pressure_gradient(const State &state) const
+  void
+  Gas::add_dependent_loads(const State                 &state,
+                           const Loads                 &loads,
+                           std::vector<DependentLoads> &dependent) const
   {
-    const double volume   = gas.cavity.volume(state);
-    LA::Vector   gradient = gas.cavity.volume_gradient(state);
-    gradient *= -gas.exponent * content / std::pow(volume, gas.exponent + 1);
-    return gradient;
+    if (!loads.sealed_gas)
+      return;
+    DependentLoads pressure;
+    pressure.rates.pressure = 1;
+    pressure.gradient       = cavity.volume_gradient(state);
+    pressure.gradient *=
+      -exponent * (loads.pressure + ambient_pressure) / cavity.volume(state);
+    dependent.push_back(pressure);
   }
 } // namespace Biface

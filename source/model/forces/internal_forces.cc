@@ -16,8 +16,7 @@ namespace Biface
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
         cords.emplace_back(strip.laminate.cord_points(), mesh.sampling);
       }
-    history.initial_strains.resize(mesh.cells.size());
-    history.initial_resultants = resultants_of_laminate();
+    of_laminate = resultants_of_laminate();
   }
 
 
@@ -59,8 +58,9 @@ namespace Biface
         add_tangent(
           element, at, predicted.empty() ? E : predicted[at.index], forces);
       }
-    const MixedElement::NodalVector force = element.internal_force(
-      resultants_of(at.index, E), history.initial_resultants[at.index]);
+    const MixedElement::NodalVector force =
+      element.internal_force(resultants_of(at.state, at.index, E),
+                             initial_resultants(at.state)[at.index]);
     forces.force -= force;
     forces.square += force.norm_square();
   }
@@ -73,24 +73,26 @@ namespace Biface
   {
     const MixedElement element(at.cell.geometry, at.V);
     Modes::Vector      E = element.strain();
-    Modes::Vector      H = resultants_of(at.index, E);
+    Modes::Vector      H = resultants_of(at.state, at.index, E);
     if (!cords_of(at.cell).empty())
       {
         const Modes::Vector dE = element.strain_variation(dV);
         E += dE;
         // the product with the taut tangent below contains the second term
-        H = resultants_of(at.index, E) - stiffness_of(at.cell).resultants(dE);
+        H = resultants_of(at.state, at.index, E) -
+            stiffness_of(at.cell).resultants(dE);
       }
     if (forces.with_tangent)
       add_tangent(element, at, E, forces);
     forces.force -=
-      element.internal_force(H, history.initial_resultants[at.index]);
+      element.internal_force(H, initial_resultants(at.state)[at.index]);
     forces.force -= taut_tangent_product(at, dV);
   }
 
 
   Modes::Vector
-  InternalForces::resultants_of(const unsigned int   c,
+  InternalForces::resultants_of(const State         &state,
+                                const unsigned int   c,
                                 const Modes::Vector &E) const
   {
     const Cell         &cell = mesh.cells[c];
@@ -98,13 +100,15 @@ namespace Biface
     const SlackCords   &cord = cords_of(cell);
     if (cord.empty())
       return H;
-    const Modes::Vector &E_0 = history.initial_strains[c];
+    const Modes::Vector E_0 = initial_strain(state, c);
     return H - (cord.resultants(E_0 + E) - cord.resultants(E_0));
   }
 
 
   double
-  InternalForces::energy_of(const unsigned int c, const Modes::Vector &E) const
+  InternalForces::energy_of(const State         &state,
+                            const unsigned int   c,
+                            const Modes::Vector &E) const
   {
     const Cell  &cell = mesh.cells[c];
     const double taut =
@@ -112,7 +116,7 @@ namespace Biface
     const SlackCords &cord = cords_of(cell);
     if (cord.empty())
       return taut;
-    const Modes::Vector &E_0 = history.initial_strains[c];
+    const Modes::Vector E_0 = initial_strain(state, c);
     return taut - (cord.energy(E_0 + E) - cord.energy(E_0) -
                    Modes::mean_product(cord.resultants(E_0), E));
   }
@@ -131,7 +135,7 @@ namespace Biface
         return;
       }
     const SlackStiffness slack =
-      cords_of(at.cell).stiffness(history.initial_strains[at.index] + E);
+      cords_of(at.cell).stiffness(initial_strain(at.state, at.index) + E);
     element.add_tangent(stiffness_of(at.cell), H, forces.tangent, &slack);
   }
 
@@ -155,32 +159,32 @@ namespace Biface
 
 
   LA::Vector
-  InternalForces::unlisted_forces() const
+  InternalForces::unlisted_forces(const State &state) const
   {
-    LA::Vector forces = forces_of(history.initial_resultants);
-    add_constant_forces(forces);
+    LA::Vector forces = forces_of(initial_resultants(state));
+    add_constant_forces(state, forces);
     return forces;
   }
 
 
   LA::Vector
-  InternalForces::unbalanced_forces() const
+  InternalForces::unbalanced_forces(const State &state) const
   {
-    const std::vector<Modes::Vector> given = resultants_of_laminate();
-    std::vector<Modes::Vector>       since = history.initial_resultants;
+    std::vector<Modes::Vector> since = initial_resultants(state);
     for (unsigned int c = 0; c < since.size(); ++c)
-      since[c] -= given[c];
+      since[c] -= of_laminate[c];
     LA::Vector forces = forces_of(since);
-    add_constant_forces(forces);
+    add_constant_forces(state, forces);
     return forces;
   }
 
 
   void
-  InternalForces::add_constant_forces(LA::Vector &nodal_forces) const
+  InternalForces::add_constant_forces(const State &state,
+                                      LA::Vector  &nodal_forces) const
   {
-    if (history.balancing_forces.size() > 0)
-      nodal_forces.add(1, history.balancing_forces);
+    if (state.prestress && state.prestress->balancing_forces.size() > 0)
+      nodal_forces.add(1, state.prestress->balancing_forces);
   }
 
 
@@ -195,12 +199,11 @@ namespace Biface
 
 
   void
-  InternalForces::set_theory(const StrainTheory theory, const State &state)
+  InternalForces::set_theory(const StrainTheory theory, State &state)
   {
+    state.linearization_point = nullptr;
     if (theory == StrainTheory::linear)
-      history.linearization_point = state;
-    else
-      history.linearization_point.reset();
+      state.linearization_point = std::make_shared<const State>(state);
   }
 
 
@@ -208,35 +211,42 @@ namespace Biface
   InternalForces::in_shape_of_tangent(const State &state) const
   {
     State result = state;
-    if (!history.linearization_point)
+    if (!state.linearization_point)
       return result;
-    result.displacement = history.linearization_point->displacement;
+    result.displacement = state.linearization_point->displacement;
     result.predicted_strains.clear();
     if (mesh.layup.has_slack_cords())
       for (const Cell &cell : mesh.cells)
         result.predicted_strains.push_back(strains(state, cell));
+    result.linearization_point = nullptr;
     return result;
   }
 
 
   void
-  InternalForces::take_as_prestress(State &state)
+  InternalForces::take_as_prestress(State &state) const
   {
+    auto prestress = std::make_shared<Prestress>();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
-        history.initial_resultants[c] += state.resultants[c];
-        history.initial_strains[c] = total_strains(state, c);
+        prestress->resultants.push_back(total_resultants(state, c));
+        prestress->strains.push_back(total_strains(state, c));
       }
-    state = State(mesh);
-    history.linearization_point.reset();
+    if (state.prestress)
+      prestress->balancing_forces = state.prestress->balancing_forces;
+    state           = State(mesh);
+    state.prestress = prestress;
   }
 
 
   void
-  InternalForces::balance(const LA::Vector &loads)
+  InternalForces::balance(const LA::Vector &loads, State &state) const
   {
-    history.balancing_forces = loads;
-    history.balancing_forces *= -1;
+    Assert(state.prestress, ExcNotInitialized());
+    auto prestress              = std::make_shared<Prestress>(*state.prestress);
+    prestress->balancing_forces = loads;
+    prestress->balancing_forces *= -1;
+    state.prestress = prestress;
   }
 
 
@@ -244,11 +254,11 @@ namespace Biface
   InternalForces::strains(const State &state, const Cell &cell) const
   {
     const auto V = mesh.cell_values(state.displacement, cell);
-    if (!history.linearization_point)
+    if (!state.linearization_point)
       return MixedElement(cell.geometry, V).strain();
 
     const auto V_0 =
-      mesh.cell_values(history.linearization_point->displacement, cell);
+      mesh.cell_values(state.linearization_point->displacement, cell);
     const MixedElement element(cell.geometry, V_0);
     return element.strain() + element.strain_variation(V - V_0);
   }
@@ -257,7 +267,7 @@ namespace Biface
   Modes::Vector
   InternalForces::total_strains(const State &state, const unsigned int c) const
   {
-    return strains(state, mesh.cells[c]) + history.initial_strains[c];
+    return strains(state, mesh.cells[c]) + initial_strain(state, c);
   }
 
 
@@ -265,7 +275,8 @@ namespace Biface
   InternalForces::settle_resultants(State &state) const
   {
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      state.resultants[c] = resultants_of(c, strains(state, mesh.cells[c]));
+      state.resultants[c] =
+        resultants_of(state, c, strains(state, mesh.cells[c]));
     state.predicted_strains.clear();
   }
 
@@ -283,7 +294,7 @@ namespace Biface
                                    mesh.cell_values(state.displacement, cell));
         const auto         dV = mesh.cell_values(increment, cell);
         Modes::Vector      E  = element.strain() + element.strain_variation(dV);
-        state.resultants[c]   = resultants_of(c, E);
+        state.resultants[c]   = resultants_of(state, c, E);
         if (mesh.sampling == StrainSampling::vertices)
           {
             const Modes::Vector H         = total_resultants(state, c);
@@ -298,7 +309,7 @@ namespace Biface
                   for (const unsigned int i : {inner, outer})
                     E[i] += hourglass[i];
               }
-            state.resultants[c] = resultants_of(c, E);
+            state.resultants[c] = resultants_of(state, c, E);
           }
         if (!state.predicted_strains.empty())
           state.predicted_strains[c] = E;
@@ -339,15 +350,17 @@ namespace Biface
 
 
   double
-  InternalForces::strain_energy(const unsigned int               c,
+  InternalForces::strain_energy(const State                     &state,
+                                const unsigned int               c,
                                 const MixedElement::NodalVector &V) const
   {
     const Cell         &cell = mesh.cells[c];
     const MixedElement  element(cell.geometry, V);
     const Modes::Vector E = element.strain();
     return cell.geometry.weight *
-           (energy_of(c, E) + Modes::mean_product(history.initial_resultants[c],
-                                                  element.nonlinear_strain()));
+           (energy_of(state, c, E) +
+            Modes::mean_product(initial_resultants(state)[c],
+                                element.nonlinear_strain()));
   }
 
 
@@ -360,20 +373,20 @@ namespace Biface
       {
         const Cell &cell = mesh.cells[c];
         const auto  V    = mesh.cell_values(state.displacement, cell);
-        if (!history.linearization_point)
+        if (!state.linearization_point)
           {
-            energy += strain_energy(c, V);
+            energy += strain_energy(state, c, V);
             continue;
           }
 
-        const State    &base = *history.linearization_point;
+        const State    &base = *state.linearization_point;
         const auto      V_0  = mesh.cell_values(base.displacement, cell);
         const auto      dV   = V - V_0;
         const Loads     none;
         const CellState at{c, cell, V_0, base, none};
         forces.clear();
         add(at, forces);
-        energy += strain_energy(c, V_0) - forces.force * dV +
+        energy += strain_energy(base, c, V_0) - forces.force * dV +
                   taut_tangent_product(at, dV) * dV / 2;
         if (cords_of(cell).empty())
           continue;
@@ -384,10 +397,10 @@ namespace Biface
         const auto          taut = [&](const Modes::Vector &E) {
           return stiffness_of(cell).resultants(E);
         };
-        energy +=
-          cell.geometry.weight * (energy_of(c, E + dE) - energy_of(c, E) -
-                                  Modes::mean_product(resultants_of(c, E), dE) -
-                                  Modes::mean_product(taut(dE), dE) / 2);
+        energy += cell.geometry.weight *
+                  (energy_of(state, c, E + dE) - energy_of(state, c, E) -
+                   Modes::mean_product(resultants_of(state, c, E), dE) -
+                   Modes::mean_product(taut(dE), dE) / 2);
       }
     return Utilities::MPI::sum(energy, mesh.communicator);
   }

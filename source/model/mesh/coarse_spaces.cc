@@ -25,7 +25,7 @@ namespace Biface
     struct Site
     {
       SurfacePoint surface;
-      /** Of the middle between the faces. */
+      /** The point in the middle between the faces. */
       Point<3> middle;
       double   half_thickness;
     };
@@ -361,8 +361,8 @@ namespace Biface
       }
 
 
-      /** Of the unknowns, by six times the number of the node plus their
-       * number there. */
+      /** The numbers of the unknowns, by six times the number of the node plus
+       * their number there. */
       std::vector<types::global_dof_index> numbers;
       IndexSet                             locally_owned;
       /** The locally owned nodes with their indices, line by line. */

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -26,6 +27,7 @@ namespace Biface
     /** Relative size of what remains of an equation that follows from others.
      */
     constexpr double roundoff = 1e-10;
+    constexpr double epsilon  = std::numeric_limits<double>::epsilon();
 
 
     /** A linear equation for the unknowns of a node. */
@@ -67,7 +69,8 @@ namespace Biface
       {
         Equation     remainder = for_unknowns(equation);
         const double norm      = remainder.coefficients.norm();
-        double       scale     = std::abs(remainder.value);
+        // of the values that cancel, and of all prescribed displacements
+        double scale = std::abs(remainder.value), size = 0;
         // twice, since the first pass leaves round-off of what it removes
         for (unsigned int pass = 0; pass < 2; ++pass)
           for (const Equation &other : orthonormal)
@@ -76,10 +79,13 @@ namespace Biface
               remainder.coefficients -= part * other.coefficients;
               remainder.value -= part * other.value;
               scale = std::max(scale, std::abs(part * other.value));
+              size  = std::max(size, std::abs(other.value));
             }
         const double left = remainder.coefficients.norm();
         if (left <= roundoff * norm)
-          return std::abs(remainder.value) <= roundoff * scale;
+          // what the coefficients that are left, of round-off, contribute
+          return std::abs(remainder.value) <=
+                 roundoff * scale + (left + 100 * epsilon * norm) * size;
 
         orthonormal.push_back(
           {remainder.coefficients / left, remainder.value / left});
@@ -105,7 +111,7 @@ namespace Biface
         std::vector<std::pair<unsigned int, Equation>> result;
         while (!rows.empty())
           {
-            // of equal coefficients up to round-off, the last one
+            // if coefficients are equal up to round-off, the last one is taken
             auto         pivot_row = rows.begin();
             unsigned int pivot     = 0;
             double       maximum   = 0;

@@ -28,8 +28,9 @@ namespace Biface
                "Points of the surface to which other entries refer and whose "
                "displacements are written to probes.csv: a comma-separated "
                "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
-               "mesh. alpha_1 may be a formula, without blanks, of 'end', the "
-               "largest alpha_1 of the surface. Unit: degrees for an angle, "
+               "mesh. Both may be formulas without blanks, such as 360/7; that "
+               "of alpha_1 may contain 'end', the largest alpha_1 of the "
+               "surface. Unit: degrees for an angle, "
                "length otherwise.");
   }
 
@@ -49,17 +50,20 @@ namespace Biface
           throw InputError(entry, item, form);
         if (!names.insert(named.first).second)
           throw InputError(entry, item, "the names of points must be unique");
-        NamedPoint  point;
-        std::string numbers = named.second;
-        const auto  words   = split_words(numbers);
-        point.name          = named.first;
-        if (words.size() == 2 && words[0].find("end") != std::string::npos)
-          {
-            point.alpha_1 = Coordinate(entry, words[0], item, form);
-            numbers       = "0 " + words[1];
-          }
-        const auto alpha = parse_numbers(entry, numbers, 2, form);
-        point.alpha      = Point<2>(alpha[0], alpha[1]);
+        const auto words = split_words(named.second);
+        if (words.size() != 2)
+          throw InputError(entry, named.second, form);
+        const Coordinate alpha_1(entry, words[0], item, form);
+        const Coordinate alpha_2(entry, words[1], item, form);
+        if (alpha_2.uses_end())
+          throw InputError(entry, named.second, form);
+        NamedPoint point;
+        point.name     = named.first;
+        point.alpha[1] = alpha_2.value(0);
+        if (alpha_1.uses_end())
+          point.alpha_1 = alpha_1;
+        else
+          point.alpha[0] = alpha_1.value(0);
         points.push_back(point);
       }
     return points;

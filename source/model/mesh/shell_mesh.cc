@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -552,6 +553,19 @@ namespace Biface
   ShellMesh::ghosted_vector() const
   {
     return LA::Vector(locally_owned, locally_relevant, communicator);
+  }
+
+
+  double
+  ShellMesh::wall_stiffness() const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (const Strip &strip : strips)
+      minimum = std::min(
+        {minimum,
+         strip.laminate.thickness_stiffness(),
+         1000 * strip.laminate.membrane_stiffness() / (size() * size())});
+    return minimum;
   }
 
 

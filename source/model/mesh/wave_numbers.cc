@@ -76,7 +76,7 @@ namespace Biface
           }
       }
     Utilities::MPI::sum(sums, mesh.communicator, sums);
-    // of e^(+-i n phi)
+    // the coefficient of e^(+-i n phi)
     const auto coefficient = [&](const unsigned int line,
                                  const unsigned int i,
                                  const unsigned int n,
@@ -101,7 +101,7 @@ namespace Biface
       return square_of(i, n, 1) + (n > 0 ? square_of(i, n, -1) : 0.);
     };
 
-    // of values that are equal up to round-off, the first one is taken
+    // if values are equal up to round-off, the first one is taken
     constexpr double larger = 1 + 1e-6;
     WaveNumbers      result{0, 1, 0};
     double           largest = 0;

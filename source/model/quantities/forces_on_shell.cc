@@ -209,9 +209,9 @@ namespace Biface
   {
     /** The displacements of the shape in which the forces act. */
     const LA::Vector &
-    shape_of_forces(const ShellEquations &equations, const State &state)
+    shape_of_forces(const State &state)
     {
-      const auto &base = equations.internal_forces().linearization_point();
+      const auto &base = state.linearization_point;
       return base ? base->displacement : state.displacement;
     }
   } // namespace
@@ -225,7 +225,7 @@ namespace Biface
   {
     const ShellMesh  &mesh     = equations.mesh;
     const LA::Vector &on_nodes = forces[ForceTerm::Source::foundation];
-    Resultant resultant(mesh, shape_of_forces(equations, state), center, 1);
+    Resultant         resultant(mesh, shape_of_forces(state), center, 1);
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         resultant.add(0, node, face_forces(mesh, on_nodes, node));
@@ -260,11 +260,10 @@ namespace Biface
     others[foundation]     = forces[ForceTerm::Source::foundation];
     others[loads_of_shell] = forces[ForceTerm::Source::loads];
     others[interpolation]  = forces[ForceTerm::Source::shell];
-    others[prestress]      = internal.unlisted_forces();
+    others[prestress]      = internal.unlisted_forces(state);
     others[interpolation] -= others[prestress];
 
-    Resultant resultant(
-      mesh, shape_of_forces(equations, state), center, n + n_others);
+    Resultant resultant(mesh, shape_of_forces(state), center, n + n_others);
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int b = 0; b < n_others; ++b)

@@ -16,7 +16,7 @@ namespace Biface
      * which is the resultant. */
     struct Motion
     {
-      /** Of a point at the given position. */
+      /** The motion of a point at the given position. */
       std::function<Tensor<1, 3>(const Tensor<1, 3> &)> at;
       /** The transposed derivative of the motion times a force; null if the
        * motion is a translation. */

@@ -113,7 +113,7 @@ namespace Biface
       return grid.cell_index(mesh.cells[c].number)[1];
     };
 
-    // of each ply its energy, then that of the first harmonics
+    // for each ply, its energy and the part of the first harmonics
     std::vector<double> energies(2 * mesh.layup.get_plies().size());
     for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
       {

@@ -69,7 +69,7 @@ namespace Biface
             const double area     = cell.geometry.weight / 4;
             const auto   traction = contact_traction(mesh, state, loads, n);
             const Tensor<1, 3> v =
-              contact.rolling_friction.relative_velocity(state, loads, n);
+              contact.rolling.relative_velocity(state, loads, n);
             powers[0] -= area * (traction.friction * v);
             powers[1] += area * ((traction.total - traction.friction) * v);
           }
@@ -97,7 +97,7 @@ namespace Biface
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       if (state.active[n])
         result.slip_velocities[n] =
-          contact.rolling_friction.slip_velocity(state, loads, n);
+          contact.rolling.slip_velocity(state, loads, n);
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())

@@ -120,7 +120,7 @@ class Response:
         return np.stack(terms, -1)
 
     def along(self, variable, values):
-        """The output over one variable, the others in the middle."""
+        """The output over one variable, the others in the middle of their ranges."""
         points = np.tile((self.low + self.high) / 2, (len(values), 1))
         points[:, variable] = values
         return self._matrix(points) @ self.coefficients
@@ -176,10 +176,10 @@ def main_effects(study):
     axes[0][0].invert_yaxis()
     text = paragraph(
         "The change of each output while one variable goes through its range and "
-        "the others stay in the middle, by a polynomial of the variables fitted to "
-        "all samples, of the second degree where there are enough of them. "
-        "Explained: the part of the variance of the output that the polynomial "
-        "describes.")
+        "the others stay in the middle of their ranges, by a polynomial of the "
+        "variables fitted to all samples, of the second degree where there are "
+        "enough of them. Explained: the part of the variance of the output that the "
+        "polynomial describes.")
     return Section("effects", name, figure(
         embed(drawing), "Bar charts of the main effects of the variables on the "
         "outputs.") + html + text, True)

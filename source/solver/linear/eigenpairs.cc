@@ -75,7 +75,8 @@ namespace Biface
         std::max(2 * n + 2, std::min(2 * n + 10, 3 * n + 6)), start.size() - 1);
       if (n_basis < 2 * n + 2)
         {
-          result.message = "the shell has too few unknowns for so many modes";
+          result.message = "the mesh has too few unknowns for this number of "
+                           "modes";
           return result;
         }
 

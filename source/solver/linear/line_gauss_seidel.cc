@@ -77,7 +77,7 @@ namespace Biface
       {
         const unsigned int begin = nodes.line_begin[l],
                            end   = nodes.line_begin[l + 1];
-        // of the node before, after elimination
+        // factors of the previous node, after elimination
         FullMatrix<double> inverse, next;
         for (unsigned int n = begin; n < end; ++n)
           {

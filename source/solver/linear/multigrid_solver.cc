@@ -149,8 +149,9 @@ namespace Biface
                       Patterns::Integer(10));
     prm.add_parameter("Coarsest unknowns",
                       coarsest_unknowns,
-                      "Every second line is left out until there are at most "
-                      "so many unknowns, for which a direct solver is used.",
+                      "Every second mesh line is left out, again and again, "
+                      "until at most this number of unknowns is left, for "
+                      "which a direct solver is used.",
                       Patterns::Integer(1));
   }
 
@@ -364,7 +365,7 @@ namespace Biface
                            const double       tolerance,
                            const unsigned int max_iterations)
   {
-    // of a single run of GMRES; the smoother is in single precision
+    // tolerance of a single run of GMRES; the smoother is in single precision
     constexpr double minimum = 1e-6;
 
     TimerOutput::Scope scope(timer, "Linear solver: multigrid iterations");

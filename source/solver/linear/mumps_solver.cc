@@ -66,7 +66,7 @@ namespace Biface
     virtual unsigned int
     max_gmres_iterations() const = 0;
 
-    /** Of the last factorization. */
+    /** The number of negative pivots in the last factorization. */
     virtual unsigned int
     n_negative_pivots() const = 0;
   };
@@ -357,8 +357,8 @@ namespace Biface
     const bool                     is_root;
     typename Mumps<number>::Struct mumps{};
 
-    /** Of the unknowns in the order of elimination, from 1, on the first rank.
-     */
+    /** The positions of the unknowns in the order of elimination, from 1, on
+     * the first rank. */
     std::vector<MUMPS_INT> positions;
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
@@ -388,7 +388,7 @@ namespace Biface
 
   namespace
   {
-    // of INFOG(1)
+    // a value of INFOG(1)
     constexpr int singular = -10;
 
 
@@ -519,7 +519,11 @@ namespace Biface
     LinearSolverResult result;
     result.success = true;
     if (matrix_is_symmetric)
-      result.n_negative_pivots = factors->n_negative_pivots();
+      {
+        result.n_negative_pivots = factors->n_negative_pivots();
+        result.pivots_are_exact =
+          (factors_of == FactorsOf::matrix && !factors->in_single_precision());
+      }
     return result;
   }
 
@@ -617,15 +621,16 @@ namespace Biface
     if (!result.success)
       return result;
 
-    const auto         n_negative_pivots = result.n_negative_pivots;
-    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    const LinearSolverResult factorization = result;
+    TimerOutput::Scope       scope(timer, "Linear solver: solution");
     result = solve_with_refinement({*matrix, System::original},
                                    x,
                                    b,
                                    [&](LA::Vector &x, const LA::Vector &b) {
                                      return solved(factors->solve(x, b));
                                    });
-    result.n_negative_pivots = n_negative_pivots;
+    result.n_negative_pivots = factorization.n_negative_pivots;
+    result.pivots_are_exact  = factorization.pivots_are_exact;
     return result;
   }
 

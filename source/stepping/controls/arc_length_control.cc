@@ -161,8 +161,12 @@ namespace Biface
       {
         LA::Vector change = owned_part(step.after.displacement);
         change -= owned_part(step.before.displacement);
-        first_length = change.l2_norm();
-        size         = StepSize(first_length);
+        const double length = change.l2_norm();
+        size                = StepSize(length);
+        // of the first step as prescribed, which may have been shortened
+        const double part =
+          (step.to_branch ? 1. : std::abs(step.mu[0]) * stage.n_steps);
+        first_length = length / part;
       }
     else
       size.succeeded(

@@ -33,36 +33,28 @@ namespace Biface
       return std::make_unique<ResultantControl>(
         stage, parameters, ResultantControl::Resultants{controlled()...});
     }
-
-
-    /** All controls, by their names in parameter files. */
-    const std::vector<std::pair<std::string, decltype(&make<LoadControl>)>>
-      controls{{"load", &make<LoadControl>},
-               {"displacement", &make<DisplacementControl>},
-               {"arc length", &make<ArcLengthControl>},
-               {"foundation force", &prescribe<controlled_force>},
-               {"axle moment", &prescribe<controlled_axle_moment>},
-               {"foundation force and axle moment",
-                &prescribe<controlled_force, controlled_axle_moment>}};
   } // namespace
-
-
-  std::vector<std::string>
-  control_names()
-  {
-    std::vector<std::string> names;
-    for (const auto &control : controls)
-      names.push_back(control.first);
-    return names;
-  }
 
 
   std::unique_ptr<Control>
   make_control(const Stage &stage, const Control::Parameters &parameters)
   {
-    for (const auto &control : controls)
-      if (control.first == stage.control)
-        return control.second(stage, parameters);
+    switch (stage.control)
+      {
+        case ControlKind::load:
+          return make<LoadControl>(stage, parameters);
+        case ControlKind::displacement:
+          return make<DisplacementControl>(stage, parameters);
+        case ControlKind::arc_length:
+          return make<ArcLengthControl>(stage, parameters);
+        case ControlKind::foundation_force:
+          return prescribe<controlled_force>(stage, parameters);
+        case ControlKind::axle_moment:
+          return prescribe<controlled_axle_moment>(stage, parameters);
+        case ControlKind::foundation_force_and_axle_moment:
+          return prescribe<controlled_force, controlled_axle_moment>(
+            stage, parameters);
+      }
     Assert(false, ExcInternalError());
     return {};
   }
@@ -209,8 +201,9 @@ namespace Biface
   {
     const LoadLevel end = stage.end(start);
     LoadRates       rate;
-    rate.pressure = end.pressure - start.pressure;
-    rate.factor   = end.factor - start.factor;
+    rate.pressure         = end.pressure - start.pressure;
+    rate.factor           = end.factor - start.factor;
+    rate.angular_velocity = end.angular_velocity - start.angular_velocity;
     return rate;
   }
 
@@ -238,13 +231,17 @@ namespace Biface
       stage);
     if (stage.contact && moves)
       throw InputError(what + "its foundation moves, too.");
+    if (!(stays(start.ground_velocity, stage.ground_velocity) &&
+          stays(start.slip_angle, stage.slip_angle)))
+      throw InputError(what + "its ground velocity or slip angle changes, "
+                              "too.");
   }
 
 
   void
   check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh)
   {
-    if (!mesh.prescribed.empty())
+    if (mesh.prescribes_displacements())
       throw InputError("the stage '" + stage.name +
                        "' is controlled by a displacement or an arc length, "
                        "but supports prescribe displacements, too.");

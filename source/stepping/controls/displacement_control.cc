@@ -64,6 +64,8 @@ namespace Biface
     KnownStart end = EqualSteps::known_end(start);
     end.pressure.reset();
     end.factor.reset();
+    if (stage.angular_velocity)
+      end.angular_velocity.reset();
     return end;
   }
 
@@ -75,8 +77,8 @@ namespace Biface
       throw InputError("the stage '" + stage.name +
                        "' prescribes a displacement of " +
                        number_to_string(start_value) +
-                       ", but this is what it starts with, so that nothing "
-                       "would change.");
+                       ", which is already its value at the start of the "
+                       "stage.");
   }
 
 

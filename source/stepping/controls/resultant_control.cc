@@ -34,7 +34,7 @@ namespace Biface
         if (stage.travel.value_or(0) != 0)
           throw InputError(section + "/Travel",
                            number_to_string(*stage.travel),
-                           "with 'Control = " + stage.control +
+                           "with 'Control = " + stage.control_name() +
                              "' it must not be set: the travel is computed");
         check_positive(section + "/Force", stage.force);
       }
@@ -130,7 +130,8 @@ namespace Biface
             const std::string         &section,
             const Control::KnownStart &start) const override
       {
-        const std::string with = "with 'Control = " + stage.control + "' ";
+        const std::string with =
+          "with 'Control = " + stage.control_name() + "' ";
         if (stage.angular_velocity)
           throw InputError(section + "/Angular velocity",
                            number_to_string(*stage.angular_velocity),
@@ -315,8 +316,9 @@ namespace Biface
                           const KnownStart  &start) const
   {
     if (!stage.contact)
-      throw InputError(
-        section + "/Control", stage.control, "it needs 'Contact = true'");
+      throw InputError(section + "/Control",
+                       stage.control_name(),
+                       "it needs 'Contact = true'");
     for (const auto &resultant : resultants)
       resultant->check(stage, section, start);
   }
@@ -339,7 +341,7 @@ namespace Biface
     // without pressure no moment depends on the angular velocity
     if (resultants.size() > 1 && from.contact.count_active(from.state) == 0)
       throw InputError("the stage '" + stage.name +
-                       "' has 'Control = " + stage.control +
+                       "' has 'Control = " + stage.control_name() +
                        "' and must start in contact, such as after a stage "
                        "with 'Control = foundation force'.");
     const Loads loads = from.loads(from.level);

@@ -40,12 +40,30 @@ namespace Biface
                         const LoadRates           &rates,
                         MixedElement::NodalVector &force) const override;
 
+    /** See TangentialLaw. */
+    void
+    start_stage(const Loads &loads, State &state) const override
+    {
+      if (loads.foundation)
+        law_of(loads).start_stage(state);
+    }
+
+    /** See TangentialLaw. */
+    void
+    commit_step(const State & /*before*/,
+                const Loads &loads,
+                const TimeInterval & /*time*/,
+                State &after) const override
+    {
+      contact.commit_step(after, loads);
+    }
+
     bool
     is_symmetric(const Loads &loads) const override
     {
       return !loads.foundation ||
              (contact.condition.mass() == MultiplierMass::lumped &&
-              !loads.friction);
+              !has_friction(loads));
     }
 
     Source
@@ -68,10 +86,10 @@ namespace Biface
      * for the whole area of the node: the sparsity pattern does not grow. Only
      * for the lumped mass. */
     void
-    add_neighbor(const Cell                         &cell,
-                 const unsigned int                  vertex,
-                 const ContactInteraction::Traction &traction,
-                 MixedElement::NodalMatrix          &K) const;
+    add_neighbor(const Cell                &cell,
+                 const unsigned int         vertex,
+                 const LinearizedTraction  &traction,
+                 MixedElement::NodalMatrix &K) const;
 
     const ContactInteraction &contact;
   };

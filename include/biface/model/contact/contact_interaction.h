@@ -14,7 +14,8 @@
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_foundation.h>
-#include <biface/model/contact/rolling_friction.h>
+#include <biface/model/contact/rolling_kinematics.h>
+#include <biface/model/contact/tangential_law.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 
@@ -26,11 +27,12 @@ namespace Biface
     /** Compressive force on the foundation, along its direction. */
     double       force   = 0;
     unsigned int n_nodes = 0;
-    /** Of these, how many slip at the limit of friction; 0 without friction. */
+    /** The number of nodes that slip at the limit of friction; 0 without
+     * friction. */
     unsigned int n_slipping = 0;
     /** Sum of the areas of the active nodes on the middle surface. */
     double area = 0;
-    /** Of these, the area of the nodes that slip. */
+    /** The part of @p area that belongs to slipping nodes. */
     double slipping_area = 0;
     double max_pressure  = 0;
     /** The mean of the nodal pressures @f$p@f$, each weighted by the force
@@ -50,7 +52,7 @@ namespace Biface
   inline bool
   slips(const State &state, const Loads &loads, const unsigned int node)
   {
-    return loads.friction && state.active[node] &&
+    return has_friction(loads) && state.active[node] &&
            state.grips[node] == Grip::slip;
   }
 
@@ -105,16 +107,18 @@ namespace Biface
       return foundation_at_rest.moved(travel);
     }
 
-    /** The law of friction.
+    /** The law by which the foundation holds the nodes sideways. The object
+     * must outlive it. Throws InputError if the coefficient is invalid.
      * @param entry the entry of the coefficient.
      * @param coefficient that of a stage; empty for that of the parameters.
-     * @param glued whether some nodes are glued, so that even without friction
-     * there is a law.
-     * @return null without friction. */
-    std::shared_ptr<const FrictionLaw>
-    friction(const std::string &entry,
-             const std::string &coefficient,
-             const bool         glued) const;
+     * @param glued whether the nodes in contact at the start of the stage
+     * cannot slip.
+     * @param rolls whether the shell rolls. */
+    std::shared_ptr<const TangentialLaw>
+    law(const std::string &entry,
+        const std::string &coefficient,
+        const bool         glued,
+        const bool         rolls) const;
 
     /** The travel at which the foundation just touches a free node of the
      * deformed outer face, one that can come into contact. Throws InputError if
@@ -203,15 +207,11 @@ namespace Biface
     void
     let_stick(State &state) const;
 
-    /** Record the history of friction at the end of a step: the nodes that have
-     * entered and left, and the new stick points of those that slip. */
+    /** Let the nodes remember the end of a step, see
+     * TangentialLaw::commit_step(); those that have left forget how they
+     * stuck. */
     void
-    record_history(State &state, const Loads &loads) const;
-
-    /** Glue the nodes in contact to their stick points, or release those that
-     * are glued. */
-    void
-    set_glued(State &state, const bool glued) const;
+    commit_step(State &state, const Loads &loads) const;
 
     /** Let nodes that are glued forget their stick points, like nodes that
      * leave the foundation and enter it again.
@@ -234,29 +234,11 @@ namespace Biface
                   const State &after,
                   const Loads &loads) const;
 
-    /** The contact traction at an active node, as it enters the linear system
-     * from which the multiplier @f$\lambda@f$ of the next iterate is
-     * eliminated. */
-    struct Traction
-    {
-      /** The traction on the shell, @f$\varepsilon c\,\mathbf n+\mathbf t@f$
-       * with the clearance c, and @f$\mathbf t@f$ extrapolated linearly from
-       * the multiplier of the state to @f$\varepsilon c@f$, which it is in
-       * converged states. Unit: force/area. */
-      dealii::Tensor<1, 3> value;
-      /** Minus its derivative with respect to the position of the node, with
-       * the multiplier @f$\lambda@f$ of the state; without friction
-       * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$. */
-      dealii::Tensor<2, 3> stiffness;
-      /** If the shell rolls with friction: minus the derivatives with respect
-       * to the positions of the neighbors along the flow, behind and ahead, and
-       * the derivative with respect to the angular velocity. */
-      std::array<dealii::Tensor<2, 3>, 2> stiffness_of_neighbors{};
-      dealii::Tensor<1, 3>                per_angular_velocity{};
-    };
-
-    /** @param node the position of an active node in ShellMesh::nodes. */
-    Traction
+    /** The traction at a node, @f$\varepsilon c\,\mathbf n+\mathbf t@f$ with
+     * the clearance c. Without friction the stiffness is
+     * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$.
+     * @param node the position of an active node in ShellMesh::nodes. */
+    LinearizedTraction
     traction(const State       &state,
              const Loads       &loads,
              const unsigned int node) const;
@@ -265,61 +247,26 @@ namespace Biface
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 
-    /** Let all nodes forget how they stick: a rolling shell has no history. */
-    void
-    forget_history(State &state) const;
-
     const ShellMesh       &mesh;
     const ContactCondition condition;
-    const RollingFriction  rolling_friction;
+    /** Of a shell that rolls. */
+    const RollingKinematics rolling;
 
   private:
     double
     minimum_travel(const State &state, const RigidFoundation &foundation) const;
 
-    /** The geometry of contact at a node. */
-    struct Contact
-    {
-      dealii::Point<3> x;
-      FoundationPoint  foundation;
-    };
-
-    Contact
+    NodeInContact
     contact_at(const State       &state,
                const Loads       &loads,
                const unsigned int node) const;
 
-    /** The vector from the stick point of a node to the node, and its
-     * tangential part. */
-    struct Slip
-    {
-      dealii::Tensor<1, 3> total, tangential;
-    };
-
-    Slip
-    slip(const State       &state,
-         const Loads       &loads,
-         const unsigned int node,
-         const Contact     &at) const;
-
-    /** Whether friction acts at an active node. */
-    bool
-    rubs(const State &state, const Loads &loads, const unsigned int node) const;
-
-    /** Set the tangential multipliers of an active node to its
-     * friction_traction(). */
+    /** Set the tangential multipliers of an active node to its tangential
+     * traction. */
     void
-    set_tangential_multipliers(State             &state,
-                               const Loads       &loads,
-                               const unsigned int node,
-                               const Contact     &at) const;
-
-    /** The tangential traction at an active node. */
-    dealii::Tensor<1, 3>
-    friction_traction(const State       &state,
-                      const Loads       &loads,
-                      const unsigned int node,
-                      const Contact     &at) const;
+    set_tangential_multipliers(State               &state,
+                               const Loads         &loads,
+                               const NodeInContact &at) const;
 
     const RigidFoundation         foundation_at_rest;
     const FrictionLaw::Parameters friction_parameters;

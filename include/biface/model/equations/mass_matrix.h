@@ -41,7 +41,7 @@ namespace Biface
     LA::Vector
     inertia(const LA::Vector &V) const;
 
-    /** Of the whole shell. Unit: mass. */
+    /** The mass of the whole shell. Unit: mass. */
     double
     total() const
     {

@@ -46,12 +46,6 @@ namespace Biface
      * @param terms the forces except the internal forces. */
     explicit ShellEquations(const ShellMesh &mesh, ForceTerms terms = {});
 
-    InternalForces &
-    internal_forces()
-    {
-      return internal;
-    }
-
     const InternalForces &
     internal_forces() const
     {
@@ -84,9 +78,49 @@ namespace Biface
       return matrix->get();
     }
 
-    /** Whether the tangent is symmetric for these loads. */
+    /** Whether the tangent is symmetric for these loads whatever the
+     * supports. */
     bool
     is_symmetric(const Loads &loads) const;
+
+    /** Whether contact makes the tangent unsymmetric for these loads. */
+    bool
+    has_unsymmetric_contact(const Loads &loads) const;
+
+    /** Whether a tangent for these loads is symmetric. Loads that follow the
+     * shell may have a potential on a shell whose edges are held, which the
+     * matrix shows up to round-off; contact is judged by its kind. */
+    bool
+    is_symmetric(const Loads &loads, const LA::SparseMatrix &tangent) const;
+
+    /** Let the terms set what they remember, see ForceTerm::start_stage().
+     * @param loads those at the start of the stage. */
+    void
+    start_stage(const Loads &loads, State &state) const;
+
+    /** Likewise at the end of a step, see ForceTerm::commit_step(). */
+    void
+    commit_step(const State        &before,
+                const Loads        &loads,
+                const TimeInterval &time,
+                State              &after) const;
+
+    /** The given loads, with those that follow from the displacements of the
+     * whole shell. */
+    Loads
+    with_dependent_loads(const State &state, const Loads &loads) const;
+
+    /** Minus a part of the derivative of residual() that tangent() does not
+     * contain, @f$-\sum\mathbf f\otimes\mathbf g@f$: forces @f$\mathbf f@f$
+     * per unit of a quantity with the gradient @f$\mathbf g@f$, see
+     * DependentLoads. */
+    struct RankOne
+    {
+      LA::Vector forces, gradient;
+    };
+
+    std::vector<RankOne>
+    low_rank_part(const State &state, const Loads &loads) const;
 
     /** The same as residual() for any state. The displacements at the supports
      * are those of the state. */
@@ -111,7 +145,7 @@ namespace Biface
     {
       double forces;
       double loads;
-      /** Of the forces on all nodes, supported ones included. */
+      /** The norm of the forces on all nodes, supported ones included. */
       double with_supports;
     };
 
@@ -121,7 +155,7 @@ namespace Biface
      * constant forces take up what is out of balance.
      * @param loads without a foundation. */
     Unbalance
-    start_from_prestress(State &state, const Loads &loads);
+    start_from_prestress(State &state, const Loads &loads) const;
 
     /** The forces on the nodes by their sources, regardless of supports. */
     NodalForces

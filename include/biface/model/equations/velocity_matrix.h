@@ -12,9 +12,9 @@
 namespace Biface
 {
   /**
-   * What the forces on a rolling or spinning shell owe to small velocities
-   * @f$\dot{\mathbf u}@f$ of its nodes in the frame of the axle, to first
-   * order, with the constraints and the sparsity pattern of the tangent.
+   * Minus the derivative of the forces on a rolling or spinning shell with
+   * respect to velocities @f$\dot{\mathbf u}@f$ of its nodes in the frame of
+   * the axle, with the constraints and the sparsity pattern of the tangent.
    *
    * A particle has the acceleration
    * @f$\ddot{\mathbf u}-2\Omega\,\dot{\mathbf u}'+\Omega^2\mathbf x''@f$, see

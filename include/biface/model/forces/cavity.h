@@ -41,7 +41,8 @@ namespace Biface
     /** Entries of the section 'Gas' on the cavity. */
     struct Parameters
     {
-      /** Of the undeformed shell; if not set, computed. Unit: length^3. */
+      /** The volume under the undeformed shell; computed if not set. Unit:
+       * length^3. */
       std::optional<double> volume;
       /** @f$r_0@f$; if not set, the smallest radius of the face at the edges of
        * the first coordinate. Unit: length. */

@@ -38,7 +38,7 @@ namespace Biface
   struct VertexMoment
   {
     unsigned int cell;
-    /** Of the cell. */
+    /** The number of the vertex in the cell. */
     unsigned int vertex;
     /** The moment, per unit of the load factor. Unit: force times length. */
     double moment;

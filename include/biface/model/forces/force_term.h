@@ -3,6 +3,9 @@
 #ifndef biface_model_forces_force_term_h
 #define biface_model_forces_force_term_h
 
+#include <string>
+#include <vector>
+
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
 #include <biface/model/mesh/shell_mesh.h>
@@ -10,12 +13,35 @@
 
 namespace Biface
 {
+  /** An interval of time between two equilibria. A stage takes the time 1. */
+  struct TimeInterval
+  {
+    double start = 0, end = 0;
+  };
+
+
+  /** Loads that change with the displacements of the whole shell, such as the
+   * pressure of a sealed gas. */
+  struct DependentLoads
+  {
+    /** The change of the loads per unit of a quantity, and the derivative of
+     * this quantity with respect to the nodal unknowns. */
+    LoadRates  rates;
+    LA::Vector gradient;
+  };
+
+
   /**
    * A kind of force on the shell: one term of the sum that vanishes in
    * equilibrium, see ShellEquations. Cell by cell, a term adds its forces,
    * their exact derivative by the displacements and, if it depends on the
    * loads, that by the loads. Forces that do not depend on the displacements
    * are added once for the whole shell.
+   *
+   * A term has no state of its own. What it remembers of earlier steps is part
+   * of the State, see TermState: the term sets it at the start of a stage and
+   * at the end of a step, and everything else copies and stores it without
+   * knowing the term.
    */
   class ForceTerm
   {
@@ -62,13 +88,17 @@ namespace Biface
     /** Whether the term contributes to a cell. A term that acts on few cells
      * costs nothing on the others. */
     virtual bool
-    acts_on(const unsigned int cell,
-            const State       &state,
-            const Loads       &loads) const = 0;
+    acts_on(const unsigned int /*cell*/,
+            const State & /*state*/,
+            const Loads & /*loads*/) const
+    {
+      return false;
+    }
 
     /** Add the contribution of the term to a cell on which it acts. */
     virtual void
-    add(const CellState &at, CellForces &forces) const = 0;
+    add(const CellState & /*at*/, CellForces & /*forces*/) const
+    {}
 
     /** Add the derivative of the forces on a cell for the given rates of the
      * loads. */
@@ -91,6 +121,42 @@ namespace Biface
     {
       return true;
     }
+
+    /** The name under which a State contains what the term remembers. */
+    virtual std::string
+    name() const
+    {
+      return {};
+    }
+
+    /** Set what the term remembers at the start of a stage, given the loads
+     * there. */
+    virtual void
+    start_stage(const Loads & /*loads*/, State & /*state*/) const
+    {}
+
+    /** Set what the term remembers at the end of a step, given the equilibria
+     * before and after the step, the loads after it and its interval of time.
+     * The state after it still contains what the term remembered before. */
+    virtual void
+    commit_step(const State & /*before*/,
+                const Loads & /*loads*/,
+                const TimeInterval & /*time*/,
+                State & /*after*/) const
+    {}
+
+    /** Set the loads that follow from the displacements of the whole shell. */
+    virtual void
+    set_dependent_loads(const State & /*state*/, Loads & /*loads*/) const
+    {}
+
+    /** Add these loads with their derivatives in a state with these loads: a
+     * part of the tangent of low rank, see LowRankStiffness. */
+    virtual void
+    add_dependent_loads(const State & /*state*/,
+                        const Loads & /*loads*/,
+                        std::vector<DependentLoads> & /*dependent*/) const
+    {}
 
     /** What exerts the forces. */
     enum class Source

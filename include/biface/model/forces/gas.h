@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <biface/model/forces/cavity.h>
+#include <biface/model/forces/force_term.h>
 
 namespace Biface
 {
@@ -16,12 +17,14 @@ namespace Biface
    * V^n@f$ is constant, where @f$p@f$ is the gauge pressure, a load of the
    * shell, and @f$p_a@f$ the ambient pressure.
    *
-   * As @f$p@f$ then depends on the displacements of the whole shell, the
-   * tangent has the additional term @f$-\mathbf f\otimes\partial
-   * p/\partial\mathbf V@f$ of rank one, with the forces @f$\mathbf f@f$ of a
-   * unit pressure. Newton adds it to the solutions, without a matrix.
+   * The term adds no forces of its own: it sets the pressure, whose forces are
+   * those of PressureForces. As @f$p@f$ depends on the displacements of the
+   * whole shell, the tangent has the additional part
+   * @f$-\mathbf f\otimes\partial p/\partial\mathbf V@f$ of rank one, with the
+   * forces @f$\mathbf f@f$ of a unit pressure. The term remembers the content
+   * @f$(p+p_a)V^n@f$ while the gas is sealed.
    */
-  class Gas
+  class Gas : public ForceTerm
   {
   public:
     /** Entries of the section 'Gas'. */
@@ -44,43 +47,33 @@ namespace Biface
     };
 
     /** @param parameters with an ambient pressure.
-     * @param mesh, face see Cavity. */
-    Gas(const ShellMesh       &mesh,
-        const Parameters      &parameters,
-        const Resultants::Face face);
+     * @param cavity kept by reference. */
+    Gas(const Parameters &parameters, const Cavity &cavity);
 
-    const Cavity cavity;
-
-    /** A fixed amount of gas, which defines the pressure of a state. */
-    class Sealed
+    std::string
+    name() const override
     {
-    public:
-      /** @param gas kept by reference.
-       * @param content @f$(p+p_a)V^n@f$ */
-      Sealed(const Gas &gas, const double content) : gas(gas), content(content)
-      {}
+      return "gas";
+    }
 
-      /** The gauge pressure @f$p@f$; not a number if nothing is left of the
-       * cavity. */
-      double
-      pressure(const State &state) const;
+    /** Seal the gas in if the loads say so, or let it out. */
+    void
+    start_stage(const Loads &loads, State &state) const override;
 
-      /** Its derivative with respect to the nodal unknowns. */
-      LA::Vector
-      pressure_gradient(const State &state) const;
+    /** Set the gauge pressure of a sealed gas; not a number if nothing is left
+     * of the cavity. */
+    void
+    set_dependent_loads(const State &state, Loads &loads) const override;
 
-    private:
-      const Gas   &gas;
-      const double content;
-    };
-
-    /** @f$(p+p_a)V^n@f$ at the gauge pressure @f$p@f$ in a state. */
-    double
-    content(const double pressure, const State &state) const;
+    void
+    add_dependent_loads(const State                 &state,
+                        const Loads                 &loads,
+                        std::vector<DependentLoads> &dependent) const override;
 
   private:
-    const double ambient_pressure;
-    const double exponent;
+    const Cavity &cavity;
+    const double  ambient_pressure;
+    const double  exponent;
   };
 } // namespace Biface
 

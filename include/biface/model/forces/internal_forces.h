@@ -4,7 +4,6 @@
 #define biface_model_forces_internal_forces_h
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include <biface/element/modes.h>
@@ -59,77 +58,43 @@ namespace Biface
     /** The constant forces on all nodes that are no part of the given loads:
      * those that are in equilibrium with the initial resultants in the
      * undeformed shape, @f$\mathbf B_0^T\mathbf H_0@f$, and
-     * History::balancing_forces. Regardless of supports. */
+     * Prestress::balancing_forces. Regardless of supports. */
     LA::Vector
-    unlisted_forces() const;
+    unlisted_forces(const State &state) const;
 
     /** The part of unlisted_forces() that balances the shell since
      * take_as_prestress(), without what belongs to the initial resultants and
      * stresses of the laminate. */
     LA::Vector
-    unbalanced_forces() const;
+    unbalanced_forces(const State &state) const;
 
     /** Add the constant forces that add() does not contain: those of
-     * History::balancing_forces. The work of initial resultants on the linear
+     * Prestress::balancing_forces. The work of initial resultants on the linear
      * part of the strains cancels with the other unlisted_forces(). */
     void
-    add_constant_forces(LA::Vector &nodal_forces) const;
+    add_constant_forces(const State &state, LA::Vector &nodal_forces) const;
 
-    /** The results of earlier stages: with a State and its Loads, a complete
-     * restore point. */
-    struct History
-    {
-      /** One per locally owned cell. */
-      std::vector<Modes::Vector> initial_resultants;
-      /** The strains that caused the initial resultants, see
-       * take_as_prestress(). */
-      std::vector<Modes::Vector> initial_strains;
-      /** The state about which the strains are linearized, if any. */
-      std::optional<State> linearization_point;
-      /** Constant forces on the owned nodes, see balance(); none if empty. */
-      LA::Vector balancing_forces;
-    };
-
-    const History &
-    get_history() const
-    {
-      return history;
-    }
-
-    void
-    restore(const History &history)
-    {
-      this->history = history;
-    }
-
-    /** Set the strain theory; linear theory linearizes about @p state. */
-    void
-    set_theory(const StrainTheory theory, const State &state);
-
-    /** The state about which the strains are linearized, if any. */
-    const std::optional<State> &
-    linearization_point() const
-    {
-      return history.linearization_point;
-    }
+    /** Set the strain theory; linear theory linearizes about the state. */
+    static void
+    set_theory(const StrainTheory theory, State &state);
 
     /** The state in the shape in which the tangent is taken, with the same
-     * resultants and slack cords: that about which the strains are linearized,
-     * or the state itself. */
+     * resultants and slack cords, in nonlinear theory: that about which the
+     * strains are linearized, or the state itself. */
     State
     in_shape_of_tangent(const State &state) const;
 
     /** Turn the resultants of the state into initial resultants and set its
      * displacements to zero: the new start is the undeformed shape with these
-     * stresses, in equilibrium with loads that are not given. Strains are no
-     * longer linearized. */
+     * stresses, balanced by loads that are not part of the model. Strains are
+     * no longer linearized. */
     void
-    take_as_prestress(State &state);
+    take_as_prestress(State &state) const;
 
-    /** Have constant forces take up the given loads on the undeformed shape, so
-     * that it is in equilibrium with them. */
+    /** Have constant forces take up the given loads on the undeformed shape of
+     * a state, so that it is in equilibrium with them. */
     void
-    balance(const LA::Vector &loads);
+    balance(const LA::Vector &loads, State &state) const;
 
     /** Set the resultants to those of the displacements. */
     void
@@ -152,7 +117,7 @@ namespace Biface
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
     {
-      return state.resultants[cell] + history.initial_resultants[cell];
+      return state.resultants[cell] + initial_resultants(state)[cell];
     }
 
     /** The fraction of the cords in a cell that are slack, by thickness, at the
@@ -179,13 +144,28 @@ namespace Biface
     std::vector<Modes::Vector>
     resultants_of_laminate() const;
 
+    /** By cell: those of the laminate until there is another prestress. */
+    const std::vector<Modes::Vector> &
+    initial_resultants(const State &state) const
+    {
+      return state.prestress ? state.prestress->resultants : of_laminate;
+    }
+
+    /** The strains that caused the prestress of a cell. */
+    static Modes::Vector
+    initial_strain(const State &state, const unsigned int cell)
+    {
+      return state.prestress ? state.prestress->strains[cell] : Modes::Vector();
+    }
+
     /** The nodal forces of resultants in the undeformed shape. */
     LA::Vector
     forces_of(const std::vector<Modes::Vector> &resultants) const;
 
     /** In nonlinear theory. */
     double
-    strain_energy(const unsigned int               cell,
+    strain_energy(const State                     &state,
+                  const unsigned int               cell,
                   const MixedElement::NodalVector &V) const;
 
     /** The strains of the displacements in the current theory. */
@@ -207,11 +187,15 @@ namespace Biface
     /** The resultants of strains of a cell. Cords go slack by all strains,
      * including those that caused the prestress. */
     Modes::Vector
-    resultants_of(const unsigned int cell, const Modes::Vector &E) const;
+    resultants_of(const State         &state,
+                  const unsigned int   cell,
+                  const Modes::Vector &E) const;
 
     /** The energy of these resultants, per area. */
     double
-    energy_of(const unsigned int cell, const Modes::Vector &E) const;
+    energy_of(const State         &state,
+              const unsigned int   cell,
+              const Modes::Vector &E) const;
 
     /** Add the tangent of a cell.
      * @param E the strains at which the law is linearized. */
@@ -232,7 +216,8 @@ namespace Biface
     std::vector<ModeStiffness> stiffness;
     std::vector<SlackCords>    cords;
     bool                       symmetric_stiffness;
-    History                    history;
+    /** The initial resultants of the laminate, by cell. */
+    std::vector<Modes::Vector> of_laminate;
   };
 } // namespace Biface
 

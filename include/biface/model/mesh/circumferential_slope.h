@@ -40,14 +40,16 @@ namespace Biface
     }
 
     unsigned int q;
-    /** By the displacement of the vertex. */
+    /** The derivative with respect to the displacement of the vertex. */
     dealii::Tensor<2, 3> own;
-    /** By that of the neighbor, times the unit tensor. */
+    /** The derivative with respect to the displacement of the adjacent vertex,
+     * times the unit tensor. */
     double neighbor;
-    /** Of the undeformed faces, along the second vector of the frame. */
+    /** The slopes of the undeformed faces, along the second vector of the
+     * frame. */
     std::array<double, 2> undeformed;
 
-    /** That of a deformed face. */
+    /** The slope of a deformed face. */
     dealii::Tensor<1, 3>
     of(const MixedElement::NodalVector &V, const unsigned int face) const
     {

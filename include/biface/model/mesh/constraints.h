@@ -60,7 +60,8 @@ namespace Biface
 
     /** The names of the supports: points, then edges. */
     std::vector<std::string> bodies;
-    /** Those of the edges of alpha_2, if they are cyclic. */
+    /** The positions in @p bodies of the edges of alpha_2, if they are
+     * cyclic. */
     std::array<unsigned int, 2> cyclic_bodies;
     std::vector<Item>           items;
   };

@@ -3,9 +3,12 @@
 #ifndef biface_model_mesh_rigid_motions_h
 #define biface_model_mesh_rigid_motions_h
 
+#include <deal.II/base/tensor.h>
+
 #include <string>
 #include <vector>
 
+#include <biface/base/linear_algebra.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
@@ -21,6 +24,47 @@ namespace Biface
    */
   std::vector<std::string>
   free_rigid_motions(const ShellMesh &mesh);
+
+  /** The names of motions, separated by commas. */
+  std::string
+  in_words(const std::vector<std::string> &names);
+
+
+  /** A rigid motion of the deformed shell. */
+  struct RigidMotion
+  {
+    /** In words, as above. */
+    std::string name;
+    /** The displacements of the locally owned unknowns, for a shell of unit
+     * size; zero where constraints determine them. */
+    LA::Vector displacement;
+    /** The vector of its rotation; zero for a translation. */
+    dealii::Tensor<1, 3> rotation;
+  };
+
+
+  /**
+   * A basis of the infinitesimal rigid motions of the deformed shell that meet
+   * no resistance.
+   *
+   * Must be called on all ranks.
+   *
+   * @param displacement that of the shell.
+   * @param stiffness that of what holds it in addition to the supports; null
+   * for nothing.
+   */
+  std::vector<RigidMotion>
+  free_rigid_motions(const ShellMesh        &mesh,
+                     const LA::Vector       &displacement,
+                     const LA::SparseMatrix *stiffness = nullptr);
+
+  /** The change of nodal forces that turn with the shell, per unit of an
+   * infinitesimal rotation: the cross products of its vector and the forces.
+   */
+  LA::Vector
+  turned(const ShellMesh            &mesh,
+         const dealii::Tensor<1, 3> &rotation,
+         const LA::Vector           &forces);
 
   /**
    * The six rigid motions of the shell, three translations and three rotations,

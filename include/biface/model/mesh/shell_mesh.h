@@ -130,7 +130,7 @@ namespace Biface
     Edge edge;
     /** Position in ShellMesh::cells. */
     unsigned int cell;
-    /** Of the cell. */
+    /** The numbers of the vertices in the cell. */
     std::array<unsigned int, 2> vertices;
     /** Positions in ShellMesh::nodes. */
     std::array<unsigned int, 2> nodes;
@@ -220,6 +220,15 @@ namespace Biface
     {
       return max_thickness;
     }
+
+    /** The stiffness of the shell under pressure, from which the stiffness of
+     * contact follows: the lowest Laminate::thickness_stiffness(). In a
+     * membrane it would be so high that the pressure shows the rounding of
+     * positions; it is limited to 1000 times the lowest
+     * Laminate::membrane_stiffness() over the square of size(). Unit:
+     * pressure/length. */
+    double
+    wall_stiffness() const;
 
     /** The diagonal of the box around the reference surface. Unit: length. */
     double

@@ -20,9 +20,9 @@ namespace Biface
     /** Half waves along the meridian: one more than the changes of sign of the
      * largest component of these waves. */
     unsigned int meridional;
-    /** Of these waves around the axis, the part that travels right-handed about
-     * it, less the one that travels the other way, between -1 and 1; zero for
-     * standing waves. */
+    /** The part of these waves that travels right-handed about the axis, less
+     * the part that travels the other way, between -1 and 1; zero for standing
+     * waves. */
     double travel;
   };
 

@@ -23,7 +23,7 @@ namespace Biface
   };
 
 
-  /** That of the foundation alone, see forces_on_shell(). */
+  /** The force of the foundation alone, see forces_on_shell(). */
   ForceOnShell
   force_of_foundation(const ShellEquations   &equations,
                       const State            &state,

@@ -21,14 +21,15 @@ namespace Biface
    */
   struct Hysteresis
   {
-    /** Those counted apart, to see whether the mesh resolves the cycles. */
+    /** The number of harmonics whose losses are also given apart, to see
+     * whether the mesh resolves the cycles. */
     static constexpr unsigned int n_first_harmonics = 8;
 
     /** Unit: force times length. */
     struct OfPly
     {
       double energy = 0;
-      /** Of this, that of the first harmonics. */
+      /** The part of @p energy that belongs to the first harmonics. */
       double of_first_harmonics = 0;
     };
 

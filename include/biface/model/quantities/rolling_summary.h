@@ -17,9 +17,10 @@ namespace Biface
   /** The forces and powers of a wheel that rolls over a plane or a drum. */
   struct RollingSummary
   {
-    /** Of the ground on the wheel; the moment is about the contact center,
-     * where the line from the center of the wheel down in its middle plane
-     * meets the ground. In the axes of WheelAxes there. */
+    /** The force and moment of the ground on the wheel, in the axes of
+     * WheelAxes at the contact center. There the line from the center of the
+     * wheel down in its middle plane meets the ground; the moment is about this
+     * point. */
     dealii::Tensor<1, 3> force, moment;
 
     /** See axle_moment(). */
@@ -40,8 +41,8 @@ namespace Biface
            normal_power = 0, mismatch = 0;
 
     /** The slip velocity at each node of this rank, see
-     * RollingFriction::slip_velocity(); zero at nodes that are not in contact.
-     * Unit: length/time. */
+     * RollingKinematics::slip_velocity(); zero at nodes that are not in
+     * contact. Unit: length/time. */
     std::vector<dealii::Tensor<1, 3>> slip_velocities;
 
     /** If any ply has a loss factor. */

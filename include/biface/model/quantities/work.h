@@ -12,11 +12,11 @@ namespace Biface
   /** Work done on the shell. Unit: force times length. */
   struct Work
   {
-    /** Of the loads and of prescribed displacements. */
+    /** The work of the loads and of prescribed displacements. */
     double loads = 0;
-    /** Of the moving foundation on what it touches. */
+    /** The work of the moving foundation on the nodes in contact. */
     double foundation = 0;
-    /** Of this, what friction turns into heat. */
+    /** The part of @p foundation that friction dissipates. */
     double friction = 0;
 
     Work &

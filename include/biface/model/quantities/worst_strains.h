@@ -28,7 +28,7 @@ namespace Biface
   };
 
 
-  /** Where a shell is worst off: the places to look at if a step fails. */
+  /** The largest strains and their places, to look at if a step fails. */
   struct WorstStrains
   {
     /** The maximum compression: the minimum of the principal tangential strains
@@ -55,7 +55,8 @@ namespace Biface
                 const State          &state);
 
   /** "the shell is compressed most at ..." and further sentences for the user;
-   * they name the material if it is close to its end. */
+   * they name the material if the compression is close to
+   * @p least_stable_strain. */
   std::string
   describe(const WorstStrains &worst);
 } // namespace Biface

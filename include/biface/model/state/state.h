@@ -4,10 +4,13 @@
 #define biface_model_state_state_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/table.h>
 #include <deal.II/base/tensor.h>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -20,6 +23,34 @@
 
 namespace Biface
 {
+  class TangentialLaw;
+
+
+  /** The results of earlier stages that belong to the undeformed shape since
+   * InternalForces::take_as_prestress(). */
+  struct Prestress
+  {
+    /** One per locally owned cell, those of the laminate included. */
+    std::vector<Modes::Vector> resultants;
+    /** The strains that caused them. */
+    std::vector<Modes::Vector> strains;
+    /** Constant forces on the owned nodes, see InternalForces::balance(); none
+     * if empty. */
+    LA::Vector balancing_forces;
+  };
+
+
+  /** What a ForceTerm remembers of earlier steps: its internal variables. */
+  struct TermState
+  {
+    /** The same on all ranks. */
+    std::vector<double> numbers;
+    /** A row for each node of this rank, and for each locally owned cell; empty
+     * if the term does not need it. */
+    dealii::Table<2, double> at_nodes, at_cells;
+  };
+
+
   /**
    * Everything that changes while the shell is loaded. A copy is a complete
    * restore point.
@@ -65,10 +96,22 @@ namespace Biface
     /** How the foundation holds the nodes of this rank sideways, and the points
      * of the foundation at rest to which they stick. In a step a node may begin
      * and cease to slip; everything else is the history of friction up to the
-     * end of the last step, see ContactInteraction::record_history(). If the
-     * shell rolls, there is no history, and the grips tell where it slips. */
+     * end of the last step, see TangentialLaw::commit_step(). While the
+     * shell rolls, friction has no history: the grips tell where it slips, and
+     * the stick points are those from which it could stand. */
     std::vector<Grip>             grips;
     std::vector<dealii::Point<3>> stick_points;
+
+    /** What the force terms remember, by ForceTerm::name(). */
+    std::map<std::string, TermState> terms;
+
+    /** That of earlier stages, which copies share; null if there is none but
+     * that of the laminate. */
+    std::shared_ptr<const Prestress> prestress;
+
+    /** The state about which the strains are linearized; null in nonlinear
+     * theory. */
+    std::shared_ptr<const State> linearization_point;
 
     /** Contact pressure at a node, by its position in ShellMesh::nodes. */
     double
@@ -92,13 +135,16 @@ namespace Biface
      * Progress::factor_of_shape. */
     double factor_of_shape = 0;
 
+    /** Whether the gas that exerts the pressure is sealed in, so that the
+     * pressure follows from the state, see Gas. */
+    bool sealed_gas = false;
+
     std::optional<RigidFoundation> foundation;
 
-    /** Null without friction. */
-    std::shared_ptr<const FrictionLaw> friction;
+    /** How it holds the nodes sideways; null if it does not. */
+    std::shared_ptr<const TangentialLaw> law;
 
-    /** Set if the shell rolls: then friction follows from the slip velocity,
-     * see SlipVelocityLaw, instead of the history of the state. */
+    /** Set if the shell rolls. */
     std::optional<Rolling> rolling;
   };
 

@@ -20,10 +20,10 @@ namespace Biface
     /** Which @f$\theta=1/(\lambda-\sigma)@f$ are wanted. */
     enum class Wanted
     {
-      /** Those of the largest magnitude: @f$\lambda@f$ closest to the
+      /** The values of largest magnitude: @f$\lambda@f$ closest to the
        * shift. */
       nearest,
-      /** Those of the largest real part: the next @f$\lambda@f$ above the
+      /** The values of largest real part: the next @f$\lambda@f$ above the
        * shift, if they are real. */
       next_above
     };
@@ -43,8 +43,9 @@ namespace Biface
 
     Wanted wanted = Wanted::nearest;
 
-    /** Of @f$\theta@f$, relative to its magnitude. The eigenvalues need less
-     * than the default, but without it the shapes of neighboring ones mix. */
+    /** The tolerance of @f$\theta@f$ relative to its magnitude. The eigenvalues
+     * alone would allow a larger one, with which the shapes of close
+     * eigenvalues mix. */
     double tolerance = 1e-12;
   };
 
@@ -136,12 +137,12 @@ namespace Biface
   };
 
   /**
-   * Rayleigh's quotients @f$\mathbf y^T\mathbf A\mathbf x/\mathbf
-   * y^T\mathbf B\mathbf x@f$ for the eigenvectors of a neighboring problem,
-   * from whose eigenvalues they deviate by terms of second order
-   * @cite Lancaster1964. Those of the same eigenvalue are replaced by their
-   * mean: the vectors of such an eigenvalue are arbitrary, but not this mean.
-   * Without a left vector, the quotient is not a number.
+   * Rayleigh's quotients
+   * @f$\mathbf y^T\mathbf A\mathbf x/\mathbf y^T\mathbf B\mathbf x@f$ for the
+   * eigenvectors of a slightly different problem, from whose eigenvalues they
+   * deviate by terms of second order @cite Lancaster1964. The quotients of a
+   * multiple eigenvalue are replaced by their mean: its vectors are arbitrary,
+   * but this mean is not. Without a left vector, the quotient is NaN.
    *
    * @param multiply_a, multiply_b the products with both matrices.
    */
@@ -151,8 +152,8 @@ namespace Biface
                      const BothEigenpairs &neighbors);
 
   /** Likewise the roots @f$\omega@f$ of
-   * @f$\mathbf y^T(\mathbf K+i\omega\,\mathbf G-\omega^2\,\mathbf
-   * M)\mathbf x=0@f$ closest to those of the neighboring problem. */
+   * @f$\mathbf y^T(\mathbf K+i\omega\,\mathbf G-\omega^2\,\mathbf M)\mathbf
+   * x=0@f$ closest to those of the other problem. */
   std::vector<std::complex<double>>
   rayleigh_roots(const Multiply       &multiply_k,
                  const Multiply       &multiply_g,

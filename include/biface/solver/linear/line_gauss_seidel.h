@@ -111,9 +111,9 @@ namespace Biface
     std::vector<unsigned int> columns;
     std::vector<std::size_t>  lower, upper;
 
-    /** Of the elimination along each line: the inverse after the nodes before
-     * are eliminated, the block with the node before, and the product of the
-     * inverse of that node with the block the other way. */
+    /** The factors of the elimination along each line: the inverse after
+     * elimination of the previous nodes, the block with the previous node, and
+     * the product of the inverse of that node with the opposite block. */
     struct Factors
     {
       Block inverse, before, back;

@@ -28,9 +28,12 @@ namespace Biface
     /** An estimate of the error of a solution relative to its maximum; zero if
      * the residual leaves no doubt. */
     double error = 0;
-    /** Of the last matrix that was factorized, if it was symmetric and the
-     * solver counts them. */
+    /** The number of negative pivots of the last matrix that was factorized, if
+     * it was symmetric and the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
+    /** Whether that is the given matrix, in double precision, and not a similar
+     * one or a rounded one. */
+    bool pivots_are_exact = false;
   };
 
 

@@ -129,8 +129,8 @@ namespace Biface
     const Parameters     parameters;
     dealii::TimerOutput &timer;
 
-    /** Of the coarsest level, which is part of the set-up, unless it is the
-     * only one. */
+    /** The timer of the coarsest level, which is part of the set-up unless it
+     * is the only level. */
     dealii::ConditionalOStream    no_output;
     dealii::TimerOutput           coarse_timer;
     std::unique_ptr<LinearSolver> coarsest;

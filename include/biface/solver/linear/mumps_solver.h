@@ -69,10 +69,10 @@ namespace Biface
     template <typename number>
     class FactorsIn;
 
-    /** Of which matrix the factors are. */
+    /** The matrix to which the factors belong. */
     enum class FactorsOf
     {
-      /** Of none: there are none, or only the pattern is analyzed. */
+      /** There are no factors; the pattern may have been analyzed. */
       nothing,
       similar_matrix,
       matrix

@@ -171,7 +171,8 @@ namespace Biface
       size = StepSize(part * step_size());
     }
 
-    /** The change of the loads over the whole stage, without the foundation. */
+    /** The change of the loads over the whole stage, without the motions of the
+     * foundation. */
     LoadRates
     load_rate() const;
 
@@ -296,10 +297,6 @@ namespace Biface
   };
 
 
-  /** The names of all controls. */
-  std::vector<std::string>
-  control_names();
-
   /** Create the control of a stage. */
   std::unique_ptr<Control>
   make_control(const Stage               &stage,
@@ -307,7 +304,8 @@ namespace Biface
 
 
   /** Throw InputError for a stage with unknown loads, none of which changes, or
-   * in which the foundation moves, too. */
+   * in which the foundation or the ground under a wheel moves differently,
+   * too. */
   void
   check_loads_follow(const Stage &stage, const Control::KnownStart &start);
 

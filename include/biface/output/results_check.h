@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_results_check_h
+#define biface_output_results_check_h
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+#include <biface/stepping/step_report.h>
+
+namespace Biface
+{
+  /**
+   * What an engineer checks before results are used: whether the force on the
+   * foundation is plausible, whether the mesh resolves the footprint, and
+   * whether penetration and errors of the mesh are small beside the results.
+   */
+  class ResultsCheck
+  {
+  public:
+    /** Both are kept by reference. */
+    ResultsCheck(const ShellEquations     &equations,
+                 const ContactInteraction &contact);
+
+    /**
+     * Look at a converged step. Must be called on all ranks.
+     *
+     * @return warnings, each at most once a stage: of a penetration of more
+     * than 1 % of the thickness, and of an error of the interpolation of rigid
+     * motions, see forces_on_shell(), of more than 1 % of the largest reaction.
+     */
+    std::vector<std::string>
+    add(const StepReport &report, const State &state);
+
+    /** The figures of the last step in two lines: the force on the foundation
+     * beside the pressure on the footprint, with the cells in the footprint, or
+     * without contact the largest reaction beside the loads; then penetration,
+     * balance of forces and error of the interpolation. Empty without steps. */
+    std::string
+    summary() const;
+
+  private:
+    /** Where the penetration is largest beside the thickness. */
+    struct Penetration
+    {
+      double depth     = 0;
+      double thickness = 1;
+
+      double
+      relative() const
+      {
+        return depth / thickness;
+      }
+    };
+
+    /** The resultants of the forces on the shell. */
+    struct Balance
+    {
+      double loads = 0, largest_reaction = 0, interpolation = 0;
+      /** What is left of forces and moments, beside the largest of them. */
+      double error = 0;
+      /** The sum of the magnitudes of all internal forces on nodes, which is
+       * the scale of their round-off. */
+      double internal = 0;
+    };
+
+    struct Figures
+    {
+      bool   in_contact = false;
+      double pressure = 0, force = 0, footprint_area = 0;
+      /** Grid lines of each coordinate with nodes in contact. */
+      std::array<unsigned int, 2> n_lines{};
+      Penetration                 penetration;
+      Balance                     balance;
+    };
+
+    Penetration
+    largest_penetration(const State &state) const;
+
+    std::array<unsigned int, 2>
+    lines_in_contact(const State &state) const;
+
+    Balance
+    balance(const StepReport &report, const State &state) const;
+
+    const ShellEquations     &equations;
+    const ContactInteraction &contact;
+    std::optional<Figures>    last;
+    /** The stages in which each of the warnings was given. */
+    std::set<unsigned int> warned_of_penetration, warned_of_interpolation;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_linear_deflation_h
+#define biface_solver_linear_deflation_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <functional>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+
+namespace Biface
+{
+  /**
+   * Restricts the systems of an eigenvalue problem to vectors that are
+   * orthogonal to given ones @f$\mathbf r_i@f$ in the product with a symmetric
+   * matrix @f$\mathbf C@f$: it solves
+   * @f$\mathbf A\mathbf x+\mathbf C\mathbf R\boldsymbol\lambda=\mathbf b@f$,
+   * @f$\mathbf R^T\mathbf C\mathbf x=\mathbf 0@f$ with solutions of systems
+   * with
+   * @f$\mathbf A@f$, which may be nearly singular for the given vectors.
+   */
+  class Deflation
+  {
+  public:
+    /**
+     * @param vectors become orthonormal in the product with @f$\mathbf C@f$.
+     * @param multiply the product with @f$\mathbf C@f$.
+     */
+    Deflation(const std::vector<LA::Vector>                  &vectors,
+              const std::function<void(LA::Vector       &product,
+                                       const LA::Vector &x)> &multiply);
+
+    /** The orthonormal vectors. */
+    const std::vector<LA::Vector> &
+    get_vectors() const
+    {
+      return vectors;
+    }
+
+    /** Solve a system with @f$\mathbf A@f$, and return whether this succeeded.
+     */
+    using Solve = std::function<bool(LA::Vector &x, const LA::Vector &b)>;
+
+    /** Prepare to solve systems with a matrix.
+     * @return whether this succeeded. */
+    bool
+    prepare(const Solve &solve);
+
+    /** Solve the restricted system.
+     * @return whether this succeeded. */
+    bool
+    solve(LA::Vector &x, const LA::Vector &b, const Solve &solve) const;
+
+    /** The number of negative eigenvalues of the restricted matrix, if
+     * @f$\mathbf A@f$ is symmetric, from those of @f$\mathbf A@f$. */
+    unsigned int
+    n_negative(const unsigned int of_matrix) const;
+
+  private:
+    /** @f$\mathbf R@f$, @f$\mathbf C\mathbf R@f$ and the solutions for these.
+     */
+    std::vector<LA::Vector> vectors, products, solutions;
+    /** The products of the last two, and the inverse of this matrix. */
+    dealii::FullMatrix<double> matrix, inverse;
+  };
+} // namespace Biface
+
+#endif

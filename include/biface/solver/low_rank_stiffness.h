@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_low_rank_stiffness_h
+#define biface_solver_low_rank_stiffness_h
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The part of low rank that loads depending on the displacements of the whole
+   * shell add to a tangent @f$\mathbf K@f$, such as the pressure of a sealed
+   * gas: @f$-\mathbf F\mathbf G^T@f$ with a column of @f$\mathbf F@f$ and
+   * @f$\mathbf G@f$ for each ShellEquations::RankOne. Systems with the sum are
+   * solved with those of @f$\mathbf K@f$ by the Woodbury formula
+   * @cite GolubVanLoan2013. Mostly, the rank is 0, and nothing is done.
+   */
+  class LowRankStiffness
+  {
+  public:
+    /** The rank 0. */
+    LowRankStiffness() = default;
+
+    /** @param state, loads an equilibrium; its foundation does not matter. */
+    LowRankStiffness(const ShellEquations &equations,
+                     const State          &state,
+                     const Loads          &loads);
+
+    /** Whether the part is symmetric up to round-off. */
+    bool
+    is_symmetric() const;
+
+    /** Add a multiple of the product with @p x. */
+    void
+    vmult_add(LA::Vector       &product,
+              const LA::Vector &x,
+              const double      factor = 1) const;
+
+    /** Likewise with the transposed part. */
+    void
+    Tvmult_add(LA::Vector       &product,
+               const LA::Vector &x,
+               const double      factor = 1) const;
+
+    /** Replace this by @p s times this plus @p a times @p other, which has the
+     * same forces. */
+    void
+    sadd(const double s, const double a, const LowRankStiffness &other);
+
+    /** The transposed part, not prepared. */
+    LowRankStiffness
+    transposed() const;
+
+    /** Solve a system with a matrix, and return whether this succeeded. */
+    using Solve = std::function<bool(LA::Vector &x, const LA::Vector &b)>;
+
+    /** Prepare to correct solutions of systems with a matrix.
+     * @return whether this succeeded; not if the sum is singular. */
+    bool
+    prepare(const Solve &solve);
+
+    /** Turn a solution of a system with the matrix into that with the sum.
+     * @param supports displacements that supports prescribe; null if they are
+     * zero. */
+    void
+    correct(LA::Vector &x, const LA::Vector *supports = nullptr) const;
+
+    /** The number of negative eigenvalues of the sum from those of the matrix,
+     * which is symmetric; none if the part is not, or is not prepared. */
+    std::optional<unsigned int>
+    n_negative(const unsigned int of_matrix) const;
+
+  private:
+    struct Part
+    {
+      /** The columns of @f$\mathbf F@f$ and @f$\mathbf G@f$. */
+      LA::Vector forces, gradient;
+      /** The latter with its entries at supports. */
+      LA::Vector gradient_with_supports;
+      /** @f$\mathbf K^{-1}@f$ times the forces, see prepare(). */
+      LA::Vector solution;
+
+      /** The factor d in @f$\mathbf f=d\,\mathbf g@f$, if they are parallel. */
+      double
+      proportion() const
+      {
+        return (forces * gradient) / gradient.norm_sqr();
+      }
+    };
+
+    std::vector<Part> parts;
+    /** The inverse of @f$\mathbf I-\mathbf G^T\mathbf K^{-1}\mathbf F@f$. */
+    dealii::FullMatrix<double> inverse;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_attempt_h
+#define biface_stepping_attempt_h
+
+#include <memory>
+
+#include <biface/model/state/state.h>
+#include <biface/solver/newton.h>
+#include <biface/stepping/controls/control.h>
+#include <biface/stepping/load_level.h>
+#include <biface/stepping/stage_run.h>
+
+namespace Biface
+{
+  /** The result of an attempt at a step. */
+  struct Attempt
+  {
+    NewtonResult   result;
+    State          state;
+    LoadParameters mu;
+    /** The loads at the final load parameters. */
+    LoadLevel level;
+    /** Whether it has left the path for another branch. */
+    bool to_branch = false;
+  };
+
+
+  /** Where Newton's method starts. */
+  struct InitialGuess
+  {
+    State          state;
+    LoadParameters mu;
+    /** Whether the active set of the state is kept in the first iteration, see
+     * Newton::solve(). */
+    bool zone_given = false;
+  };
+
+
+  /** Attempt a step by Newton's method.
+   * @param law the tangential law in place of that of the stage. */
+  Attempt
+  attempt_step(Newton                                     &newton,
+               const StageRun                             &run,
+               const Control::Trial                       &trial,
+               const InitialGuess                         &guess,
+               const NewtonIteration                       iteration,
+               const std::shared_ptr<const TangentialLaw> &law);
+
+  /** Likewise with the law of the stage. */
+  inline Attempt
+  attempt_step(Newton               &newton,
+               const StageRun       &run,
+               const Control::Trial &trial,
+               const InitialGuess   &guess,
+               const NewtonIteration iteration)
+  {
+    return attempt_step(newton, run, trial, guess, iteration, run.law);
+  }
+} // namespace Biface
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_stage_analysis_h
+#define biface_stepping_stage_analysis_h
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <biface/model/forces/force_term.h>
+#include <biface/model/state/state.h>
+#include <biface/stepping/controls/control.h>
+#include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
+
+namespace Biface
+{
+  /** Something that accompanies the stages of a run and adds its results to
+   * the reports, such as natural frequencies at the end of a stage. It never
+   * changes the run. All functions are called on all ranks. */
+  class StageAnalysis
+  {
+  public:
+    virtual ~StageAnalysis() = default;
+
+    /** A stage has started, from the end of the stage at the given position
+     * if there is one. */
+    virtual void
+    start_stage(const StageRun & /*run*/,
+                const std::optional<unsigned int> & /*before*/)
+    {}
+
+    /** A converged step of a run whose state is still that before the step. */
+    struct Step
+    {
+      const StageRun &run;
+      /** The loads before the step. */
+      const LoadLevel &level_before;
+      /** The data of the control before it accepted the step. */
+      const Control::Memory &memory;
+      const Control::Trial  &trial;
+      /** The final load parameters. */
+      LoadParameters mu;
+      /** The state after the step, before ShellEquations::commit_step(). */
+      const State &state;
+      const Loads &loads;
+      TimeInterval time;
+    };
+
+    virtual void
+    follow(const Step & /*step*/)
+    {}
+
+    /** After each step. */
+    virtual void
+    end_step(const StageRun & /*run*/, StepReport & /*report*/)
+    {}
+
+    /** After the last step of a stage. */
+    virtual void
+    end_stage(const StageRun & /*run*/, StepReport & /*report*/)
+    {}
+  };
+
+
+  /** In the order in which they add to a report. */
+  using StageAnalyses = std::vector<std::shared_ptr<StageAnalysis>>;
+} // namespace Biface
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_stage_control_h
+#define biface_stepping_stage_control_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+#include <biface/model/mesh/component.h>
+
+namespace Biface
+{
+  /** The quantity prescribed in every step of a stage, see Control. */
+  enum class ControlKind
+  {
+    load,
+    displacement,
+    arc_length,
+    foundation_force,
+    axle_moment,
+    foundation_force_and_axle_moment
+  };
+
+  /** Their names in parameter files. */
+  const std::vector<std::string> &
+  control_names();
+
+
+  /** How the steps of a stage are controlled. */
+  struct StageControl
+  {
+    ControlKind control = ControlKind::load;
+    /** The prescribed displacement: a named point, the component, and the value
+     * at the end of the stage. */
+    std::string control_point;
+    Component   control_component = Component::x;
+    double      control_value     = 0;
+    /** The force on the foundation at the end of the stage, if prescribed. */
+    double force = 0;
+    /** The moment of the axle on the wheel at the end of the stage, if
+     * prescribed. */
+    double       axle_moment = 0;
+    unsigned int n_steps     = 1;
+    /** Whether steps of the loads or the force grow after fast convergence. */
+    bool adaptive = false;
+
+    bool
+    prescribes_force() const
+    {
+      return control == ControlKind::foundation_force ||
+             control == ControlKind::foundation_force_and_axle_moment;
+    }
+
+    bool
+    prescribes_axle_moment() const
+    {
+      return control == ControlKind::axle_moment ||
+             control == ControlKind::foundation_force_and_axle_moment;
+    }
+
+    /** Whether the wheel rolls freely at the end of the stage. */
+    bool
+    ends_rolling_freely() const
+    {
+      return prescribes_axle_moment() && axle_moment == 0;
+    }
+
+    /** See control_names(). */
+    const std::string &
+    control_name() const;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError if a value is invalid. */
+    void
+    check(const std::string &section) const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &control &control_point &control_component &control_value;
+      archive &force &axle_moment &n_steps               &adaptive;
+    }
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_stage_run_h
+#define biface_stepping_stage_run_h
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/state.h>
+#include <biface/stepping/controls/control.h>
+#include <biface/stepping/progress.h>
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /**
+   * A stage while a shell goes through it: its control, its loads at any level,
+   * and the last converged equilibrium. LoadStepping computes the steps;
+   * SensitivityAnalysis takes perturbed shells along.
+   */
+  class StageRun
+  {
+  public:
+    /** Enter the current stage of the progress, which has started or not. The
+     * objects, except the stages and parameters, are kept by reference. Throws
+     * InputError if the friction of the stage is invalid.
+     * @param progress, state of the last converged step. */
+    StageRun(const std::vector<Stage>  &stages,
+             const Control::Parameters &parameters,
+             const ShellEquations      &equations,
+             const ContactInteraction  &contact,
+             Progress                  &progress,
+             State                     &state);
+
+    /**
+     * Start the stage: return to the undeformed shape if it starts from a
+     * prestress, find where the foundation touches, glue the nodes in contact,
+     * set the strain theory, and let force terms and control start.
+     *
+     * @return what is out of balance in a start from a prestress.
+     */
+    std::optional<ShellEquations::Unbalance>
+    start();
+
+    /** The loads at a level. */
+    Loads
+    loads_at(const LoadLevel &level) const
+    {
+      return loads_at(level, law);
+    }
+
+    /** Likewise with another tangential law. */
+    Loads
+    loads_at(const LoadLevel                            &level,
+             const std::shared_ptr<const TangentialLaw> &law) const;
+
+    /** The equilibrium from which the next step starts. */
+    Control::Equilibrium
+    last_converged() const;
+
+    bool
+    is_complete() const
+    {
+      return control->done() >= 1;
+    }
+
+    /** The completed part of the stage. */
+    Instant
+    instant() const
+    {
+      return {progress.stage, control->done()};
+    }
+
+    const ShellEquations     &equations;
+    const ContactInteraction &contact;
+    Progress                 &progress;
+    State                    &state;
+
+    /** The description, see Stage::with_angular_velocity(). */
+    const Stage                    stage;
+    const std::unique_ptr<Control> control;
+    /** See Stage::rolls(). */
+    const bool rolls;
+    /** How the foundation holds the nodes sideways, if there is one. */
+    const std::shared_ptr<const TangentialLaw> law;
+
+  private:
+    Loads
+    loads_without_foundation(const LoadLevel &level) const;
+
+    ShellEquations::Unbalance
+    start_from_prestress();
+  };
+} // namespace Biface
+
+#endif

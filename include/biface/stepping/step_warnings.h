@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_step_warnings_h
+#define biface_stepping_step_warnings_h
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <biface/stepping/stage_analysis.h>
+
+namespace Biface
+{
+  /** Warns once of states that are not what was meant. */
+  class StepWarnings : public StageAnalysis
+  {
+  public:
+    /** @param out kept by reference. */
+    explicit StepWarnings(dealii::ConditionalOStream &out) : out(out)
+    {}
+
+    void
+    end_step(const StageRun &run, StepReport &report) override;
+
+  private:
+    /** Warn of supported nodes that the foundation has passed through. */
+    void
+    warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
+
+    /** Warn of negative pivots of a wheel with inertia, and of its largest
+     * cells. */
+    void
+    warn_of_fast_wheel(const StageRun &run, const StepReport &report);
+
+    dealii::ConditionalOStream &out;
+    bool                        warned_of_pierced_nodes = false;
+    bool                        warned_of_fast_wheel    = false;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <biface/input/parameter_tools.h>
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/output/results_check.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The largest part of the thickness that may penetrate, and of a reaction
+     * that may be an error, without a warning. */
+    constexpr double remarkable = 0.01;
+
+
+    std::string
+    in_digits(const double value, const char *format = "%.4g")
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), format, value);
+      return text;
+    }
+
+
+    std::string
+    as_percent(const double part)
+    {
+      return in_digits(100 * part, "%.2g") + " %";
+    }
+
+
+    /** A part, or 0 of nothing. */
+    double
+    part_of(const double part, const double whole)
+    {
+      return whole > 0 ? part / whole : 0.;
+    }
+  } // namespace
+
+
+  ResultsCheck::ResultsCheck(const ShellEquations     &equations,
+                             const ContactInteraction &contact)
+    : equations(equations), contact(contact)
+  {}
+
+
+  ResultsCheck::Penetration
+  ResultsCheck::largest_penetration(const State &state) const
+  {
+    Penetration largest;
+    for (unsigned int n = 0; n < equations.mesh.nodes.size(); ++n)
+      {
+        const auto       &heights = equations.mesh.nodes[n].face_heights;
+        const Penetration here{state.contact_pressure(n) /
+                                 contact.condition.multiplier_stiffness(),
+                               heights[1] - heights[0]};
+        if (here.relative() > largest.relative())
+          largest = here;
+      }
+    const MPI_Comm communicator = equations.mesh.communicator;
+    const auto     rank =
+      Utilities::MPI::min_max_avg(largest.relative(), communicator).max_index;
+    largest.depth =
+      Utilities::MPI::broadcast(communicator, largest.depth, rank);
+    largest.thickness =
+      Utilities::MPI::broadcast(communicator, largest.thickness, rank);
+    return largest;
+  }
+
+
+  std::array<unsigned int, 2>
+  ResultsCheck::lines_in_contact(const State &state) const
+  {
+    const ShellMesh            &mesh = equations.mesh;
+    std::array<unsigned int, 2> n_lines{};
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        std::vector<unsigned int> active(mesh.grid.lines[a].size());
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (state.active[n])
+            active[mesh.nodes[n].grid_index[a]] = 1;
+        Utilities::MPI::max(active, mesh.communicator, active);
+        n_lines[a] = std::count(active.begin(), active.end(), 1U);
+      }
+    return n_lines;
+  }
+
+
+  ResultsCheck::Balance
+  ResultsCheck::balance(const StepReport &report, const State &state) const
+  {
+    const ShellMesh &mesh = equations.mesh;
+    Balance          result;
+    Tensor<1, 3>     force, moment;
+    double           largest_force = 0, largest_moment = 0;
+    for (const ForceOnShell &item :
+         forces_on_shell(equations, state, *report.forces, Point<3>()))
+      {
+        const double size = item.force.norm();
+        force += item.force;
+        moment += item.moment;
+        largest_force  = std::max(largest_force, size);
+        largest_moment = std::max(largest_moment, item.moment.norm());
+        if (item.body == "interpolation")
+          result.interpolation = size;
+        else if (item.body == "loads")
+          result.loads = size;
+        else if (item.body != "prestress")
+          result.largest_reaction = std::max(result.largest_reaction, size);
+      }
+    // forces that cancel have moments, and the other way around
+    largest_moment  = std::max(largest_moment, largest_force * mesh.size());
+    largest_force   = std::max(largest_force, largest_moment / mesh.size());
+    result.error    = std::max(part_of(force.norm(), largest_force),
+                            part_of(moment.norm(), largest_moment));
+    result.internal = (*report.forces)[ForceTerm::Source::shell].l1_norm();
+    return result;
+  }
+
+
+  std::vector<std::string>
+  ResultsCheck::add(const StepReport &report, const State &state)
+  {
+    // of the internal forces
+    constexpr double round_off = 1e-6;
+
+    Figures now;
+    now.in_contact     = report.in_contact;
+    now.pressure       = report.loads.pressure;
+    now.force          = report.contact.force;
+    now.footprint_area = report.footprint.area;
+    now.n_lines        = lines_in_contact(state);
+    now.penetration    = largest_penetration(state);
+    now.balance        = balance(report, state);
+    last               = now;
+
+    std::vector<std::string> warnings;
+    const unsigned int       stage = report.instant.stage;
+    const Penetration       &deep  = now.penetration;
+    if (deep.relative() > remarkable &&
+        warned_of_penetration.insert(stage).second)
+      warnings.push_back(
+        "Warning: the shell penetrates the foundation by " +
+        in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
+        " of its thickness of " + in_digits(deep.thickness) +
+        "; raise 'Contact/Regularization', which is " +
+        in_digits(contact.condition.multiplier_stiffness()) + ".");
+    const Balance &forces = now.balance;
+    if (forces.interpolation > remarkable * forces.largest_reaction &&
+        forces.interpolation > round_off * forces.internal &&
+        warned_of_interpolation.insert(stage).second)
+      warnings.push_back(
+        "Warning: an error of the interpolation of rigid motions, " +
+        in_digits(forces.interpolation) + " or " +
+        as_percent(part_of(forces.interpolation, forces.largest_reaction)) +
+        " of the largest reaction, is part of the balance of forces (line "
+        "'interpolation' of forces.csv); smaller cells reduce it.");
+    return warnings;
+  }
+
+
+  std::string
+  ResultsCheck::summary() const
+  {
+    if (!last)
+      return {};
+    const Figures &at     = *last;
+    const Balance &forces = at.balance;
+    std::string    text   = "Check: ";
+    if (at.in_contact)
+      {
+        const double carried = at.pressure * at.footprint_area;
+        text += "force " + in_digits(at.force) +
+                " = pressure times footprint " + in_digits(carried) +
+                " + wall " + in_digits(at.force - carried) + "; footprint of " +
+                std::to_string(at.n_lines[0]) + " x " +
+                std::to_string(at.n_lines[1]) +
+                " cells along alpha_1 and alpha_2\n       penetration " +
+                as_percent(at.penetration.relative()) + " of the thickness, ";
+      }
+    else
+      text += "loads " + in_digits(forces.loads) + ", largest reaction " +
+              in_digits(forces.largest_reaction) + "\n       ";
+    return text + "forces and moments balance to " +
+           in_digits(forces.error, "%.0e") + ", interpolation " +
+           in_digits(forces.interpolation) + " or " +
+           as_percent(part_of(forces.interpolation, forces.largest_reaction)) +
+           " of the largest reaction\n";
+  }
+} // namespace Biface

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/stepping/attempt.h>
+
+namespace Biface
+{
+  Attempt
+  attempt_step(Newton                                     &newton,
+               const StageRun                             &run,
+               const Control::Trial                       &trial,
+               const InitialGuess                         &guess,
+               const NewtonIteration                       iteration,
+               const std::shared_ptr<const TangentialLaw> &law)
+  {
+    Attempt attempt;
+    attempt.state = guess.state;
+    attempt.mu    = guess.mu;
+    const ParametrizedLoads loads{[&](const LoadParameters &mu) {
+                                    return run.loads_at(trial.level(mu), law);
+                                  },
+                                  trial.equations.get()};
+    attempt.result = newton.solve(
+      attempt.state, loads, attempt.mu, iteration, guess.zone_given);
+    attempt.level = trial.level(attempt.mu);
+    return attempt;
+  }
+} // namespace Biface

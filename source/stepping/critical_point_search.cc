@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include <biface/stepping/critical_point_search.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  CriticalPointSearch::PivotCounts
+  CriticalPointSearch::count(const StageRun &run, const Attempt &attempt)
+  {
+    PivotCounts n;
+    if (run.stage.critical_points == CriticalPoints::ignore ||
+        run.stage.sealed || run.stage.theory == StrainTheory::linear)
+      return n;
+    const bool every_step = run.stage.locates_critical_points();
+    n.before              = run.progress.n_negative_pivots;
+    n.after = (every_step ? count(run, attempt.state, attempt.level)
+                          : attempt.result.n_negative_pivots);
+    if (!n.after)
+      {
+        if (attempt.result.iterations > 0)
+          warn_of_uncounted_pivots(run);
+        return n;
+      }
+    // the stage before may not have counted them, or had another foundation
+    const bool first = (run.control->done() == 0);
+    if (!n.before || (n.differ() && first))
+      n.before = count(run, run.state, run.progress.reached);
+    if (n.differ() && !every_step)
+      n.after = count(run, attempt.state, attempt.level);
+    return n;
+  }
+
+
+  std::optional<unsigned int>
+  CriticalPointSearch::count(const StageRun  &run,
+                             const State     &state,
+                             const LoadLevel &level)
+  {
+    const auto n =
+      buckling_analysis.count_negative_pivots({state, run.loads_at(level)});
+    if (!n)
+      warn_of_uncounted_pivots(run);
+    return n;
+  }
+
+
+  void
+  CriticalPointSearch::warn_of_uncounted_pivots(const StageRun &run)
+  {
+    // 'report' leaves them out
+    const bool by_contact =
+      !run.stage.locates_critical_points() &&
+      run.equations.has_unsymmetric_contact(run.loads_at(run.progress.reached));
+    if (has_warned || by_contact)
+      return;
+    out << "  Warning: critical points of " << run.stage.name
+        << " cannot be found: the tangent is not symmetric, as with loads "
+           "without a potential, or the linear solver does not count "
+           "negative pivots"
+        << std::endl;
+    has_warned = true;
+  }
+
+
+  double
+  CriticalPointSearch::bisect(
+    const StageRun                                       &run,
+    const std::function<Attempt(const Control::Trial &)> &attempt_step,
+    Control::Trial                                       &trial,
+    Attempt                                              &attempt,
+    PivotCounts                                          &n_negative)
+  {
+    // of the loads, and of the step, since the loads are stationary at a limit
+    // point
+    constexpr double       tolerance = 1e-3, maximum_part = 0.05;
+    constexpr unsigned int max_bisections = 40;
+
+    LoadLevel level_before = run.progress.reached;
+    double    low = 0, high = 1, taken = 1;
+    for (unsigned int i = 0; i < max_bisections; ++i)
+      {
+        if (relative_change(level_before, attempt.level) <= tolerance &&
+            high - low <= maximum_part)
+          break;
+        const double middle = (low + high) / 2;
+        run.control->scale_step(middle / taken);
+        taken                      = middle;
+        const Control::Trial other = run.control->propose(run.last_converged());
+        out << "  bisection for a critical point" << std::endl;
+        Attempt half = attempt_step(other);
+        if (half.result.stopped)
+          {
+            attempt = half;
+            return high;
+          }
+        half.result.iterations += attempt.result.iterations;
+        const std::optional<unsigned int> n =
+          (half.result.converged ? count(run, half.state, half.level)
+                                 : std::nullopt);
+        if (!n)
+          {
+            attempt.result.iterations = half.result.iterations;
+            break;
+          }
+        if (n == n_negative.before)
+          {
+            low                       = middle;
+            level_before              = half.level;
+            attempt.result.iterations = half.result.iterations;
+          }
+        else
+          {
+            high             = middle;
+            trial            = other;
+            attempt          = half;
+            n_negative.after = n;
+          }
+      }
+    run.control->scale_step(high / taken);
+    return high;
+  }
+
+
+  std::shared_ptr<const CriticalPoint>
+  CriticalPointSearch::describe(const StageRun    &run,
+                                const LoadLevel   &level_before,
+                                const PivotCounts &n_negative,
+                                const bool         located)
+  {
+    const unsigned int n_before = *n_negative.before,
+                       n_after  = *n_negative.after;
+    out << "  negative pivots: " << n_after << " after " << n_before;
+    const LoadLevel   &level = run.progress.reached;
+    const unsigned int n_changed =
+      std::max(n_after, n_before) - std::min(n_after, n_before);
+    const bool several = !located && n_changed > BucklingAnalysis::n_candidates;
+    const auto mode =
+      (several
+         ? std::nullopt
+         : buckling_analysis.critical_mode({run.state, run.loads_at(level)},
+                                           change_of(level_before, level),
+                                           n_after > n_before));
+    if (!mode)
+      {
+        out << (several ? ", the step passed several critical points" : "")
+            << std::endl;
+        return nullptr;
+      }
+
+    auto point               = std::make_shared<CriticalPoint>();
+    point->n_negative_before = n_before;
+    point->n_negative_after  = n_after;
+    point->located           = located;
+    point->mode              = *mode;
+    const LoadLevel &start   = run.progress.control.start;
+    point->loads = {part_of_loads(start, level, run.stage.end(start)), level};
+    out << ", " << (located ? "here is a " : "the step passed a ")
+        << point->kind() << std::endl;
+    if (run.stage.critical_points == CriticalPoints::switch_branch &&
+        !point->is_limit_point())
+      run.progress.branch = owned_part(point->mode.shape);
+    return point;
+  }
+} // namespace Biface

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/patterns.h>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage_control.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  const std::vector<std::string> &
+  control_names()
+  {
+    static const std::vector<std::string> names{
+      "load",
+      "displacement",
+      "arc length",
+      "foundation force",
+      "axle moment",
+      "foundation force and axle moment"};
+    return names;
+  }
+
+
+  const std::string &
+  StageControl::control_name() const
+  {
+    return control_names()[static_cast<unsigned int>(control)];
+  }
+
+
+  void
+  StageControl::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(
+      prm,
+      "Control",
+      control,
+      control_names(),
+      "The quantity prescribed in every step: 'load' (equal steps of all "
+      "loads), 'displacement' (equal steps of one displacement; the fraction "
+      "of the loads of the stage is computed and may exceed 1), 'arc length' "
+      "(adaptive steps of the norm of all displacements, which pass limit "
+      "points, until the loads of the stage are reached; 'Steps' sets the "
+      "first step: 1/Steps of the loads), or 'foundation force' (equal steps "
+      "of the force on the foundation and of all loads; the travel is "
+      "computed), or 'axle moment' (equal steps of the moment of the axle on a "
+      "rolling wheel and of all loads; the angular velocity is computed), or "
+      "'foundation force and axle moment' (both are prescribed, travel and "
+      "angular velocity are computed).");
+    prm.add_parameter("Control point",
+                      control_point,
+                      "Name of the point whose displacement (of the middle "
+                      "surface) is prescribed.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Control component",
+               control_component,
+               component_names(),
+               "Component of the prescribed displacement: Cartesian, in the "
+               "frame of the coordinate lines, or, for a surface of "
+               "revolution, about its axis.");
+    prm.add_parameter("Control value",
+                      control_value,
+                      "Value of the prescribed displacement at the end of "
+                      "the stage. Unit: length.",
+                      Patterns::Double());
+    prm.add_parameter("Force",
+                      force,
+                      "Compressive force on the foundation at the end of a "
+                      "stage whose 'Control' prescribes it. Unit: force.",
+                      Patterns::Double());
+    prm.add_parameter("Axle moment",
+                      axle_moment,
+                      "Moment of the axle on the wheel about the y axis at the "
+                      "end of a stage whose 'Control' prescribes it: 0 for "
+                      "free rolling, negative for braking. Unit: "
+                      "force*length.",
+                      Patterns::Double());
+    prm.add_parameter("Steps",
+                      n_steps,
+                      "Number of steps; see 'Control'.",
+                      Patterns::Integer(1, 1000000));
+    prm.add_parameter("Adaptive steps",
+                      adaptive,
+                      "Whether steps of the loads or the force grow beyond "
+                      "1/Steps after fast convergence; see 'Maximum growth'. "
+                      "Otherwise all multiples of 1/Steps are reached and "
+                      "written.",
+                      Patterns::Bool());
+  }
+
+
+  void
+  StageControl::check(const std::string &section) const
+  {
+    if (!prescribes_force() && force != 0)
+      throw InputError(section + "/Force",
+                       number_to_string(force),
+                       "it needs 'Control = foundation force' or "
+                       "'foundation force and axle moment'");
+    if (!prescribes_axle_moment() && axle_moment != 0)
+      throw InputError(section + "/Axle moment",
+                       number_to_string(axle_moment),
+                       "it needs 'Control = axle moment' or 'foundation "
+                       "force and axle moment'");
+  }
+} // namespace Biface

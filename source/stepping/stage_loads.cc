@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/contact/friction.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage_loads.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  StageLoads::add_parameters(ParameterHandler &prm, const std::string &section)
+  {
+    const std::string unchanged = "unchanged";
+    add_optional_number(
+      prm,
+      "Pressure",
+      pressure,
+      unchanged,
+      "Pressure at the end of the stage; see the section 'Loads' for its "
+      "face and type. 'unchanged': as at the start of the stage. "
+      "Unit: force/area.");
+    add_choice(prm,
+               "Gas",
+               sealed,
+               {"open", "sealed"},
+               "Whether the gas that exerts the pressure can leave the shell. "
+               "'open': the pressure is that of the stage. 'sealed': from the "
+               "start of the stage the pressure follows from the volume of "
+               "the cavity, see the section 'Gas'.");
+    prm.add_parameter("Contact",
+                      contact,
+                      "Whether the stage has contact with the rigid "
+                      "foundation of the section 'Contact'. Initially the "
+                      "foundation just touches the shell as deformed at the "
+                      "start of the first stage with contact (or of the "
+                      "first after 'Start from prestress') on the way to the "
+                      "stage.",
+                      Patterns::Bool());
+    add_optional_number(
+      prm,
+      "Travel",
+      travel,
+      unchanged,
+      "Travel of the foundation against 'Direction' at the end of the stage, "
+      "measured from where it first touched the shell. 'unchanged': as at "
+      "the start of the stage. Unit: length.");
+    add_optional_vector(
+      prm,
+      section + "/",
+      "Slide",
+      slide,
+      unchanged,
+      "Components x, y, z of the motion of the foundation sideways, orthogonal "
+      "to 'Contact/Direction', at the end of the stage. 'unchanged': as at the "
+      "start of the stage. Unit: length.");
+    add_optional_number(
+      prm,
+      "Turn",
+      turn,
+      unchanged,
+      "Angle by which the foundation has turned at the end of the stage, "
+      "right-handed about 'Contact/Direction' through the point where it first "
+      "touched the shell; this axis slides with the foundation. 'unchanged': "
+      "as at the start of the stage. Unit: degrees.");
+    add_optional_number(
+      prm,
+      "Wheel turn",
+      wheel_turn,
+      unchanged,
+      "Angle by which the wheel, its supports and loads included, has turned "
+      "at the end of the stage, right-handed about the y axis. The results are "
+      "in axes that turn with the wheel: the foundation goes around it the "
+      "other way, after 'Travel', 'Slide' and 'Turn'. To roll slowly, let the "
+      "foundation slide, too. 'unchanged': as at the start of the stage. Unit: "
+      "degrees.");
+    add_optional_number(
+      prm,
+      "Angular velocity",
+      angular_velocity,
+      unchanged,
+      "Angular velocity of a steadily rolling or spinning wheel at the end of "
+      "the stage, right-handed about the y axis. 'unchanged': as at the start "
+      "of the stage. Unit: radians/time.");
+    add_optional_number(
+      prm,
+      "Ground velocity",
+      ground_velocity,
+      unchanged,
+      "Speed of the wheel over the ground, or of the surface of a drum, at the "
+      "end of the stage, positive "
+      "forward: the direction in which a wheel with positive 'Angular "
+      "velocity' rolls. If it or the angular velocity is not 0 at either end "
+      "of the stage, friction follows from the slip velocity, see "
+      "'Contact/Critical velocity', without history. 'unchanged': as at the "
+      "start of the stage. Unit: length/time.");
+    add_optional_number(
+      prm,
+      "Slip angle",
+      slip_angle,
+      unchanged,
+      "Angle between the direction in which the wheel moves over the ground "
+      "and its plane at the end of the stage, positive to the left. A drum is "
+      "turned by it about 'Direction' through 'Point on path'. "
+      "'unchanged': as at the start of the stage. Unit: degrees.");
+    add_optional_number(
+      prm,
+      "Slip ratio",
+      slip_ratio,
+      "none",
+      "Longitudinal slip ratio at the end of the stage, (Omega R - V cos "
+      "alpha)/(V cos alpha) with the angular velocity Omega, which it replaces, "
+      "the ground velocity V and the slip angle alpha; R is the rolling radius "
+      "V cos alpha/Omega at the end of the last stage before that ended in "
+      "free rolling, with a prescribed 'Axle moment' of 0. Negative for "
+      "braking, -1 for a locked wheel. 'none': see 'Angular velocity'. No "
+      "unit.");
+    prm.add_parameter("Friction",
+                      friction,
+                      "Coefficient of friction in the stage, instead of that "
+                      "of the section 'Contact'; empty for that one. A number, "
+                      "or a formula of the contact pressure p and the slip "
+                      "velocity s. No unit.",
+                      Patterns::Anything());
+    prm.add_parameter("Glued",
+                      glued,
+                      "Whether the nodes in contact at the start of the stage "
+                      "cannot slip, as long as they are in contact. Nodes that "
+                      "come into contact later have friction.",
+                      Patterns::Bool());
+    add_optional_number(
+      prm,
+      "Load factor",
+      factor,
+      unchanged,
+      "Factor of the loads of the section 'Loads' and of prescribed "
+      "displacements of supports at the end of the stage. 'unchanged': as at "
+      "the start of the stage. No unit.");
+  }
+
+
+  LoadLevel
+  StageLoads::end(const LoadLevel &start) const
+  {
+    LoadLevel result;
+    for_each_load(
+      [](auto &load, const auto &prescribed, const auto &at_start) {
+        load = prescribed.value_or(at_start);
+      },
+      result,
+      *this,
+      start);
+    return result;
+  }
+
+
+  void
+  StageLoads::check(const std::string &section) const
+  {
+    const auto check_load = [&](const std::string           &entry,
+                                const std::optional<double> &load) {
+      if (load)
+        check_finite(section + "/" + entry, *load);
+    };
+    check_load("Pressure", pressure);
+    check_load("Travel", travel);
+    check_load("Load factor", factor);
+    check_load("Turn", turn);
+    check_load("Wheel turn", wheel_turn);
+    check_load("Angular velocity", angular_velocity);
+    check_load("Ground velocity", ground_velocity);
+    check_load("Slip angle", slip_angle);
+    check_load("Slip ratio", slip_ratio);
+    if (slide)
+      check_finite(section + "/Slide", *slide);
+    if (!friction.empty())
+      check_friction(section + "/Friction", friction);
+    if (slip_ratio && angular_velocity)
+      throw InputError(section + "/Slip ratio",
+                       number_to_string(*slip_ratio),
+                       "it must be 'none' with a given 'Angular velocity'");
+    if (sealed && pressure)
+      throw InputError(section + "/Pressure",
+                       number_to_string(*pressure),
+                       "it must be 'unchanged' in a stage with 'Gas = sealed', "
+                       "where the pressure follows from the volume");
+    if (!contact)
+      check_without_contact(section);
+  }
+
+
+  void
+  StageLoads::check_without_contact(const std::string &section) const
+  {
+    if (slip_ratio)
+      throw InputError(section + "/Slip ratio",
+                       number_to_string(*slip_ratio),
+                       "it needs 'Contact = true'");
+    const auto refuse_motion = [&](const std::string           &entry,
+                                   const std::optional<double> &motion) {
+      if (motion.value_or(0) != 0)
+        throw InputError(section + "/" + entry,
+                         number_to_string(*motion),
+                         "it must be 0 unless 'Contact = true'");
+    };
+    refuse_motion("Travel", travel);
+    if (slide && slide->norm() > 0)
+      throw InputError(section + "/Slide",
+                       vector_to_string(*slide),
+                       "it must be 0 unless 'Contact = true'");
+    refuse_motion("Turn", turn);
+    refuse_motion("Wheel turn", wheel_turn);
+    if (!friction.empty())
+      throw InputError(
+        section + "/Friction", friction, "it needs 'Contact = true'");
+    if (glued)
+      throw InputError(section + "/Glued", "true", "it needs 'Contact = true'");
+  }
+
+
+  void
+  StageLoads::check_slide(const std::string  &section,
+                          const Tensor<1, 3> &direction) const
+  {
+    if (slide &&
+        std::abs(*slide * direction) > 1e-6 * slide->norm() * direction.norm())
+      throw InputError(section + "/Slide",
+                       vector_to_string(*slide),
+                       "it must be orthogonal to 'Contact/Direction', " +
+                         vector_to_string(direction) +
+                         "; 'Travel' moves the foundation along it");
+  }
+} // namespace Biface

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <string>
+
+#include <biface/stepping/stage_run.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  StageRun::StageRun(const std::vector<Stage>  &stages,
+                     const Control::Parameters &parameters,
+                     const ShellEquations      &equations,
+                     const ContactInteraction  &contact,
+                     Progress                  &progress,
+                     State                     &state)
+    : equations(equations)
+    , contact(contact)
+    , progress(progress)
+    , state(state)
+    , stage(progress.with_angular_velocity(stages[progress.stage]))
+    , control(make_control(stage, parameters))
+    , rolls(stage.rolls(progress.stage_begun ? progress.control.start
+                                             : progress.reached))
+    , law(
+        contact.law("Stage " + std::to_string(progress.stage + 1) + "/Friction",
+                    stage.friction,
+                    stage.glued,
+                    rolls))
+  {
+    if (progress.stage_begun)
+      control->restore(progress.control);
+  }
+
+
+  Loads
+  StageRun::loads_without_foundation(const LoadLevel &level) const
+  {
+    Loads loads;
+    // that of a sealed gas changes only with the state
+    loads.sealed_gas = stage.sealed;
+    loads.pressure =
+      (stage.sealed ? progress.reached.pressure : level.pressure);
+    loads.factor          = level.factor;
+    loads.factor_of_shape = progress.factor_of_shape;
+    if (rolls)
+      loads.rolling = Rolling{level.angular_velocity};
+    return loads;
+  }
+
+
+  Loads
+  StageRun::loads_at(const LoadLevel                            &level,
+                     const std::shared_ptr<const TangentialLaw> &law) const
+  {
+    Loads loads = loads_without_foundation(level);
+    if (stage.contact)
+      {
+        const double slip_angle = level.slip_angle * numbers::PI / 180;
+        loads.foundation =
+          on_steered(
+            contact.foundation(*progress.touching_travel + level.travel),
+            slip_angle)
+            .displaced(level.slide,
+                       level.turn * numbers::PI / 180,
+                       progress.touched_point)
+            .around(-level.wheel_turn * numbers::PI / 180);
+        loads.law = law;
+        if (loads.rolling)
+          loads.rolling->ground = GroundMotion::under_wheel(
+            *loads.foundation, level.ground_velocity, slip_angle);
+      }
+    return loads;
+  }
+
+
+  Control::Equilibrium
+  StageRun::last_converged() const
+  {
+    return {equations,
+            contact,
+            state,
+            progress.reached,
+            progress.last_change,
+            [this](const LoadLevel &level) { return loads_at(level); }};
+  }
+
+
+  ShellEquations::Unbalance
+  StageRun::start_from_prestress()
+  {
+    for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
+                    progress.reached,
+                    LoadLevel());
+    progress.work            = Work();
+    progress.factor_of_shape = progress.reached.factor;
+    progress.touching_travel.reset();
+    progress.reaction.reset();
+    progress.last_change.clear();
+    return equations.start_from_prestress(
+      state, loads_without_foundation(progress.reached));
+  }
+
+
+  std::optional<ShellEquations::Unbalance>
+  StageRun::start()
+  {
+    std::optional<ShellEquations::Unbalance> unbalance;
+    if (stage.from_prestress)
+      unbalance = start_from_prestress();
+    if (stage.contact && !progress.touching_travel)
+      {
+        progress.touching_travel = contact.touching_travel(state);
+        progress.touched_point =
+          contact.touched_point(state, *progress.touching_travel);
+        progress.reaction = {progress.reached, {}, {}};
+      }
+    progress.first_reaction = progress.reaction;
+    InternalForces::set_theory(stage.theory, state);
+    equations.start_stage(loads_at(progress.reached), state);
+
+    control->begin(last_converged());
+    progress.control = control->get_memory();
+    progress.predictor.reset();
+    progress.stage_begun = true;
+    return unbalance;
+  }
+} // namespace Biface

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/quantities/footprint.h>
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/step_reporting.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  report_contact(const StageRun &run, const Loads &loads, StepReport &report)
+  {
+    const LoadLevel &level = run.progress.reached;
+    report.loads           = loads;
+    report.level           = level;
+    report.approach        = (run.stage.contact ? level.travel : 0.);
+    if (run.stage.contact)
+      {
+        report.slide = level.slide;
+        report.turn  = level.turn;
+      }
+    report.contact   = run.contact.summarize(run.state, loads);
+    report.footprint = find_footprint(run.contact, run.state, loads);
+  }
+
+
+  namespace
+  {
+    /** The stiffness of the last step, if the foundation alone has moved.
+     * @param before what it exerted before the step. */
+    std::optional<StepStiffness>
+    stiffness(const StageRun                          &run,
+              const std::optional<FoundationReaction> &before)
+    {
+      const Progress &progress = run.progress;
+      const auto     &first    = progress.first_reaction;
+      if (!first || !before)
+        return {};
+      const LoadLevel &now = progress.reaction->level;
+      // the pressure of a sealed gas follows from the motion
+      if (now.factor != first->level.factor ||
+          (now.pressure != first->level.pressure && !run.stage.sealed))
+        return {};
+
+      const Tensor<1, 3> outward = run.contact.foundation(0).direction();
+      const Point<3>     center  = progress.touched_point + first->level.slide -
+                              first->level.travel * outward;
+      const auto secant =
+        foundation_stiffness(*first, *progress.reaction, outward, center);
+      const auto tangent =
+        foundation_stiffness(*before, *progress.reaction, outward, center);
+      if (!secant || !tangent)
+        return {};
+      return StepStiffness{*first, *secant, *tangent};
+    }
+  } // namespace
+
+
+  StepReport
+  report_step(const StageRun                           &run,
+              const Loads                              &loads,
+              const std::shared_ptr<const NodalForces> &forces)
+  {
+    Progress  &progress = run.progress;
+    StepReport report;
+    report.step       = progress.n_steps;
+    report.instant    = run.instant();
+    report.stage      = run.stage.name;
+    report.in_contact = run.stage.contact;
+    report.work       = progress.work;
+    report_contact(run, loads, report);
+    report.forces                                  = forces;
+    report.controlled                              = run.control->controlled();
+    const std::optional<FoundationReaction> before = progress.reaction;
+    progress.reaction.reset();
+    if (!run.stage.contact)
+      return report;
+
+    const ForceOnShell now =
+      force_of_foundation(run.equations, run.state, *forces, Point<3>());
+    progress.reaction = {progress.reached, now.force, now.moment};
+    report.stiffness  = stiffness(run, before);
+    if (loads.rolling)
+      {
+        report.rolling = summarize_rolling(
+          run.equations, run.contact, run.state, loads, *forces);
+        if (progress.free_rolling_radius)
+          report.slip_ratio =
+            slip_ratio(progress.reached, *progress.free_rolling_radius);
+      }
+    return report;
+  }
+} // namespace Biface

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Three shipped examples, with friction, with a rolling wheel, and on a drum
+// with a sealed gas, give the same results in m, N, Pa and kg as in mm, N, MPa
+// and tonnes, with all entries at their defaults that do not describe the
+// example.
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <biface/program/design_variable.h>
+
+#include <run_analysis.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  // of the numbers in m, N, Pa and kg
+  constexpr double length = 1e-3, pressure = 1e6, density = 1e12;
+
+  /** The entries of an example by their units, in the form of
+   * 'Sensitivities/Entries'. */
+  struct Entries
+  {
+    std::string lengths, pressures, densities;
+  };
+
+
+  /** The entries of all three tires. */
+  Entries
+  with_tire(const Entries &others)
+  {
+    return {"Surface/Circular arc/Radius, Surface/Circular arc/Center radius, "
+            "Laminate/Plies[1], Laminate/Plies[3], Laminate/Plies[5], "
+            "Laminate/Plies[7], Stage 2/Travel" +
+              others.lengths,
+            "Material cord/E_L, Material cord/E_T, Material cord/G_LT, "
+            "Material cord/G_TT, Stage 1/Pressure" +
+              others.pressures,
+            "Material cord/Density" + others.densities};
+  }
+
+
+  /** The settings of an example with all numbers in m, N, Pa and kg. */
+  std::vector<Override>
+  converted(const std::string           &file,
+            const std::vector<Override> &overrides,
+            const Entries               &entries)
+  {
+    Parameters       parameters;
+    ParameterHandler prm;
+    read_parameters(file, overrides, MPI_COMM_WORLD, parameters, prm);
+    std::vector<Override> result = overrides;
+    for (const Override &setting : settings(
+           parse_design_variables(
+             "",
+             "length: factor of " + entries.lengths + "; pressure: factor of " +
+               entries.pressures + "; density: factor of " + entries.densities),
+           {length, pressure, density},
+           prm,
+           "test"))
+      result.push_back(setting);
+    return result;
+  }
+
+
+  /** The results of a step in mm, N and MPa. */
+  std::vector<double>
+  numbers_of(const StepReport &report,
+             const double      length,
+             const double      pressure)
+  {
+    const double        energy = length;
+    std::vector<double> numbers{report.loads.pressure / pressure,
+                                report.contact.force,
+                                report.contact.area / (length * length),
+                                report.contact.max_pressure / pressure,
+                                report.footprint.length / length,
+                                report.footprint.width / length,
+                                report.work.loads / energy,
+                                report.work.friction / energy};
+    if (report.rolling)
+      for (const double number : {report.rolling->force[0],
+                                  report.rolling->force[1],
+                                  report.rolling->force[2],
+                                  report.rolling->moment[2] / energy,
+                                  report.rolling->rolling_resistance,
+                                  report.rolling->rolling_radius / length})
+        numbers.push_back(number);
+    return numbers;
+  }
+
+
+  void
+  compare(const std::string           &name,
+          const std::vector<Override> &changes,
+          const Entries               &others)
+  {
+    const std::string     file = PRM_DIR "/" + name;
+    std::vector<Override> overrides{
+      "Mesh/Intervals alpha_1=-120:120:10",
+      "Mesh/Intervals alpha_2=-180:-30:3, -30:30:8, 30:180:3",
+      "Contact/Multiplier mass=lumped",
+      "Contact/Regularization=automatic",
+      "Contact/Tangential regularization=automatic",
+      "Material cord/Density=1.2e-9",
+      "Newton/Residual tolerance=1e-10"};
+    overrides.insert(overrides.end(), changes.begin(), changes.end());
+
+    const auto in_mm = run_analysis(file, overrides);
+    const auto in_m =
+      run_analysis(file, converted(file, overrides, with_tire(others)));
+    double difference = in_m.size() == in_mm.size() ? 0. : 1.;
+    for (unsigned int s = 0; s < std::min(in_m.size(), in_mm.size()); ++s)
+      {
+        const auto expected = numbers_of(in_mm[s], 1, 1);
+        const auto found    = numbers_of(in_m[s], length, pressure);
+        for (unsigned int i = 0; i < expected.size(); ++i)
+          // forces across the symmetry of the tire are round-off of others
+          difference = std::max(difference,
+                                std::abs(found[i] - expected[i]) /
+                                  std::max(std::abs(expected[i]), 1e-3));
+      }
+    check_small(
+      name + ", " + std::to_string(in_mm.size()) + " steps", difference, 1e-6);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  compare("tire_on_rough_ground.prm",
+          {"Stage 2/Steps=2",
+           "Stage 3/Steps=2",
+           "Stage 4/Steps=1",
+           "Stage 5/Steps=1"},
+          {", Stage 3/Slide[2]", "", ""});
+  compare("rolling_tire.prm",
+          {"Contact/Critical velocity=500",
+           "Stage 2/Steps=1",
+           "Stage 3/Steps=2",
+           "Stage 4/Slip angle=-1",
+           "Stage 4/Steps=1",
+           "Stage 5/Slip angle=1",
+           "Stage 5/Steps=1",
+           "Stage 6/Angular velocity=41.5",
+           "Stage 6/Steps=1",
+           "Stage 7/Angular velocity=41",
+           "Stage 7/Steps=1"},
+          {", Stage 3/Ground velocity, Contact/Critical velocity", "", ""});
+  compare("tire_on_drum.prm",
+          {"Stage 2/Steps=2",
+           "Stage 2/Pressure=unchanged",
+           "Stage 2/Gas=sealed",
+           "Gas/Ambient pressure=0.101325"},
+          {", Contact/Drum/Radius", ", Gas/Ambient pressure", ""});
+  return 0;
+}
