@@ -26,9 +26,9 @@ namespace Biface
 
 
   GroundMotion
-  GroundMotion::under_wheel(const RigidFoundation &ground,
-                            const double           speed,
-                            const double           slip_angle)
+  GroundMotion::under_wheel(const RigidBody &ground,
+                            const double     speed,
+                            const double     slip_angle)
   {
     GroundMotion       result;
     const Point<3>     apex = ground.apex();
@@ -49,8 +49,8 @@ namespace Biface
   }
 
 
-  RigidFoundation
-  on_steered(const RigidFoundation &ground, const double slip_angle)
+  RigidBody
+  on_steered(const RigidBody &ground, const double slip_angle)
   {
     // right-handed about the direction, that is downward
     return ground.cylinder() ? ground.displaced({}, -slip_angle, ground.apex())

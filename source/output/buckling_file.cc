@@ -38,7 +38,7 @@ namespace Biface
                  std::to_string(i + 1) + ',' + report.stage;
         for (const double value : {critical.factor,
                                    critical.level.pressure,
-                                   critical.level.factor,
+                                   critical.level.factors[0],
                                    critical.level.travel,
                                    mode.load_work})
           lines += ',' + csv_number(value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 
@@ -19,23 +19,24 @@ namespace Biface
   {
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
+    const ContactState     &zone    = state.ground();
 
     Rows rows;
-    if (report.loads.foundation)
+    if (const PlacedBody *ground = report.loads.body(0))
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         {
           const Node &node = mesh.nodes[n];
           bool        near = false;
           for (const unsigned int neighbor : mesh.neighbors[n])
-            near = near || state.active[neighbor];
+            near = near || zone.active[neighbor];
           if (!node.locally_owned || !near)
             continue;
 
           const Point<3> x =
             mesh.deformed_position(state.displacement, node, Resultants::outer);
-          const double       pressure = state.contact_pressure(n);
+          const double       pressure = zone.pressure(n);
           const Tensor<1, 3> friction =
-            contact_traction(mesh, state, report.loads, n).friction;
+            contact_traction(zone, ground, n, x).friction;
           const ThicknessMetric metric(node.surface.curvature,
                                        node.face_heights);
           rows.push_back({chart_coordinate(surface, node, 0),
@@ -43,11 +44,11 @@ namespace Biface
                           x[0],
                           x[1],
                           x[2],
-                          report.loads.foundation->clearance(x),
+                          ground->body.clearance(x),
                           pressure,
-                          static_cast<double>(state.active[n]),
+                          static_cast<double>(zone.active[n]),
                           pressure * metric.area_ratio(Resultants::outer),
-                          slips(state, report.loads, n) ? 1. : 0.,
+                          slips(zone, ground, n) ? 1. : 0.,
                           friction[0],
                           friction[1],
                           friction[2]});

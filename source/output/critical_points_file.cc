@@ -35,7 +35,7 @@ namespace Biface
                        std::to_string(point.n_negative_after);
     for (const double value : {point.loads.factor,
                                point.loads.level.pressure,
-                               point.loads.level.factor,
+                               point.loads.level.factors[0],
                                point.loads.level.travel,
                                point.mode.load_work})
       line += ',' + csv_number(value);

@@ -58,7 +58,7 @@ namespace Biface
                  report.iterations,
                  report.seconds,
                  report.loads.pressure,
-                 report.loads.factor};
+                 report.loads.factors[0]};
        }},
       {{"strain_energy"},
        [](const Step &step) -> Values {
@@ -140,7 +140,7 @@ namespace Biface
     if (is_wheel(mesh))
       groups.push_back(
         {{"loaded_radius", "wheel_turn"}, [](const Step &step) -> Values {
-           const auto &foundation = step.report.loads.foundation;
+           const auto &foundation = step.report.loads.ground();
            return {foundation ? foundation->clearance(Point<3>()) : 0.,
                    step.report.level.wheel_turn};
          }});

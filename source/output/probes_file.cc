@@ -59,8 +59,8 @@ namespace Biface
         const auto add = [&](const std::string &face,
                              const double       share_of_inner) {
           lines += std::to_string(report.step) + ',' + report.stage + ',' +
-                   csv_number(report.loads.factor) + ',' + point.name + ',' +
-                   face;
+                   csv_number(report.loads.factors[0]) + ',' + point.name +
+                   ',' + face;
           for (const auto &faces : {u.global, u.local})
             for (unsigned int i = 0; i < 3; ++i)
               lines += ',' + csv_number(share_of_inner * faces[0][i] +

@@ -162,7 +162,7 @@ namespace Biface
               mesh.deformed_position(state.displacement, node, face);
             row.insert(row.end(), {x[0], x[1], x[2]});
           }
-        row.push_back(state.contact_pressure(n));
+        row.push_back(state.ground().pressure(n));
         // displacements are linear in the height
         const auto [inner, outer] = node.face_heights;
         const double fraction =

@@ -59,9 +59,10 @@ namespace Biface
     for (unsigned int n = 0; n < equations.mesh.nodes.size(); ++n)
       {
         const auto       &heights = equations.mesh.nodes[n].face_heights;
-        const Penetration here{state.contact_pressure(n) /
-                                 contact.condition.multiplier_stiffness(),
-                               heights[1] - heights[0]};
+        const Penetration here{
+          state.ground().pressure(n) /
+            contact.ground().condition.multiplier_stiffness(),
+          heights[1] - heights[0]};
         if (here.relative() > largest.relative())
           largest = here;
       }
@@ -85,7 +86,7 @@ namespace Biface
       {
         std::vector<unsigned int> active(mesh.grid.lines[a].size());
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-          if (state.active[n])
+          if (state.ground().active[n])
             active[mesh.nodes[n].grid_index[a]] = 1;
         Utilities::MPI::max(active, mesh.communicator, active);
         n_lines[a] = std::count(active.begin(), active.end(), 1U);
@@ -129,7 +130,7 @@ namespace Biface
   std::vector<std::string>
   ResultsCheck::add(const StepReport &report, const State &state)
   {
-    // of the internal forces
+    // part of the internal forces
     constexpr double round_off = 1e-6;
 
     Figures now;
@@ -152,7 +153,7 @@ namespace Biface
         in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
         " of its thickness of " + in_digits(deep.thickness) +
         "; raise 'Contact/Regularization', which is " +
-        in_digits(contact.condition.multiplier_stiffness()) + ".");
+        in_digits(contact.ground().condition.multiplier_stiffness()) + ".");
     const Balance &forces = now.balance;
     if (forces.interpolation > remarkable * forces.largest_reaction &&
         forces.interpolation > round_off * forces.internal &&

@@ -30,7 +30,11 @@ namespace Biface
                column.compare(column.size() - end.size(), end.size(), end) == 0;
       };
       for (const std::string counted :
-           {"iterations", "seconds", "contact_nodes", "slipping_nodes"})
+           {"iterations",
+            "seconds",
+            "contact_nodes",
+            "slipping_nodes",
+            "slack_cords"})
         if (column == counted)
           return false;
       return !ends_with("_work") && !ends_with("_alpha_1") &&

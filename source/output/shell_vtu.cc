@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/output/shell_vtu.h>
 
 namespace Biface
@@ -70,9 +70,9 @@ namespace Biface
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = u[i];
                 patch.data(d++, v) =
-                  (face == outer ? state.contact_pressure(cell.nodes[v]) : 0.);
+                  (face == outer ? state.ground().pressure(cell.nodes[v]) : 0.);
                 patch.data(d++, v) =
-                  (face == outer ? state.active[cell.nodes[v]] : 0);
+                  (face == outer ? state.ground().active[cell.nodes[v]] : 0);
                 patch.data(d++, v) = face;
                 for (unsigned int ab = 0; ab < 3; ++ab)
                   patch.data(d++, v) = H[v][tangential(ab, face)];
@@ -81,10 +81,16 @@ namespace Biface
                 patch.data(d++, v) = H[v][thickness];
                 Tensor<1, 3> friction;
                 if (face == outer)
-                  friction = contact_traction(mesh, state, loads, cell.nodes[v])
+                  friction = contact_traction(state.ground(),
+                                              loads.body(0),
+                                              cell.nodes[v],
+                                              patch.vertices[v])
                                .friction;
                 patch.data(d++, v) =
-                  (face == outer && slips(state, loads, cell.nodes[v]) ? 1 : 0);
+                  (face == outer &&
+                       slips(state.ground(), loads.body(0), cell.nodes[v])
+                     ? 1
+                     : 0);
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = friction[i];
                 if (mesh.layup.has_slack_cords())

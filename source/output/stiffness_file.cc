@@ -75,7 +75,7 @@ namespace Biface
     const FoundationReaction  &loaded    = stiffness.loaded;
     const FoundationStiffness &secant    = stiffness.secant;
     const FoundationStiffness &tangent   = stiffness.tangent;
-    const Tensor<1, 3>        &outward   = report.loads.foundation->direction();
+    const Tensor<1, 3>        &outward   = report.loads.ground()->direction();
 
     append(std::to_string(report.step) + ',' + report.stage + ',' +
            csv_number(loaded.level.pressure) + ',' +

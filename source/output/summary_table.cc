@@ -21,7 +21,7 @@ namespace Biface
                     const std::vector<FailureMaximum> &failure_maxima)
   {
     Line line{report.step,
-              report.loads.factor,
+              report.loads.factors[0],
               report.loads.pressure,
               report.approach,
               report.in_contact,

@@ -112,6 +112,7 @@ namespace Biface
                                                "Turn",
                                                "Wheel turn",
                                                "Load factor",
+                                               "Load factors",
                                                "Angular velocity",
                                                "Ground velocity",
                                                "Slip angle",
@@ -128,6 +129,39 @@ namespace Biface
       // a restart does not know the settings of the perturbed runs
       return !progress.stage_begun ||
              (!with_derivatives && free_entries.count(match[2]) > 0);
+    }
+
+
+    /** The names in an entry 'Load factors'. */
+    std::set<std::string>
+    names_in(const std::string &entry, const std::string &value)
+    {
+      std::set<std::string> names;
+      for (const auto &factor : parse_load_factors(entry, value))
+        names.insert(factor.first);
+      return names;
+    }
+
+
+    /** Refuse other names in the entry 'Load factors' of a stage that has
+     * begun: where its loads are on their way is only known for those. */
+    void
+    check_named_loads(const Progress                           &progress,
+                      const std::map<std::string, std::string> &before,
+                      const std::string                        &entry,
+                      const std::string                        &now)
+    {
+      const auto old = before.find(entry);
+      if (!progress.stage_begun || old == before.end() ||
+          entry !=
+            "Stage " + std::to_string(progress.stage + 1) + "/Load factors" ||
+          names_in(entry, old->second) == names_in(entry, now))
+        return;
+      throw InputError(entry,
+                       now,
+                       "the run to be continued is in this stage with '" +
+                         old->second +
+                         "', so that only the numbers may change");
     }
 
 
@@ -162,6 +196,7 @@ namespace Biface
                            entry.second,
                            "the run to be continued has reached stage " +
                              std::to_string(progress.stage + 1));
+        check_named_loads(progress, values, entry.first, entry.second);
         if (may_change(entry.first, progress, with_derivatives))
           continue;
         if (old == values.end())

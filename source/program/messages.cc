@@ -84,10 +84,10 @@ namespace Biface
                                         std::max(0., planned - now))));
     text += ":";
     char part[256];
-    if (report.loads.factor != 0)
+    if (report.loads.factors[0] != 0)
       {
         std::snprintf(
-          part, sizeof(part), " load factor %.6g,", report.loads.factor);
+          part, sizeof(part), " load factor %.6g,", report.loads.factors[0]);
         text += part;
       }
     if (report.loads.pressure != 0)
@@ -181,7 +181,7 @@ namespace Biface
   {
     const auto loads = [&](const LoadLevel &point) {
       return "pressure " + number_to_string(point.pressure) + ", load factor " +
-             number_to_string(point.factor) +
+             number_to_string(point.factors[0]) +
              (result.in_contact ? ", approach " + number_to_string(point.travel)
                                 : "");
     };

@@ -132,7 +132,7 @@ namespace Biface
     check_gas();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check_slide("Stage " + std::to_string(i + 1),
-                            contact.foundation.line.direction);
+                            contact.body.line.direction);
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
         const std::string entry =
@@ -240,9 +240,9 @@ namespace Biface
                                "it needs 'Contact = true'");
             continue;
           }
-        const Tensor<1, 3> &direction = contact.foundation.line.direction;
-        using Shape                   = RigidFoundation::Parameters::Shape;
-        if (contact.foundation.shape == Shape::sphere)
+        const Tensor<1, 3> &direction = contact.body.line.direction;
+        using Shape                   = RigidBody::Parameters::Shape;
+        if (contact.body.shape == Shape::sphere)
           throw InputError("the wheel rolls in stage " + std::to_string(i + 1) +
                            ", which needs 'Contact/Foundation = plane' or "
                            "'drum'.");
@@ -253,8 +253,8 @@ namespace Biface
                            "the axle of the wheel");
         // between the axle and the axis of a drum
         constexpr double   min_cosine = 0.1;
-        const Tensor<1, 3> axis       = contact.foundation.drum.axis;
-        if (contact.foundation.shape == Shape::drum &&
+        const Tensor<1, 3> axis       = contact.body.drum.axis;
+        if (contact.body.shape == Shape::drum &&
             std::abs(axis[1]) < min_cosine * axis.norm())
           throw InputError("Contact/Drum/Axis",
                            vector_to_string(axis),
@@ -388,25 +388,53 @@ namespace Biface
   {
     std::vector<std::string> sentences;
 
+    const auto rests = [this](const unsigned int factor) {
+      return std::all_of(
+        stages.begin(), stages.end(), [factor](const Stage &stage) {
+          return factor_at(stage.factors, factor).value_or(0) == 0;
+        });
+    };
+    const auto of_support_rests =
+      [&rests](const std::vector<SupportCondition> &support) {
+        return std::any_of(support.begin(),
+                           support.end(),
+                           [&](const SupportCondition &condition) {
+                             return condition.value != 0 &&
+                                    rests(condition.factor);
+                           });
+      };
     std::vector<std::string> dead;
-    if (!loads.point_forces.empty())
+    if (std::any_of(
+          loads.point_forces.begin(),
+          loads.point_forces.end(),
+          [&](const PointForce &item) { return rests(item.force.factor); }))
       dead.emplace_back("Loads/Point forces");
-    if (!loads.edge_forces.empty())
+    if (std::any_of(
+          loads.edge_forces.begin(),
+          loads.edge_forces.end(),
+          [&](const EdgeForce &item) { return rests(item.force.factor); }))
       dead.emplace_back("Loads/Edge forces");
-    if (!loads.edge_moments.empty())
+    if (std::any_of(
+          loads.edge_moments.begin(),
+          loads.edge_moments.end(),
+          [&](const EdgeMoment &moment) { return rests(moment.factor); }))
       dead.emplace_back("Loads/Edge moments");
-    if (!loads.tractions[Resultants::inner].components.empty())
-      dead.emplace_back("Loads/Inner traction");
-    if (!loads.tractions[Resultants::outer].components.empty())
-      dead.emplace_back("Loads/Outer traction");
-    if (loads.area_force.norm() > 0)
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      if (!loads.tractions[face].components.empty() &&
+          rests(loads.tractions[face].factor))
+        dead.emplace_back(face == Resultants::inner ? "Loads/Inner traction"
+                                                    : "Loads/Outer traction");
+    if (loads.area_force.norm() > 0 && rests(loads.factor_of_area_force))
       dead.emplace_back("Loads/Area force");
-    if (supports.prescribe())
+    if (std::any_of(
+          supports.edges.begin(), supports.edges.end(), of_support_rests) ||
+        std::any_of(supports.points.begin(),
+                    supports.points.end(),
+                    [&](const PointSupport &point) {
+                      return of_support_rests(point.conditions);
+                    }))
       dead.emplace_back("Supports");
-    if (!dead.empty() &&
-        std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.factor.value_or(0) != 0;
-        }))
+    if (!dead.empty())
       sentences.push_back("No stage applies " + in_quotes(dead) +
                           ": the load factor stays 0; set 'Load "
                           "factor' in a stage.");

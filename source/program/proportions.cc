@@ -40,10 +40,9 @@ namespace Biface
 
     /** Between two nodes, a smaller foundation passes through the shell. */
     void
-    check_radius(const RigidFoundation::Parameters &foundation,
-                 const ShellMesh                   &mesh)
+    check_radius(const RigidBody::Parameters &foundation, const ShellMesh &mesh)
     {
-      using Shape = RigidFoundation::Parameters::Shape;
+      using Shape = RigidBody::Parameters::Shape;
       if (foundation.shape == Shape::plane)
         return;
       const bool   is_drum = (foundation.shape == Shape::drum);
@@ -66,9 +65,10 @@ namespace Biface
     {
       double value = 0, factor = 0;
       for (const PrescribedDisplacement &p : mesh.prescribed)
-        value = std::max(value, std::abs(p.value));
+        value = std::max(value, std::abs(p.values).sum());
       for (const Stage &stage : stages)
-        factor = std::max(factor, std::abs(stage.factor.value_or(0)));
+        for (const std::optional<double> &at_end : stage.factors)
+          factor = std::max(factor, std::abs(at_end.value_or(0)));
       return factor * Utilities::MPI::max(value, mesh.communicator);
     }
 
@@ -118,7 +118,7 @@ namespace Biface
           return stage.contact;
         }))
       return;
-    check_radius(parameters.contact.foundation, mesh);
+    check_radius(parameters.contact.body, mesh);
     check_travel(stages, mesh);
     check_critical_velocity(parameters, mesh);
   }

@@ -307,6 +307,7 @@ namespace Biface
     void
     complete(const MPI_Comm communicator, Parameters &parameters)
     {
+      parameters.assign_load_factors();
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

@@ -24,6 +24,125 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** Refuse a changed mesh whose unknowns are not those of the run. */
+    void
+    check_mesh(const ShellMesh   &mesh,
+               const ShellMesh   &changed,
+               const std::string &name)
+    {
+      bool same =
+        mesh.n_nodes() == changed.n_nodes() &&
+        mesh.cells.size() == changed.cells.size() &&
+        mesh.nodes.size() == changed.nodes.size() &&
+        mesh.locally_relevant == changed.locally_relevant &&
+        mesh.constraints.n_constraints() == changed.constraints.n_constraints();
+      for (unsigned int n = 0; same && n < mesh.nodes.size(); ++n)
+        same =
+          mesh.nodes[n].dofs == changed.nodes[n].dofs &&
+          mesh.nodes[n].number == changed.nodes[n].number &&
+          mesh.nodes[n].face_is_free == changed.nodes[n].face_is_free;
+      if (Utilities::MPI::min(static_cast<unsigned int>(same),
+                              mesh.communicator) == 0)
+        throw InputError("Sensitivities/Entries",
+                         name,
+                         "a small change of it must not change the nodes of "
+                         "the mesh");
+    }
+
+
+    /** Whether three values at equal distances are on a straight line: whether
+     * the second deviates from the mean of the others by no more than a part of
+     * their difference.
+     * @param roundoff a deviation that does not count. */
+    bool
+    is_straight(const double below,
+                const double here,
+                const double above,
+                const double roundoff)
+    {
+      constexpr double smooth = 0.05;
+
+      return !(std::abs((above + below) / 2 - here) >
+               smooth * std::abs(above - below) + roundoff);
+    }
+
+
+    /** The stages at whose ends derivatives are wanted. */
+    std::vector<Stage>
+    wanted_stages(const Parameters &parameters)
+    {
+      std::vector<Stage> wanted;
+      for (unsigned int s = 0; s < parameters.stages.size(); ++s)
+        if (parameters.sensitivities.is_wanted(s, parameters.stages.size()))
+          wanted.push_back(parameters.stages[s]);
+      return wanted;
+    }
+
+
+    /** The results of which derivatives are computed, of a run with the given
+     * parameters. */
+    ScalarResults
+    asked_results(const Parameters &parameters, const ShellModel &model)
+    {
+      return {"Sensitivities/Outputs",
+              parameters.sensitivities.outputs,
+              *model.mesh,
+              parameters.output.criteria,
+              parameters.output.forces.moment_center,
+              ScalarResults::Known::at_ends(model.cavity.get(),
+                                            wanted_stages(parameters)),
+              ScalarResults::Columns::differentiable};
+    }
+
+
+    bool
+    are_finite(const std::vector<double> &values)
+    {
+      return std::all_of(values.begin(), values.end(), [](const double value) {
+        return std::isfinite(value);
+      });
+    }
+
+
+    /** The forces on the nodes, with those of the foundation that balance the
+     * others where it is in contact: stiff contact makes the round-off of
+     * positions large, but equilibrium is known. */
+    NodalForces
+    forces_in_equilibrium(const ShellModel &model,
+                          const State      &state,
+                          const Loads      &loads)
+    {
+      const ShellMesh &mesh = *model.mesh;
+      const ActiveSet  active =
+        model.contact.in_any_pair(model.contact.active_nodes(state));
+      NodalForces forces     = model.equations.nodal_forces(state, loads);
+      LA::Vector &foundation = forces[ForceTerm::Source::foundation];
+      LA::Vector  sum        = foundation;
+      sum += forces[ForceTerm::Source::shell];
+      sum += forces[ForceTerm::Source::loads];
+      mesh.condense(sum);
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].locally_owned && active[n])
+          for (const auto dof : mesh.nodes[n].dofs)
+            if (!mesh.constraints.is_constrained(dof))
+              foundation(dof) -= sum(dof);
+      foundation.compress(VectorOperation::add);
+      return forces;
+    }
+
+
+    /** Give a state the contact multipliers of another one. */
+    void
+    take_multipliers(const State &from, State &to)
+    {
+      for (unsigned int i = 0; i < to.contacts.size(); ++i)
+        to.contacts[i].multipliers = from.contacts[i].multipliers;
+    }
+  } // namespace
+
+
   /** A run with a changed entry. */
   struct SensitivityAnalysis::Neighbor
   {
@@ -31,7 +150,8 @@ namespace Biface
              std::shared_ptr<const ShellMesh>  mesh)
       : parameters(std::move(given))
       , model(*parameters, std::move(mesh))
-      , state(*model.mesh)
+      , results(asked_results(*parameters, model))
+      , state(model.contact.unloaded_state())
     {}
 
     RestorePoint
@@ -61,6 +181,7 @@ namespace Biface
 
     const std::shared_ptr<const Parameters> parameters;
     ShellModel                              model;
+    const ScalarResults                     results;
     State                                   state;
     Progress                                progress;
     StageEnds                               ends;
@@ -73,75 +194,38 @@ namespace Biface
     Loads          loads;
     State          before;
     LoadLevel      level_before;
+
+    /** How it deviates from the run at the end of this step. */
+    struct Deviation
+    {
+      LA::Vector     displacements;
+      LoadParameters mu;
+    };
+    Deviation deviation;
+    /** The deviation for which the forces were evaluated last. The round-off in
+     * the positions is balanced by the displacements since. */
+    Deviation balanced;
+    /** The displacements of the run, but at the supports its own. */
+    LA::Vector fixed;
+
+    /** The displacements for which the forces were evaluated last. */
+    LA::Vector
+    balanced_displacements() const
+    {
+      LA::Vector result = fixed;
+      result += balanced.displacements;
+      return result;
+    }
+
+    /** The displacements since. */
+    LA::Vector
+    since_balanced() const
+    {
+      LA::Vector result = deviation.displacements;
+      result -= balanced.displacements;
+      return result;
+    }
   };
-
-
-  namespace
-  {
-    /** Refuse a changed mesh whose unknowns are not those of the run. */
-    void
-    check_mesh(const ShellMesh   &mesh,
-               const ShellMesh   &changed,
-               const std::string &name)
-    {
-      bool same =
-        mesh.n_nodes() == changed.n_nodes() &&
-        mesh.cells.size() == changed.cells.size() &&
-        mesh.nodes.size() == changed.nodes.size() &&
-        mesh.locally_relevant == changed.locally_relevant &&
-        mesh.constraints.n_constraints() == changed.constraints.n_constraints();
-      for (unsigned int n = 0; same && n < mesh.nodes.size(); ++n)
-        same =
-          mesh.nodes[n].dofs == changed.nodes[n].dofs &&
-          mesh.nodes[n].number == changed.nodes[n].number &&
-          mesh.nodes[n].outer_face_free == changed.nodes[n].outer_face_free;
-      if (Utilities::MPI::min(static_cast<unsigned int>(same),
-                              mesh.communicator) == 0)
-        throw InputError("Sensitivities/Entries",
-                         name,
-                         "a small change of it must not change the nodes of "
-                         "the mesh");
-    }
-
-
-    /** The stages at whose ends derivatives are wanted. */
-    std::vector<Stage>
-    wanted_stages(const Parameters &parameters)
-    {
-      std::vector<Stage> wanted;
-      for (unsigned int s = 0; s < parameters.stages.size(); ++s)
-        if (parameters.sensitivities.is_wanted(s, parameters.stages.size()))
-          wanted.push_back(parameters.stages[s]);
-      return wanted;
-    }
-
-
-    /** The forces on the nodes, with those of the foundation that balance the
-     * others where it is in contact: stiff contact makes the round-off of
-     * positions large, but equilibrium is known. */
-    NodalForces
-    forces_in_equilibrium(const ShellEquations &equations,
-                          const State          &state,
-                          const Loads          &loads)
-    {
-      const ShellMesh &mesh       = equations.mesh;
-      NodalForces      forces     = equations.nodal_forces(state, loads);
-      LA::Vector      &foundation = forces[ForceTerm::Source::foundation];
-      LA::Vector       sum        = foundation;
-      sum += forces[ForceTerm::Source::shell];
-      sum += forces[ForceTerm::Source::loads];
-      mesh.condense(sum);
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        if (mesh.nodes[n].locally_owned && state.active[n])
-          for (const auto dof : mesh.nodes[n].dofs)
-            if (!mesh.constraints.is_constrained(dof))
-              foundation(dof) -= sum(dof);
-      foundation.compress(VectorOperation::add);
-      return forces;
-    }
-
-
-  } // namespace
 
 
   SensitivityAnalysis::SensitivityAnalysis(const Parameters   &parameters,
@@ -154,14 +238,7 @@ namespace Biface
     , linear_solver(linear_solver)
     , out(out)
     , timer(timer)
-    , results("Sensitivities/Outputs",
-              parameters.sensitivities.outputs,
-              *model.mesh,
-              parameters.output.criteria,
-              parameters.output.forces.moment_center,
-              ScalarResults::Known::at_ends(model.cavity.get(),
-                                            wanted_stages(parameters)),
-              ScalarResults::Columns::differentiable)
+    , results(asked_results(parameters, model))
   {
     TimerOutput::Scope scope(timer, "Sensitivities");
     for (const Change &change : parameters.sensitivities.changes)
@@ -187,7 +264,7 @@ namespace Biface
   NeighborPoints
   SensitivityAnalysis::get_restore_points() const
   {
-    NeighborPoints points{{}, lost_stages};
+    NeighborPoints points{{}, lost_stages, unsettled};
     for (const auto &neighbor : neighbors)
       {
         points.runs.push_back({neighbor->restore_point(), neighbor->ends});
@@ -205,6 +282,7 @@ namespace Biface
   {
     AssertDimension(points.runs.size(), neighbors.size());
     lost_stages = points.lost_stages;
+    unsettled   = points.unsettled;
     for (unsigned int i = 0; i < neighbors.size(); ++i)
       {
         Neighbor &neighbor = *neighbors[i];
@@ -229,7 +307,7 @@ namespace Biface
         const unsigned int last = stage - 1;
         if (is_branched_from(parameters.stages, last) &&
             lost_stages.count(last) == 0)
-          for (const auto &neighbor : neighbors)
+          for (const auto &neighbor : followers(last))
             {
               RestorePoint end     = neighbor->restore_point();
               end.progress.control = Control::Memory();
@@ -240,17 +318,32 @@ namespace Biface
             lost_stages.insert(stage);
             return;
           }
+        for (unsigned int e = 0; e < parameters.sensitivities.changes.size();
+             ++e)
+          if (unsettled.count({*before, e}) > 0)
+            unsettled.insert({stage, e});
         if (*before != last)
-          for (const auto &neighbor : neighbors)
+          for (const auto &neighbor : followers(stage))
             neighbor->restore(neighbor->ends.at(*before));
       }
-    for (const auto &neighbor : neighbors)
+    for (const auto &neighbor : followers(stage))
       {
         neighbor->progress.stage       = stage;
         neighbor->progress.stage_begun = false;
         neighbor->enter_stage();
         neighbor->run->start();
       }
+  }
+
+
+  std::vector<SensitivityAnalysis::Neighbor *>
+  SensitivityAnalysis::followers(const unsigned int stage) const
+  {
+    std::vector<Neighbor *> result;
+    for (unsigned int i = 0; i < neighbors.size(); ++i)
+      if (follows(i / 2, stage))
+        result.push_back(neighbors[i].get());
+    return result;
   }
 
 
@@ -261,7 +354,7 @@ namespace Biface
     // their change is controlled
     const bool buckles =
       results.have_buckling() && step.run.stage.n_buckling > 0;
-    return step.run.is_complete() || has_friction(step.loads) ||
+    return step.run.is_complete() || model.contact.has_friction(step.loads) ||
            step.trial.equations || buckles;
   }
 
@@ -367,36 +460,8 @@ namespace Biface
   };
 
 
-  LA::Vector
-  SensitivityAnalysis::Derivative::balanced_at(const unsigned int side,
-                                               const double       half) const
-  {
-    LA::Vector result = fixed[side];
-    result.add(half, balanced);
-    return result;
-  }
-
-
-  LA::Vector
-  SensitivityAnalysis::Derivative::since_balanced(const double half) const
-  {
-    LA::Vector result = displacements;
-    result -= balanced;
-    result *= half;
-    return result;
-  }
-
-
-  double
-  SensitivityAnalysis::half_step(const unsigned int e,
-                                 const unsigned int side) const
-  {
-    return (side == 0 ? -0.5 : 0.5) * parameters.sensitivities.changes[e].step;
-  }
-
-
-  LA::Vector
-  SensitivityAnalysis::propose(const Step &step, Neighbor &neighbor) const
+  void
+  SensitivityAnalysis::start(const Step &step, Neighbor &neighbor) const
   {
     // the proposal of the run, from the start of the neighbor
     Control::Memory        memory = step.memory;
@@ -414,150 +479,93 @@ namespace Biface
 
     State &state       = neighbor.state;
     state.displacement = step.state.displacement;
-    state.active       = step.state.active;
-    state.grips        = step.state.grips;
+    for (unsigned int i = 0; i < state.contacts.size(); ++i)
+      {
+        state.contacts[i].active = step.state.contacts[i].active;
+        state.contacts[i].grips  = step.state.contacts[i].grips;
+      }
     neighbor.model.equations.move_supports(
       state, neighbor.run->loads_at(neighbor.trial.level(step.mu)));
-    return owned_part(state.displacement);
-  }
-
-
-  SensitivityAnalysis::Derivative
-  SensitivityAnalysis::start(const Step &step, const unsigned int e) const
-  {
-    Derivative derivative{{{propose(step, *neighbors[2 * e]),
-                            propose(step, *neighbors[2 * e + 1])}},
-                          model.mesh->owned_vector(),
-                          model.mesh->owned_vector(),
-                          LoadParameters(step.mu.size()),
+    neighbor.fixed     = owned_part(state.displacement);
+    neighbor.deviation = {model.mesh->owned_vector(),
                           LoadParameters(step.mu.size())};
-    move(step, e, derivative);
-    return derivative;
+    neighbor.balanced  = neighbor.deviation;
+    move(step, neighbor);
   }
 
 
   void
-  SensitivityAnalysis::move(const Step        &step,
-                            const unsigned int e,
-                            const Derivative  &derivative) const
+  SensitivityAnalysis::move(const Step &step, Neighbor &neighbor) const
   {
-    for (unsigned int side = 0; side < 2; ++side)
-      {
-        Neighbor      &neighbor = *neighbors[2 * e + side];
-        const double   half     = half_step(e, side);
-        LoadParameters mu       = step.mu;
-        add(mu, half, derivative.mu);
-        neighbor.level = neighbor.trial.level(mu);
-        neighbor.loads = neighbor.run->loads_at(neighbor.level);
+    LoadParameters mu = step.mu;
+    add(mu, 1, neighbor.deviation.mu);
+    neighbor.level = neighbor.trial.level(mu);
+    neighbor.loads = neighbor.run->loads_at(neighbor.level);
 
-        State &state = neighbor.state;
-        // the very positions for which the forces were evaluated: contact is so
-        // stiff that the last digit matters
-        const LA::Vector balanced  = derivative.balanced_at(side, half);
-        state.displacement         = balanced;
-        LoadParameters balanced_mu = step.mu;
-        add(balanced_mu, half, derivative.balanced_mu);
-        const auto contact_before = neighbor.model.contact.linearize(
-          state, neighbor.run->loads_at(neighbor.trial.level(balanced_mu)));
-        double travel = 0;
-        if (neighbor.trial.equations)
-          for (unsigned int i = 0; i < mu.size(); ++i)
-            travel += half * (derivative.mu[i] - derivative.balanced_mu[i]) *
-                      neighbor.trial.equations->rates[i].travel;
-        const LA::Vector increment = derivative.since_balanced(half);
-        LA::Vector       moved     = derivative.fixed[side];
-        moved.add(half, derivative.displacements);
-        state.displacement           = moved;
-        LA::Vector ghosted_increment = model.mesh->ghosted_vector();
-        ghosted_increment            = increment;
-        neighbor.loads = neighbor.model.equations.with_dependent_loads(
-          neighbor.state, neighbor.loads);
-        neighbor.level.pressure = neighbor.loads.pressure;
-        neighbor.model.contact.compute_multipliers(
-          state, neighbor.loads, contact_before, ghosted_increment, travel);
-      }
+    State &state = neighbor.state;
+    // the very positions for which the forces were evaluated: contact is so
+    // stiff that the last digit matters
+    state.displacement         = neighbor.balanced_displacements();
+    LoadParameters balanced_mu = step.mu;
+    add(balanced_mu, 1, neighbor.balanced.mu);
+    const auto contact_before = neighbor.model.contact.linearize(
+      state, neighbor.run->loads_at(neighbor.trial.level(balanced_mu)));
+    double travel = 0;
+    if (neighbor.trial.equations)
+      for (unsigned int i = 0; i < mu.size(); ++i)
+        travel += (neighbor.deviation.mu[i] - neighbor.balanced.mu[i]) *
+                  neighbor.trial.equations->rates[i].travel;
+    LA::Vector moved = neighbor.fixed;
+    moved += neighbor.deviation.displacements;
+    state.displacement           = moved;
+    LA::Vector ghosted_increment = model.mesh->ghosted_vector();
+    ghosted_increment            = neighbor.since_balanced();
+    neighbor.loads =
+      neighbor.model.equations.with_dependent_loads(state, neighbor.loads);
+    neighbor.level.pressure = neighbor.loads.pressure;
+    neighbor.model.contact.compute_multipliers(
+      state, neighbor.loads, contact_before, ghosted_increment, travel);
   }
 
 
   LA::Vector
-  SensitivityAnalysis::force_rate(const Step        &step,
-                                  const unsigned int e,
-                                  const LA::Vector  &here,
-                                  const double       roundoff)
+  SensitivityAnalysis::unbalance(const Step       &step,
+                                 const LA::Vector &here,
+                                 Neighbor         &neighbor) const
   {
-    const Change             &change = parameters.sensitivities.changes[e];
-    std::array<LA::Vector, 2> forces;
-    for (unsigned int side = 0; side < 2; ++side)
-      {
-        Neighbor &neighbor = *neighbors[2 * e + side];
-        // Friction is linearized at these pressures. A small motion of the
-        // foundation at fixed displacements changes the pressure, which limits
-        // it, by a multiple of itself.
-        neighbor.state.multipliers = step.state.multipliers;
-        forces[side] = neighbor.model.equations.out_of_balance(neighbor.state,
-                                                               neighbor.loads);
-      }
-    LA::Vector difference = forces[1];
-    difference -= forces[0];
-    if (!has_friction(step.loads))
-      {
-        LA::Vector curvature = forces[1];
-        curvature += forces[0];
-        curvature.add(-2, here);
-        const double size = difference.l2_norm();
-        check_step(change,
-                   -size / 2,
-                   curvature.l2_norm() / 2,
-                   size / 2,
-                   roundoff,
-                   "the balance of forces");
-      }
-    difference /= change.step;
-    return difference;
+    // Friction is linearized at these pressures. A small motion of the
+    // foundation at fixed displacements changes the pressure, which limits it,
+    // by a multiple of itself.
+    take_multipliers(step.state, neighbor.state);
+    LA::Vector forces =
+      neighbor.model.equations.out_of_balance(neighbor.state, neighbor.loads);
+    forces -= here;
+    return forces;
   }
 
 
-  bool
-  SensitivityAnalysis::correct_loads(
+  LoadParameters
+  SensitivityAnalysis::missing_loads(
     const Step                    &step,
-    const unsigned int             e,
     const std::vector<LA::Vector> &per_parameter,
-    Derivative                    &derivative) const
+    const Neighbor                &neighbor) const
   {
-    LoadParameters further(step.mu.size());
-    for (unsigned int side = 0; side < 2; ++side)
-      {
-        const Neighbor &neighbor = *neighbors[2 * e + side];
-        const double    half     = half_step(e, side);
-
-        // like the balance of forces: where they were evaluated, and linearly
-        // from there
-        State at         = neighbor.state;
-        at.multipliers   = step.state.multipliers;
-        LA::Vector total = derivative.balanced_at(side, half);
-        at.displacement  = total;
-        total -= owned_part(neighbor.before.displacement);
-
-        const LoadParameters mu = neighbor.trial.equations->parameter_changes(
-          {neighbor.model.equations,
-           neighbor.model.contact,
-           at,
-           neighbor.loads,
-           total,
-           {}},
-          derivative.since_balanced(half),
-          per_parameter);
-        add(further, 1 / (2 * half), mu);
-      }
-    if (!std::all_of(further.begin(), further.end(), [](const double mu) {
-          return std::isfinite(mu);
-        }))
-      return false;
-    add(derivative.mu, 1, further);
-    for (unsigned int i = 0; i < further.size(); ++i)
-      derivative.displacements.add(further[i], per_parameter[i]);
-    move(step, e, derivative);
-    return true;
+    // like the balance of forces: where they were evaluated, and linearly from
+    // there
+    State at         = neighbor.state;
+    take_multipliers(step.state, at);
+    LA::Vector total = neighbor.balanced_displacements();
+    at.displacement  = total;
+    total -= owned_part(neighbor.before.displacement);
+    return neighbor.trial.equations->parameter_changes(
+      {neighbor.model.equations,
+       neighbor.model.contact,
+       at,
+       neighbor.loads,
+       total,
+       {}},
+      neighbor.since_balanced(),
+      per_parameter);
   }
 
 
@@ -581,75 +589,202 @@ namespace Biface
   }
 
 
+  SensitivityAnalysis::Balance
+  SensitivityAnalysis::balance_of_run(const Step          &step,
+                                      const Linearization &tangent) const
+  {
+    Balance      balance;
+    const double relative = model.equations.relative_residual();
+    if (relative > 0)
+      balance.roundoff = 10 * model.equations.residual().l2_norm() / relative *
+                         model.equations.relative_roundoff(step.state);
+    balance.forces = model.equations.out_of_balance(step.state, step.loads);
+    if (step.trial.equations)
+      {
+        LA::Vector total = owned_part(step.state.displacement);
+        total -= owned_part(step.run.state.displacement);
+        balance.missing_loads = step.trial.equations->parameter_changes(
+          {model.equations, model.contact, step.state, step.loads, total, {}},
+          model.mesh->owned_vector(),
+          tangent.per_parameter);
+      }
+    return balance;
+  }
+
+
+  void
+  SensitivityAnalysis::correct(const Step                    &step,
+                               const LA::Vector              &correction,
+                               const std::vector<LA::Vector> &per_parameter,
+                               const LoadParameters          &missing_in_run,
+                               Neighbor                      &neighbor) const
+  {
+    neighbor.balanced = neighbor.deviation;
+    neighbor.deviation.displacements += correction;
+    move(step, neighbor);
+    if (!step.trial.equations)
+      return;
+
+    LoadParameters further = missing_loads(step, per_parameter, neighbor);
+    add(further, -1, missing_in_run);
+    add(neighbor.deviation.mu, 1, further);
+    for (unsigned int i = 0; i < further.size(); ++i)
+      neighbor.deviation.displacements.add(further[i], per_parameter[i]);
+    move(step, neighbor);
+  }
+
+
+  bool
+  SensitivityAnalysis::is_near(const unsigned int e) const
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+      if (!(neighbors[2 * e + side]->deviation.displacements.linfty_norm() <
+            model.mesh->size()))
+        return false;
+    return true;
+  }
+
+
+  bool
+  SensitivityAnalysis::is_linear(const unsigned int e,
+                                 const Sides       &forces,
+                                 const Sides       &corrections,
+                                 const double       roundoff)
+  {
+    const auto mean_and_difference = [](const Sides &sides) {
+      LA::Vector sum = *sides[1], difference = *sides[1];
+      sum += *sides[0];
+      difference -= *sides[0];
+      return std::make_pair(sum.l2_norm() / 2, difference.l2_norm());
+    };
+    const auto [mean, difference] = mean_and_difference(forces);
+    const auto [mean_correction, difference_of_corrections] =
+      mean_and_difference(corrections);
+    if (is_straight(-difference / 2, mean, difference / 2, roundoff))
+      return is_straight(-difference_of_corrections / 2,
+                         mean_correction,
+                         difference_of_corrections / 2,
+                         0);
+    warn(parameters.sensitivities.changes[e], "the balance of forces");
+    return false;
+  }
+
+
+  void
+  SensitivityAnalysis::make_opposite(const Step &step, const unsigned int e)
+  {
+    Neighbor &below = *neighbors[2 * e], &above = *neighbors[2 * e + 1];
+    Neighbor::Deviation &half = above.deviation;
+    half.displacements -= below.deviation.displacements;
+    half.displacements *= 0.5;
+    add(half.mu, -1, below.deviation.mu);
+    for (double &mu : half.mu)
+      mu /= 2;
+    below.deviation.displacements = half.displacements;
+    below.deviation.displacements *= -1;
+    below.deviation.mu.assign(half.mu.size(), 0);
+    add(below.deviation.mu, -1, half.mu);
+    move(step, below);
+    move(step, above);
+  }
+
+
+  bool
+  SensitivityAnalysis::has_settled(const unsigned int e,
+                                   const Sides       &forces,
+                                   const double       roundoff) const
+  {
+    constexpr double exact = 1e-7;
+
+    bool settled = true;
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const Neighbor &neighbor = *neighbors[2 * e + side];
+        settled =
+          settled && (forces[side]->l2_norm() <= roundoff ||
+                      neighbor.since_balanced().l2_norm() <=
+                        exact * neighbor.deviation.displacements.l2_norm());
+      }
+    return settled;
+  }
+
+
   void
   SensitivityAnalysis::carry_along(const Step &step, Linearization &tangent)
   {
-    const LA::Vector here     = model.equations.residual();
-    const double     relative = model.equations.relative_residual();
-    const double     roundoff =
-      (relative > 0 ? 10 * here.l2_norm() / relative *
-                        model.equations.relative_roundoff(step.state)
-                    : 0.);
+    const Balance here = balance_of_run(step, tangent);
+    if (!are_finite(here.missing_loads))
+      {
+        tangent.failure = Failure{FailureCause::control,
+                                  "the controlled quantity does not depend on "
+                                  "the loads"};
+        return;
+      }
+    std::vector<unsigned int> followed;
+    for (unsigned int e = 0; e < parameters.sensitivities.changes.size(); ++e)
+      if (follows(e, step.run.progress.stage))
+        {
+          followed.push_back(e);
+          for (unsigned int side = 0; side < 2; ++side)
+            start(step, *neighbors[2 * e + side]);
+        }
 
-    const unsigned int        n = parameters.sensitivities.changes.size();
-    std::vector<Derivative>   derivatives;
-    std::vector<unsigned int> unsettled(n);
-    std::iota(unsettled.begin(), unsettled.end(), 0);
-    for (unsigned int e = 0; e < n; ++e)
-      derivatives.push_back(start(step, e));
-
-    // with friction, the forces are only linear where the neighbors have
-    // followed: the direction of a small slip changes by much
-    constexpr unsigned int max_passes = 6;
-    constexpr double       exact      = 1e-7;
+    // The forces are only linear where the neighbors have followed: a motion of
+    // the foundation at fixed displacements changes the pressures by many times
+    // themselves, and a small slip changes its direction.
+    constexpr unsigned int    max_passes = 15;
+    std::vector<unsigned int> unsettled  = followed, lost;
     for (unsigned int pass = 0; pass < max_passes && !unsettled.empty(); ++pass)
       {
-        std::vector<LA::Vector> rates;
+        std::vector<LA::Vector> forces;
         for (const unsigned int e : unsettled)
-          {
-            rates.push_back(force_rate(step, e, here, roundoff));
-            derivatives[e].balanced    = derivatives[e].displacements;
-            derivatives[e].balanced_mu = derivatives[e].mu;
-          }
-        const std::vector<LA::Vector> corrections = tangent.solve(rates);
+          for (unsigned int side = 0; side < 2; ++side)
+            forces.push_back(
+              unbalance(step, here.forces, *neighbors[2 * e + side]));
+        const std::vector<LA::Vector> corrections = tangent.solve(forces);
         if (tangent.failure)
           return;
 
         std::vector<unsigned int> still_unsettled;
         for (unsigned int i = 0; i < unsettled.size(); ++i)
           {
-            const unsigned int e          = unsettled[i];
-            Derivative        &derivative = derivatives[e];
-            derivative.displacements += corrections[i];
-            move(step, e, derivative);
-            if (step.trial.equations &&
-                !correct_loads(step, e, tangent.per_parameter, derivative))
-              {
-                tangent.failure = Failure{FailureCause::control,
-                                          "the controlled quantity does not "
-                                          "depend on the loads"};
-                return;
-              }
-            // without friction, the forces of contact are linear
-            if (has_friction(step.loads) &&
-                corrections[i].l2_norm() >
-                  exact * derivative.displacements.l2_norm())
+            const unsigned int e = unsettled[i];
+            for (unsigned int side = 0; side < 2; ++side)
+              correct(step,
+                      corrections[2 * i + side],
+                      tangent.per_parameter,
+                      here.missing_loads,
+                      *neighbors[2 * e + side]);
+            const Sides of_forces{{&forces[2 * i], &forces[2 * i + 1]}};
+            const Sides of_corrections{
+              {&corrections[2 * i], &corrections[2 * i + 1]}};
+            if (!is_near(e))
+              lost.push_back(e);
+            else if (pass == 0 && !model.contact.has_friction(step.loads) &&
+                     is_linear(e, of_forces, of_corrections, here.roundoff))
+              // without friction, the forces of contact are linear, too
+              make_opposite(step, e);
+            else if (!has_settled(e, of_forces, here.roundoff))
               still_unsettled.push_back(e);
           }
         unsettled = still_unsettled;
       }
-    for (const unsigned int e : unsettled)
-      warn(parameters.sensitivities.changes[e], "the slip");
+    lost.insert(lost.end(), unsettled.begin(), unsettled.end());
+    for (const unsigned int e : lost)
+      leave_unsettled(step, e);
 
-    for (const auto &item : neighbors)
-      {
-        Neighbor &neighbor        = *item;
-        neighbor.progress.reached = neighbor.level;
-        neighbor.model.equations.internal_forces().settle_resultants(
-          neighbor.state);
-        neighbor.model.equations.commit_step(
-          neighbor.before, neighbor.loads, step.time, neighbor.state);
-      }
+    for (const unsigned int e : followed)
+      for (unsigned int side = 0;
+           side < 2 && follows(e, step.run.progress.stage);
+           ++side)
+        {
+          Neighbor &neighbor        = *neighbors[2 * e + side];
+          neighbor.progress.reached = neighbor.level;
+          neighbor.model.equations.internal_forces().settle_resultants(
+            neighbor.state);
+          neighbor.model.equations.commit_step(
+            neighbor.before, neighbor.loads, step.time, neighbor.state);
+        }
   }
 
 
@@ -663,6 +798,25 @@ namespace Biface
         << " and in stages that start from its end are left out: "
         << failure.message << ". Possible remedies: "
         << advice(failure.cause, step.run.stage.contact) << std::endl;
+  }
+
+
+  void
+  SensitivityAnalysis::leave_unsettled(const Step &step, const unsigned int e)
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        Neighbor &neighbor = *neighbors[2 * e + side];
+        neighbor.state     = neighbor.before;
+      }
+    unsettled.insert({step.run.progress.stage, e});
+    out << "  Warning: the derivatives by the entry '"
+        << parameters.sensitivities.changes[e].name << "' in "
+        << step.run.stage.name
+        << " and in stages that start from its end are not a number: with "
+           "small changes of the entry no equilibrium was found; see "
+           "'Sensitivities/Relative step'"
+        << std::endl;
   }
 
 
@@ -681,26 +835,34 @@ namespace Biface
     if (lost_stages.count(position) > 0)
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
-    for (const auto &neighbor : neighbors)
+    for (Neighbor *neighbor : followers(position))
       neighbor->progress.end_stage(neighbor->run->stage);
     const SensitivityParameters &asked = parameters.sensitivities;
     if (!asked.is_wanted(position, parameters.stages.size()))
       return;
 
-    const auto evaluate = [&](const ShellModel &model,
-                              const StepReport &report,
-                              const State      &state) {
+    const auto evaluate = [](const ScalarResults &results,
+                             const ShellModel    &model,
+                             const StepReport    &report,
+                             const State         &state) {
       return results.evaluate(
         model.equations, model.cavity.get(), report, state);
     };
     auto                      table = std::make_shared<SensitivityTable>();
-    const std::vector<double> here  = evaluate(model, report, run.state);
-    const auto               &names = results.get_names();
+    const std::vector<double> here =
+      evaluate(results, model, report, run.state);
+    const auto &names = results.get_names();
     for (unsigned int o = 0; o < names.size(); ++o)
       table->outputs.push_back({names[o], here[o]});
+    std::set<unsigned int> not_finite;
     for (unsigned int e = 0; e < asked.changes.size(); ++e)
       {
-        const Change                      &change = asked.changes[e];
+        const Change &change = asked.changes[e];
+        table->entries.push_back({change.name, change.value});
+        table->derivatives.emplace_back(
+          names.size(), std::numeric_limits<double>::quiet_NaN());
+        if (!follows(e, position))
+          continue;
         std::array<std::vector<double>, 2> values;
         for (unsigned int side = 0; side < 2; ++side)
           {
@@ -712,35 +874,33 @@ namespace Biface
             if (results.have_force())
               changed.forces =
                 std::make_shared<const NodalForces>(forces_in_equilibrium(
-                  neighbor.model.equations, neighbor.state, changed.loads));
+                  neighbor.model, neighbor.state, changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, neighbor, changed.loads);
             if (report.buckling && results.have_buckling())
               changed.buckling =
                 change_buckling(*report.buckling, neighbor, changed.loads);
-            values[side] = evaluate(neighbor.model, changed, neighbor.state);
+            values[side] = evaluate(
+              neighbor.results, neighbor.model, changed, neighbor.state);
           }
-        table->entries.push_back({change.name, change.value});
-        table->derivatives.emplace_back();
         for (unsigned int o = 0; o < names.size(); ++o)
           {
-            const double difference = values[1][o] - values[0][o];
-            table->derivatives[e].push_back(difference / change.step);
-            check_step(change,
-                       values[0][o],
-                       here[o],
-                       values[1][o],
-                       1e-9 * std::abs(here[o]),
-                       "'" + names[o] + "'");
+            const double derivative =
+              (values[1][o] - values[0][o]) / change.step;
+            if (std::isfinite(derivative))
+              table->derivatives[e][o] = derivative;
+            else
+              not_finite.insert(o);
+            if (!is_straight(values[0][o],
+                             here[o],
+                             values[1][o],
+                             1e-9 * std::abs(here[o])))
+              warn(change, "'" + names[o] + "'");
           }
       }
-    for (unsigned int o = 0; o < names.size(); ++o)
-      if (std::isfinite(here[o]) &&
-          std::any_of(
-            table->derivatives.begin(),
-            table->derivatives.end(),
-            [&](const auto &of_entry) { return !std::isfinite(of_entry[o]); }))
+    for (const unsigned int o : not_finite)
+      if (std::isfinite(here[o]))
         out << "  Warning: '" << names[o]
             << "' is not differentiable here; a frequency, for example, is "
                "not at the onset of flutter, where two modes coincide"
@@ -789,23 +949,6 @@ namespace Biface
       changed.modes[m].position = positions[m];
     return std::make_shared<const Buckling>(buckling_from(
       changed, start, before.level, neighbor.progress.reached, sealed));
-  }
-
-
-  void
-  SensitivityAnalysis::check_step(const Change      &change,
-                                  const double       below,
-                                  const double       here,
-                                  const double       above,
-                                  const double       roundoff,
-                                  const std::string &what)
-  {
-    // the part of a difference that does not belong to a straight line
-    constexpr double smooth = 0.05;
-
-    if (std::abs((above + below) / 2 - here) >
-        smooth * std::abs(above - below) + roundoff)
-      warn(change, what);
   }
 
 

@@ -69,7 +69,7 @@ namespace Biface
     }
 
 
-    /** Those of make_force_terms(), and the gas in the cavity, if any. */
+    /** The terms of make_force_terms(), and the gas in the cavity, if any. */
     ForceTerms
     force_terms(const Parameters         &parameters,
                 const ShellMesh          &mesh,

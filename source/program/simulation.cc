@@ -178,6 +178,20 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** See Progress::rearrange_factors(). */
+    void
+    rearrange_factors(RestorePoints                   &points,
+                      const std::vector<unsigned int> &positions)
+    {
+      points.last.progress.rearrange_factors(positions);
+      for (auto &[position, end] : points.ends)
+        end.progress.rearrange_factors(positions);
+    }
+  } // namespace
+
+
   void
   Simulation::restore(const Checkpoint &checkpoint)
   {
@@ -192,12 +206,19 @@ namespace Biface
                              number_to_string(record.differences[i]) +
                              " for it, not " + number_to_string(change.step));
       }
-    const RestorePoints points = checkpoint.run(*mesh);
-    state                      = points.last.state;
-    progress                   = points.last.progress;
-    ends                       = points.ends;
+    RestorePoints  points    = checkpoint.run(*mesh);
+    NeighborPoints neighbors = checkpoint.neighbors(*mesh);
+    // later stages may name other loads
+    const std::vector<unsigned int> positions =
+      parameters.stages[0].positions_in(record.stages.at(0));
+    rearrange_factors(points, positions);
+    for (RestorePoints &neighbor : neighbors.runs)
+      rearrange_factors(neighbor, positions);
+    state    = points.last.state;
+    progress = points.last.progress;
+    ends     = points.ends;
     if (sensitivities)
-      sensitivities->restore(checkpoint.neighbors(*mesh));
+      sensitivities->restore(neighbors);
     for (unsigned int next = progress.stage + 1;
          next < parameters.stages.size();
          ++next)
@@ -210,8 +231,11 @@ namespace Biface
                            "that stage, since no later stage started from it");
       }
     if (progress.stage_begun)
-      progress.change_stage(record.stages.at(progress.stage),
-                            parameters.stages.at(progress.stage));
+      {
+        Stage before   = record.stages.at(progress.stage);
+        before.factors = rearranged(before.factors, positions);
+        progress.change_stage(before, parameters.stages.at(progress.stage));
+      }
   }
 
 

@@ -74,6 +74,18 @@ namespace Biface
       return term + " at nodes";
     }
 
+    /** The names of the tables of a ContactState. */
+    std::array<std::string, 4>
+    names_of_contact(const unsigned int number)
+    {
+      const std::string contact = " of contact " + std::to_string(number + 1);
+      return {{"active nodes" + contact,
+               "multipliers" + contact,
+               "grips" + contact,
+               "stick points" + contact}};
+    }
+
+
     std::string
     at_cells(const std::string &term)
     {
@@ -95,12 +107,17 @@ namespace Biface
       };
       add("displacement", state.displacement);
       add("resultants", state.resultants);
-      add("active", state.active);
-      add("multipliers", state.multipliers);
-      add("grips", numbers_of(state.grips));
-      add("stick points",
-          std::vector<Tensor<1, 3>>(state.stick_points.begin(),
-                                    state.stick_points.end()));
+      for (unsigned int i = 0; i < state.contacts.size(); ++i)
+        {
+          const ContactState &contact = state.contacts[i];
+          const auto          name    = names_of_contact(i);
+          add(name[0], contact.active);
+          add(name[1], contact.multipliers);
+          add(name[2], numbers_of(contact.grips));
+          add(name[3],
+              std::vector<Tensor<1, 3>>(contact.stick_points.begin(),
+                                        contact.stick_points.end()));
+        }
       RunRecord::Point numbers;
       numbers.progress = progress;
       for (const auto &[name, term] : state.terms)
@@ -173,6 +190,7 @@ namespace Biface
       record.neighbors.push_back(
         add_tables(prefix_of_neighbor(i), neighbors.runs[i], mesh, tables));
     record.lost_stages             = neighbors.lost_stages;
+    record.unsettled               = neighbors.unsettled;
     const std::vector<char> header = Utilities::pack(record, false);
     CheckpointFile::write(newest(directory),
                           previous(directory),
@@ -265,11 +283,18 @@ namespace Biface
     State state(mesh);
     state.displacement = ghosted("displacement");
     state.resultants   = modes("resultants");
-    state.active       = active_from(rows("active", all_nodes));
-    state.multipliers  = vectors_from(rows("multipliers", all_nodes));
-    state.grips        = grips_of(rows("grips", all_nodes));
-    const auto points  = vectors_from(rows("stick points", all_nodes));
-    state.stick_points.assign(points.begin(), points.end());
+    state.contacts.clear();
+    for (unsigned int i = 0; has(names_of_contact(i)[0]); ++i)
+      {
+        const auto   name = names_of_contact(i);
+        ContactState contact;
+        contact.active      = active_from(rows(name[0], all_nodes));
+        contact.multipliers = vectors_from(rows(name[1], all_nodes));
+        contact.grips       = grips_of(rows(name[2], all_nodes));
+        const auto points   = vectors_from(rows(name[3], all_nodes));
+        contact.stick_points.assign(points.begin(), points.end());
+        state.contacts.push_back(contact);
+      }
 
     for (const auto &[name, of_term] : numbers.of_terms)
       {
@@ -340,7 +365,7 @@ namespace Biface
   NeighborPoints
   Checkpoint::neighbors(const ShellMesh &mesh) const
   {
-    NeighborPoints result{{}, record.lost_stages};
+    NeighborPoints result{{}, record.lost_stages, record.unsettled};
     for (unsigned int i = 0; i < record.neighbors.size(); ++i)
       result.runs.push_back(
         read_points(prefix_of_neighbor(i), record.neighbors[i], mesh));

@@ -23,7 +23,7 @@ namespace Biface
     /** The last matrix that was factorized, and its shift. */
     LA::SparseMatrix shifted;
     LowRankStiffness low_rank_shifted;
-    /** That of the transposed matrix, if it is wanted. */
+    /** Likewise for the transposed matrix, if it is wanted. */
     LowRankStiffness low_rank_transposed;
     double           shift = 0;
     /** Keeps the shapes free of the motions that nothing holds, for the last
@@ -115,7 +115,7 @@ namespace Biface
     // in the same shape, the pressure before belongs to another amount of gas
     const auto low_rank = [&](const Loads &loads) {
       return LowRankStiffness(
-        equations, later, HeldTangent::without_foundation(loads));
+        equations, later, HeldTangent::without_bodies(loads));
     };
     pencil.low_rank_0 = low_rank(before.loads);
     pencil.low_rank_1 = low_rank(now.loads);
@@ -489,17 +489,42 @@ namespace Biface
   {
     LA::SparseMatrix K;
     if (!assemble(now, K))
-      return {};
+      {
+        if (!tangent.is_symmetric_but_for_loads(now.loads))
+          return {};
+        take_symmetric_part(K);
+      }
     const LinearSolverResult linear = linear_solver.factorize_for_many(K, true);
     return linear.success ? linear.n_negative_pivots : std::nullopt;
   }
 
 
-  std::optional<BucklingMode>
+  double
+  BucklingAnalysis::softening(const Equilibrium &now, const LA::Vector &shape)
+  {
+    State unloaded = now.state;
+    for (Modes::Vector &H : unloaded.resultants)
+      H = Modes::Vector();
+    Loads none    = now.loads;
+    none.pressure = 0;
+    none.factors.assign(none.factors.size(), 0);
+    LA::SparseMatrix K;
+    tangent.assemble(unloaded, none, K);
+    tangent.hold(now.state, now.loads, K);
+    LA::Vector product(shape);
+    K.vmult(product, shape);
+    return product * shape / shape.norm_sqr();
+  }
+
+
+  std::optional<BucklingAnalysis::CriticalMode>
   BucklingAnalysis::critical_mode(const Equilibrium &now,
                                   const LoadRates   &rates,
                                   const bool         unstable)
   {
+    // parts of the loads and of the size of an eigenvalue
+    constexpr double tolerance = 0.01, real = 1e-8;
+
     LA::SparseMatrix  K;
     EigenvalueProblem problem;
     problem.symmetric = assemble(now, K);
@@ -525,7 +550,16 @@ namespace Biface
       found.pairs.begin(),
       found.pairs.end(),
       [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
-    return finish(critical->vector,
-                  equations.load_direction(now.state, now.loads, rates));
+    CriticalMode result{
+      finish(critical->vector,
+             equations.load_direction(now.state, now.loads, rates)),
+      true};
+    const std::complex<double> value = critical->value;
+    if (!problem.symmetric)
+      result.is_of_tangent =
+        (std::abs(value.imag()) <= real * std::abs(value.real()) &&
+         (value.real() < 0) == unstable) ||
+        std::abs(value) <= tolerance * softening(now, critical->vector);
+    return result;
   }
 } // namespace Biface

@@ -20,17 +20,21 @@ namespace Biface
     bool
     rolls_with_friction(const Loads &loads)
     {
-      return loads.foundation && law_of(loads).depends_on_velocity();
+      return std::any_of(
+        loads.bodies.begin(), loads.bodies.end(), [](const auto &body) {
+          return body.second.law->depends_on_velocity();
+        });
     }
 
 
-    /** The stiffness by which the foundation holds the nodes in contact. */
+    /** The stiffness by which the bodies hold the nodes in contact. */
     std::unique_ptr<const TangentMatrix>
     stiffness_of_contact(const ContactInteraction &contact,
                          State                     state,
                          const Loads              &loads)
     {
-      law_of(loads).hold(state);
+      for (const auto &[number, body] : loads.bodies)
+        body.law->hold(state.contacts[number]);
       const ShellMesh &mesh = contact.mesh;
       auto       held = std::make_unique<TangentMatrix>(mesh, mesh.constraints);
       LA::Vector nothing = mesh.owned_vector();
@@ -39,23 +43,24 @@ namespace Biface
           const Cell               &cell = mesh.cells[c];
           MixedElement::NodalMatrix matrix{};
           bool                      any = false;
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              if (!state.active[cell.nodes[v]])
-                continue;
-              any               = true;
-              const auto &frame = mesh.nodes[cell.nodes[v]].surface.frame;
-              const Tensor<2, 3> stiffness =
-                contact.traction(state, loads, cell.nodes[v]).stiffness;
-              Tensor<2, 3> in_frame;
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int j = 0; j < 3; ++j)
-                  in_frame[i][j] = cell.geometry.weight / 8 *
-                                   (frame[i] * (stiffness * frame[j]) +
-                                    frame[j] * (stiffness * frame[i]));
-              const double sign = cell.sign_of_outer_face(v);
-              MixedElement::add_stiffness(in_frame, v, sign, v, sign, matrix);
-            }
+          for (const auto &pair : contact.pairs)
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                if (!pair->state_of(state).active[cell.nodes[v]])
+                  continue;
+                any               = true;
+                const auto &frame = mesh.nodes[cell.nodes[v]].surface.frame;
+                const Tensor<2, 3> stiffness =
+                  pair->traction(state, loads, cell.nodes[v]).stiffness;
+                Tensor<2, 3> in_frame;
+                for (unsigned int i = 0; i < 3; ++i)
+                  for (unsigned int j = 0; j < 3; ++j)
+                    in_frame[i][j] = cell.geometry.weight / 8 *
+                                     (frame[i] * (stiffness * frame[j]) +
+                                      frame[j] * (stiffness * frame[i]));
+                const double sign = cell.sign_of_face(v, pair->face);
+                MixedElement::add_stiffness(in_frame, v, sign, v, sign, matrix);
+              }
           if (any)
             held->add(c, matrix, MixedElement::NodalVector(), nothing);
         }
@@ -74,7 +79,7 @@ namespace Biface
       const NodalForces forces   = equations.nodal_forces(state, loads);
       LA::Vector        constant = equations.mesh.owned_vector();
       for (const ForceTerm *term : equations.get_terms())
-        term->add_dead_forces({loads.pressure, loads.factor, 0}, constant);
+        term->add_dead_forces({loads.pressure, loads.factors, 0}, constant);
       equations.internal_forces().add_constant_forces(state, constant);
       LA::Vector result = forces[ForceTerm::Source::shell];
       result += forces[ForceTerm::Source::loads];
@@ -115,7 +120,7 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Assembly");
     equations.assemble(with_stresses_in_tangent(state),
                        rolls_with_friction(loads) ? loads
-                                                  : without_foundation(loads));
+                                                  : without_bodies(loads));
     K.copy_from(equations.tangent());
   }
 
@@ -125,7 +130,7 @@ namespace Biface
                     const Loads      &loads,
                     LA::SparseMatrix &K) const
   {
-    if (!loads.foundation || rolls_with_friction(loads))
+    if (loads.bodies.empty() || rolls_with_friction(loads))
       return;
     K.add(1., stiffness_of_contact(contact, state, loads)->get());
   }
@@ -137,7 +142,7 @@ namespace Biface
     if (loads.rolling)
       return {};
     std::unique_ptr<const TangentMatrix> held;
-    if (loads.foundation)
+    if (!loads.bodies.empty())
       held = stiffness_of_contact(contact, state, loads);
     return free_rigid_motions(
       equations.mesh,
@@ -151,8 +156,8 @@ namespace Biface
                                const Loads            &loads,
                                const LA::SparseMatrix &K) const
   {
-    // of the resistance that is computed for a rotation, to which interpolation
-    // in a curved shell contributes
+    // part of the resistance that is computed for a rotation, to which
+    // interpolation in a curved shell contributes
     constexpr double negligible = 0.1;
 
     const ShellMesh          &mesh = equations.mesh;
@@ -178,11 +183,10 @@ namespace Biface
 
 
   Loads
-  HeldTangent::without_foundation(const Loads &loads)
+  HeldTangent::without_bodies(const Loads &loads)
   {
     Loads alone = loads;
-    alone.foundation.reset();
-    alone.law.reset();
+    alone.bodies.clear();
     return alone;
   }
 
@@ -191,7 +195,15 @@ namespace Biface
   HeldTangent::is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const
   {
     return equations.is_symmetric(
-      rolls_with_friction(loads) ? loads : without_foundation(loads), K);
+      rolls_with_friction(loads) ? loads : without_bodies(loads), K);
+  }
+
+
+  bool
+  HeldTangent::is_symmetric_but_for_loads(const Loads &loads) const
+  {
+    return equations.is_symmetric_but_for_loads(
+      rolls_with_friction(loads) ? loads : without_bodies(loads));
   }
 
 

@@ -172,7 +172,7 @@ namespace Biface
     LA::SparseMatrix K;
     /** @f$\mathbf G@f$ of a shell that rolls or spins; else null. */
     std::unique_ptr<const VelocityMatrix> velocity;
-    /** That of loads that follow from the displacements, beside K. */
+    /** The stiffness of loads that follow from the displacements, beside K. */
     LowRankStiffness low_rank;
     /** The rigid motions whose frequency is zero; the others are orthogonal to
      * them. */
@@ -209,14 +209,14 @@ namespace Biface
     tangent.assemble(state, loads, problem.K);
     tangent.hold(state, loads, problem.K);
     problem.symmetric_matrix = tangent.is_symmetric(loads, problem.K);
-    problem.low_rank         = LowRankStiffness(
-      equations, state, HeldTangent::without_foundation(loads));
+    problem.low_rank =
+      LowRankStiffness(equations, state, HeldTangent::without_bodies(loads));
     problem.symmetric =
       problem.symmetric_matrix && problem.low_rank.is_symmetric();
     if (loads.rolling)
       problem.velocity =
         std::make_unique<const VelocityMatrix>(contact, state, loads);
-    problem.conservative = problem.symmetric && !has_friction(loads);
+    problem.conservative = problem.symmetric && !contact.has_friction(loads);
     problem.neutral      = tangent.neutral_motions(state, loads, problem.K);
     if (!problem.neutral.empty())
       {
@@ -455,7 +455,7 @@ namespace Biface
     tangent.assemble(state, loads, K);
     tangent.hold(state, loads, K);
     const LowRankStiffness low_rank(
-      equations, state, HeldTangent::without_foundation(loads));
+      equations, state, HeldTangent::without_bodies(loads));
     const MassMatrix mass(mesh);
     const Multiply multiply_k = [&](LA::Vector &product, const LA::Vector &x) {
       K.vmult(product, x);

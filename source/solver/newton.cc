@@ -47,7 +47,8 @@ namespace Biface
   void
   Newton::Parameters::check() const
   {
-    // of the forces and of the thickness: beyond, nothing is in equilibrium
+    // part of the forces and of the thickness; beyond it, nothing is in
+    // equilibrium
     constexpr double maximum = 1e-2;
 
     check_positive("Newton/Residual tolerance", residual_tolerance);
@@ -111,7 +112,8 @@ namespace Biface
             const ShellEquations     &equations,
             const ContactInteraction &contact,
             ConditionalOStream       &out)
-      : state(state)
+      : contact(contact)
+      , state(state)
       , parametrized(path)
       , mu(mu)
       , iteration(iteration)
@@ -125,13 +127,14 @@ namespace Biface
         contact.let_stick(state);
     }
 
-    State                   &state;
-    const ParametrizedLoads &parametrized;
-    LoadParameters          &mu;
-    const NewtonIteration    iteration;
-    const bool               zone_given;
-    Loads                    loads;
-    ActiveSetIteration       zone;
+    const ContactInteraction &contact;
+    State                    &state;
+    const ParametrizedLoads  &parametrized;
+    LoadParameters           &mu;
+    const NewtonIteration     iteration;
+    const bool                zone_given;
+    Loads                     loads;
+    ActiveSetIteration        zone;
     /** Changes of the active set in the last update. */
     unsigned int n_changes;
     /** Change of the displacements since the start, and the largest entry of
@@ -151,9 +154,10 @@ namespace Biface
     bool
     is_at_rest() const
     {
-      return result.iterations == 0 ? parametrized.equations == nullptr &&
-                                        !zone_given && !has_friction(loads)
-                                    : n_changes == 0;
+      return result.iterations == 0
+               ? parametrized.equations == nullptr && !zone_given &&
+                   !contact.has_friction(loads)
+               : n_changes == 0;
     }
 
     ControlEquations::Iteration
@@ -262,7 +266,7 @@ namespace Biface
                   contact.count_active(iterate.state),
                   iterate.n_changes);
     out << line;
-    if (has_friction(iterate.loads))
+    if (contact.has_friction(iterate.loads))
       {
         std::snprintf(line,
                       sizeof(line),

@@ -9,7 +9,7 @@ namespace Biface
   {
     LoadRates change;
     change.pressure         = after.pressure - before.pressure;
-    change.factor           = after.factor - before.factor;
+    change.factors          = change_of_factors(before, after);
     change.travel           = after.travel - before.travel;
     change.angular_velocity = after.angular_velocity - before.angular_velocity;
     return change;

@@ -15,10 +15,12 @@ namespace Biface
     if (run.stage.critical_points == CriticalPoints::ignore ||
         run.stage.sealed || run.stage.theory == StrainTheory::linear)
       return n;
-    const bool every_step = run.stage.locates_critical_points();
     n.before              = run.progress.n_negative_pivots;
-    n.after = (every_step ? count(run, attempt.state, attempt.level)
-                          : attempt.result.n_negative_pivots);
+    n.after               = attempt.result.n_negative_pivots;
+    const bool every_step = run.stage.locates_critical_points() ||
+                            counts_symmetric_part(run, attempt);
+    if (every_step)
+      n.after = count(run, attempt.state, attempt.level);
     if (!n.after)
       {
         if (attempt.result.iterations > 0)
@@ -32,6 +34,17 @@ namespace Biface
     if (n.differ() && !every_step)
       n.after = count(run, attempt.state, attempt.level);
     return n;
+  }
+
+
+  bool
+  CriticalPointSearch::counts_symmetric_part(const StageRun &run,
+                                             const Attempt  &attempt) const
+  {
+    const Loads loads = run.loads_at(attempt.level);
+    return !attempt.result.n_negative_pivots && attempt.result.iterations > 0 &&
+           !has_warned && !run.equations.is_symmetric(loads) &&
+           run.equations.is_symmetric_but_for_loads(loads);
   }
 
 
@@ -58,8 +71,8 @@ namespace Biface
     if (has_warned || by_contact)
       return;
     out << "  Warning: critical points of " << run.stage.name
-        << " cannot be found: the tangent is not symmetric, as with loads "
-           "without a potential, or the linear solver does not count "
+        << " cannot be found: the tangent is not symmetric, as with "
+           "'Thickness law = asymmetric', or the linear solver does not count "
            "negative pivots"
         << std::endl;
     has_warned = true;
@@ -74,8 +87,8 @@ namespace Biface
     Attempt                                              &attempt,
     PivotCounts                                          &n_negative)
   {
-    // of the loads, and of the step, since the loads are stationary at a limit
-    // point
+    // parts of the loads and, since these are stationary at a limit point, of
+    // the step
     constexpr double       tolerance = 1e-3, maximum_part = 0.05;
     constexpr unsigned int max_bisections = 40;
 
@@ -138,13 +151,21 @@ namespace Biface
     const unsigned int n_changed =
       std::max(n_after, n_before) - std::min(n_after, n_before);
     const bool several = !located && n_changed > BucklingAnalysis::n_candidates;
-    const auto mode =
+    const auto critical =
       (several
          ? std::nullopt
          : buckling_analysis.critical_mode({run.state, run.loads_at(level)},
                                            change_of(level_before, level),
                                            n_after > n_before));
-    if (!mode)
+    if (critical && !critical->is_of_tangent)
+      {
+        out << " of the symmetric part of the tangent, which itself is not "
+               "singular: the loads have no potential, and this is no critical "
+               "point"
+            << std::endl;
+        return nullptr;
+      }
+    if (!critical)
       {
         out << (several ? ", the step passed several critical points" : "")
             << std::endl;
@@ -155,7 +176,7 @@ namespace Biface
     point->n_negative_before = n_before;
     point->n_negative_after  = n_after;
     point->located           = located;
-    point->mode              = *mode;
+    point->mode              = critical->mode;
     const LoadLevel &start   = run.progress.control.start;
     point->loads = {part_of_loads(start, level, run.stage.end(start)), level};
     out << ", " << (located ? "here is a " : "the step passed a ")

@@ -56,7 +56,7 @@ namespace Biface
                 const LoadLevel &second,
                 const double     position)
   {
-    LoadLevel level;
+    LoadLevel level = first;
     for_each_load(
       [position](auto &load, const auto &from, const auto &to) {
         load = from + position * (to - from);
@@ -65,6 +65,16 @@ namespace Biface
       first,
       second);
     return level;
+  }
+
+
+  std::vector<double>
+  change_of_factors(const LoadLevel &before, const LoadLevel &after)
+  {
+    std::vector<double> change;
+    for (unsigned int i = 0; i < after.factors.size(); ++i)
+      change.push_back(after.factors[i] - before.factors[i]);
+    return change;
   }
 
 

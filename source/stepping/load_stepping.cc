@@ -282,7 +282,10 @@ namespace Biface
       out << run.progress.reached.pressure << " at its start";
     else
       out << first.pressure;
-    out << ", load factor " << first.factor;
+    out << ", load factor " << first.factors[0];
+    for (unsigned int i = 1; i < first.factors.size(); ++i)
+      out << ", that of " << run.stage.names_of_factors[i].back() << ' '
+          << first.factors[i];
     if (run.stage.contact)
       {
         out << ", approach " << first.travel;

@@ -91,7 +91,7 @@ namespace Biface
         const Node &node = mesh.nodes[n];
         // between two active sets, use the nearer one
         const GridState &zone = (end.weight < 0.5 ? *end.before : *end.after);
-        state.active[n]       = (zone.contact(node.alpha) > 0.5);
+        state.contacts[0].active[n] = (zone.contact(node.alpha) > 0.5);
         if (!node.locally_owned)
           continue;
         const Tensor<1, 6> moved = change(

@@ -13,6 +13,18 @@ namespace Biface
 
 
   void
+  Progress::rearrange_factors(const std::vector<unsigned int> &positions)
+  {
+    for (std::vector<double> *factors :
+         {&reached.factors, &control.start.factors, &factors_of_shape})
+      *factors = rearranged(*factors, positions);
+    for (std::optional<FoundationReaction> *at : {&reaction, &first_reaction})
+      if (*at)
+        (*at)->level.factors = rearranged((*at)->level.factors, positions);
+  }
+
+
+  void
   Progress::change_stage(const Stage &before, const Stage &now)
   {
     if (!stage_begun)

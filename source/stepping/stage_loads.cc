@@ -11,6 +11,59 @@ namespace Biface
 {
   using namespace dealii;
 
+  NamedFactors
+  parse_load_factors(const std::string &entry, const std::string &text)
+  {
+    const std::string form =
+      "each item must have the form 'name: factor' or 'name: unchanged'";
+    NamedFactors factors;
+    for (const std::string &item : split_list(entry, text, ',', 1000))
+      {
+        const auto  named = split_named(entry, item, form);
+        std::string name;
+        for (const std::string &word : split_words(named.first))
+          name += (name.empty() ? "" : " ") + word;
+        for (const auto &other : factors)
+          if (other.first == name)
+            throw InputError(entry, text, "'" + name + "' is named twice");
+        factors.emplace_back(name, std::nullopt);
+        if (named.second != "unchanged")
+          factors.back().second = parse_number(entry, named.second, form);
+      }
+    return factors;
+  }
+
+
+  void
+  StageLoads::set_factors(const std::vector<std::vector<std::string>> &names)
+  {
+    names_of_factors = names;
+    factors.assign(names.size(), common_factor);
+    for (unsigned int i = 0; i < names.size(); ++i)
+      for (const std::string &name : names[i])
+        for (const auto &[own_name, factor] : own_factors)
+          if (own_name == name)
+            factors[i] = factor;
+  }
+
+
+  std::vector<unsigned int>
+  StageLoads::positions_in(const StageLoads &other) const
+  {
+    std::vector<unsigned int> positions;
+    for (const std::vector<std::string> &names : names_of_factors)
+      {
+        unsigned int position = 0;
+        for (const std::string &name : names)
+          for (unsigned int i = 1; i < other.names_of_factors.size(); ++i)
+            if (other.names_of_factors[i].back() == name)
+              position = i;
+        positions.push_back(position);
+      }
+    return positions;
+  }
+
+
   void
   StageLoads::add_parameters(ParameterHandler &prm, const std::string &section)
   {
@@ -134,25 +187,42 @@ namespace Biface
     add_optional_number(
       prm,
       "Load factor",
-      factor,
+      common_factor,
       unchanged,
-      "Factor of the loads of the section 'Loads' and of prescribed "
-      "displacements of supports at the end of the stage. 'unchanged': as at "
-      "the start of the stage. No unit.");
+      "Factor of the loads of the section 'Loads', except the pressure, and of "
+      "prescribed displacements of supports at the end of the stage. "
+      "'unchanged': as at the start of the stage. No unit.");
+    add_parsed(prm,
+               section + "/",
+               "Load factors",
+               "",
+               own_factors,
+               parse_load_factors,
+               "Factors at the end of the stage of loads and supports that do "
+               "not follow 'Load factor': a comma-separated list of 'name: "
+               "factor' or 'name: unchanged'. A name is 'point forces', 'edge "
+               "forces', 'edge moments', 'inner traction', 'outer traction', "
+               "'area force' or 'supports', if needed followed by the point or "
+               "edge, and by the number of the load there or the component of "
+               "the support: 'edge forces alpha_1 max', 'edge forces alpha_1 "
+               "max 2', 'supports alpha_1 max v_3'. The longest name of a load "
+               "counts. What a stage does not name follows its 'Load factor'. "
+               "No unit.");
   }
 
 
   LoadLevel
   StageLoads::end(const LoadLevel &start) const
   {
-    LoadLevel result;
+    const LoadLevel from   = with_factors(start, factors.size());
+    LoadLevel       result = from;
     for_each_load(
       [](auto &load, const auto &prescribed, const auto &at_start) {
         load = prescribed.value_or(at_start);
       },
       result,
       *this,
-      start);
+      from);
     return result;
   }
 
@@ -167,7 +237,7 @@ namespace Biface
     };
     check_load("Pressure", pressure);
     check_load("Travel", travel);
-    check_load("Load factor", factor);
+    check_load("Load factor", common_factor);
     check_load("Turn", turn);
     check_load("Wheel turn", wheel_turn);
     check_load("Angular velocity", angular_velocity);

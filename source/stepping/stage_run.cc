@@ -24,11 +24,11 @@ namespace Biface
     , control(make_control(stage, parameters))
     , rolls(stage.rolls(progress.stage_begun ? progress.control.start
                                              : progress.reached))
-    , law(
-        contact.law("Stage " + std::to_string(progress.stage + 1) + "/Friction",
-                    stage.friction,
-                    stage.glued,
-                    rolls))
+    , law(contact.ground().law("Stage " + std::to_string(progress.stage + 1) +
+                                 "/Friction",
+                               stage.friction,
+                               stage.glued,
+                               rolls))
   {
     if (progress.stage_begun)
       control->restore(progress.control);
@@ -36,15 +36,15 @@ namespace Biface
 
 
   Loads
-  StageRun::loads_without_foundation(const LoadLevel &level) const
+  StageRun::loads_without_contact(const LoadLevel &level) const
   {
     Loads loads;
-    // that of a sealed gas changes only with the state
+    // the pressure of a sealed gas changes only with the state
     loads.sealed_gas = stage.sealed;
     loads.pressure =
       (stage.sealed ? progress.reached.pressure : level.pressure);
-    loads.factor          = level.factor;
-    loads.factor_of_shape = progress.factor_of_shape;
+    loads.factors          = level.factors;
+    loads.factors_of_shape = progress.factors_of_shape;
     if (rolls)
       loads.rolling = Rolling{level.angular_velocity};
     return loads;
@@ -55,22 +55,22 @@ namespace Biface
   StageRun::loads_at(const LoadLevel                            &level,
                      const std::shared_ptr<const TangentialLaw> &law) const
   {
-    Loads loads = loads_without_foundation(level);
+    Loads loads = loads_without_contact(level);
     if (stage.contact)
       {
-        const double slip_angle = level.slip_angle * numbers::PI / 180;
-        loads.foundation =
+        const double    slip_angle = level.slip_angle * numbers::PI / 180;
+        const RigidBody ground =
           on_steered(
-            contact.foundation(*progress.touching_travel + level.travel),
+            contact.ground().body_at(*progress.touching_travel + level.travel),
             slip_angle)
             .displaced(level.slide,
                        level.turn * numbers::PI / 180,
                        progress.touched_point)
             .around(-level.wheel_turn * numbers::PI / 180);
-        loads.law = law;
+        loads.place(0, {ground, law});
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
-            *loads.foundation, level.ground_velocity, slip_angle);
+            ground, level.ground_velocity, slip_angle);
       }
     return loads;
   }
@@ -94,27 +94,28 @@ namespace Biface
     for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
                     progress.reached,
                     LoadLevel());
-    progress.work            = Work();
-    progress.factor_of_shape = progress.reached.factor;
+    progress.work             = Work();
+    progress.factors_of_shape = progress.reached.factors;
     progress.touching_travel.reset();
     progress.reaction.reset();
     progress.last_change.clear();
     return equations.start_from_prestress(
-      state, loads_without_foundation(progress.reached));
+      state, loads_without_contact(progress.reached));
   }
 
 
   std::optional<ShellEquations::Unbalance>
   StageRun::start()
   {
+    progress.reached = with_factors(progress.reached, stage.factors.size());
     std::optional<ShellEquations::Unbalance> unbalance;
     if (stage.from_prestress)
       unbalance = start_from_prestress();
     if (stage.contact && !progress.touching_travel)
       {
-        progress.touching_travel = contact.touching_travel(state);
+        progress.touching_travel = contact.ground().touching_travel(state);
         progress.touched_point =
-          contact.touched_point(state, *progress.touching_travel);
+          contact.ground().touched_point(state, *progress.touching_travel);
         progress.reaction = {progress.reached, {}, {}};
       }
     progress.first_reaction = progress.reaction;

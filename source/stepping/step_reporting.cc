@@ -20,8 +20,8 @@ namespace Biface
         report.slide = level.slide;
         report.turn  = level.turn;
       }
-    report.contact   = run.contact.summarize(run.state, loads);
-    report.footprint = find_footprint(run.contact, run.state, loads);
+    report.contact   = run.contact.ground().summarize(run.state, loads);
+    report.footprint = find_footprint(run.contact.ground(), run.state, loads);
   }
 
 
@@ -39,11 +39,11 @@ namespace Biface
         return {};
       const LoadLevel &now = progress.reaction->level;
       // the pressure of a sealed gas follows from the motion
-      if (now.factor != first->level.factor ||
+      if (now.factors != first->level.factors ||
           (now.pressure != first->level.pressure && !run.stage.sealed))
         return {};
 
-      const Tensor<1, 3> outward = run.contact.foundation(0).direction();
+      const Tensor<1, 3> outward = run.contact.ground().body_at(0).direction();
       const Point<3>     center  = progress.touched_point + first->level.slide -
                               first->level.travel * outward;
       const auto secant =
@@ -84,7 +84,7 @@ namespace Biface
     if (loads.rolling)
       {
         report.rolling = summarize_rolling(
-          run.equations, run.contact, run.state, loads, *forces);
+          run.equations, run.contact.ground(), run.state, loads, *forces);
         if (progress.free_rolling_radius)
           report.slip_ratio =
             slip_ratio(progress.reached, *progress.free_rolling_radius);

@@ -27,8 +27,9 @@ namespace Biface
   {
     if (warned_of_pierced_nodes || !run.stage.contact)
       return;
-    const ActiveSet pierced = run.contact.pierced_nodes(run.state, loads);
-    const bool      any     = std::any_of(
+    const ActiveSet pierced =
+      run.contact.ground().pierced_nodes(run.state, loads);
+    const bool any = std::any_of(
       pierced.begin(), pierced.end(), [](const char node) { return node; });
     if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
       return;

@@ -110,7 +110,7 @@ namespace Biface
           throw InputError(where + "must differ from the previous one.");
         if (i > 0 && i + 1 < points.size())
           {
-            // of the angle by which the curve turns at a point
+            // the curve turns by at most 120 degrees at a point
             constexpr double   least_cosine = -0.5;
             const Tensor<1, 2> before       = points[i] - points[i - 1];
             const Tensor<1, 2> after        = points[i + 1] - points[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Slid sideways by 5 mm with the coefficient of friction 0.5, the bias tire has
-// the lateral force of an independent implementation within 0.1 %, and slips in
-// about half of its footprint; with the coefficient 0.1 it slips everywhere,
-// and the force is the coefficient times the vertical one.
+// the lateral force of the independent program of doc/bias_tire.md within
+// 0.1 %, and slips in about half of its footprint; with the coefficient 0.1 it
+// slips everywhere, and the force is the coefficient times the vertical one.
 
 #include <biface/model/quantities/forces_on_shell.h>
 

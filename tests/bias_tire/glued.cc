@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The stiffnesses of the bias tire, pressed by 20 mm without friction and then
-// glued to the plane, agree with those of an independent implementation within
-// 0.1 %: lateral (with the longitudinal force by which a bias tire couples the
-// two), longitudinal and torsional.
+// glued to the plane, agree with those of the independent program of
+// doc/bias_tire.md within 0.1 %: lateral (with the longitudinal force by which
+// a bias tire couples the two), longitudinal and torsional.
 
 #include <biface/model/quantities/forces_on_shell.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With the inflated state as initial resultants of the undeformed tire, the
-// force at 20 mm is 2036 N, that of an independent implementation.
+// force at 20 mm is 2036 N, that of the independent program of
+// doc/bias_tire.md.
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The force at 20 mm converges with order two to that of an independent
-// computation, 1878 N: extrapolated from 42 x 40 and 84 x 80 elements it is
-// within 2 N of it.
+// The force at 20 mm converges with order two to that of the independent
+// program of doc/bias_tire.md, 1878 N: extrapolated from 42 x 40 and 84 x 80
+// elements it is within 2 N of it.
 
 #include "../tests.h"
 #include "bias_tire.h"

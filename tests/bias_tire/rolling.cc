@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The rolling bias tire has the figures of an independent implementation: of
-// free rolling, at one degree of slip angle, and braked, with a critical
-// velocity of 0.01 of the speed, and of 0.001, where a step from standing to
-// rolling converges that cannot be halved; and, without friction, the
-// vertical force at 100 radians per second. Braking, the powers balance within
-// 0.5 %.
+// The rolling bias tire has the figures of the independent program of
+// doc/bias_tire.md: of free rolling, at one degree of slip angle, and braked,
+// with a critical velocity of 0.01 of the speed, and of 0.001, where a step
+// from standing to rolling converges that cannot be halved; and, without
+// friction, the vertical force at 100 radians per second. Braking, the powers
+// balance within 0.5 %.
 
 #include <biface/model/quantities/rolling_summary.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A gas sealed in the inflated tire has 0.1524 MPa when the ground has moved in
-// by 20 mm, and the force is larger by 1.0 % (an independent implementation);
-// it takes no more iterations than a given pressure.
+// by 20 mm, and the force is larger by 1.0 %, as in the independent program of
+// doc/bias_tire.md; it takes no more iterations than a given pressure.
 
 #include "../tests.h"
 #include "bias_tire.h"

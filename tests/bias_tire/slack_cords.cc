@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With cords that go slack, the bias tire has the displacement, the forces and
-// the slack volume of an independent implementation, in few iterations and
-// without cuts.
+// the slack volume of the independent program of doc/bias_tire.md, in few
+// iterations and without cuts.
 
 #include <deal.II/base/utilities.h>
 

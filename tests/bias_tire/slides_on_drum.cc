@@ -47,7 +47,7 @@ namespace
           for (const unsigned int n : cell.nodes)
             pressure += cell.geometry.weight / 4 * state.contact_pressure(n);
         const Point<3> on_axis =
-          report.loads.foundation->present(Point<3>(radius, 0, 0));
+          report.loads.ground()->present(Point<3>(radius, 0, 0));
         foundation =
           force_of_foundation(equations, state, *report.forces, on_axis);
       });

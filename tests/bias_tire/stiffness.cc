@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The table of stiffnesses of the bias tire, pressed by 20 mm without friction
-// and then glued to the plane, agrees with those of an independent
-// implementation within 0.1 %, each from the same loaded state.
+// and then glued to the plane, agrees with those of the independent
+// program of doc/bias_tire.md within 0.1 %, each from the same loaded state.
 
 #include <map>
 

@@ -7,7 +7,7 @@
 
 #include <deal.II/physics/transformations.h>
 
-#include <biface/contact/rigid_foundation.h>
+#include <biface/contact/rigid_body.h>
 
 #include <tests.h>
 
@@ -17,22 +17,21 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string                            &name,
-       const std::shared_ptr<const FoundationShape> &shape,
-       const double                                  around)
+  test(const std::string                      &name,
+       const std::shared_ptr<const BodyShape> &shape,
+       const double                            around)
   {
     using Physics::Transformations::Rotations::rotation_matrix_3d;
 
-    const double          turn = 0.4, step = 1e-5;
-    const Tensor<1, 3>    d     = shape->direction;
-    const Tensor<1, 3>    slide = cross_product_3d(d, Tensor<1, 3>({1, 2, 3}));
-    const Point<3>        pivot(1, 0.5, -0.3);
-    const Tensor<2, 3>    R_y = rotation_matrix_3d(Point<3>(0, 1, 0), around);
-    const Tensor<2, 3>    R_d = rotation_matrix_3d(Point<3>(d), turn);
-    const Tensor<2, 3>    R   = R_y * R_d;
-    const RigidFoundation before = RigidFoundation(shape).moved(0.3);
-    const RigidFoundation after =
-      before.displaced(slide, turn, pivot).around(around);
+    const double       turn = 0.4, step = 1e-5;
+    const Tensor<1, 3> d     = shape->direction;
+    const Tensor<1, 3> slide = cross_product_3d(d, Tensor<1, 3>({1, 2, 3}));
+    const Point<3>     pivot(1, 0.5, -0.3);
+    const Tensor<2, 3> R_y    = rotation_matrix_3d(Point<3>(0, 1, 0), around);
+    const Tensor<2, 3> R_d    = rotation_matrix_3d(Point<3>(d), turn);
+    const Tensor<2, 3> R      = R_y * R_d;
+    const RigidBody    before = RigidBody(shape).moved(0.3);
+    const RigidBody after = before.displaced(slide, turn, pivot).around(around);
 
     std::cout << name << (around == 0 ? "" : ", around the axle") << std::endl;
     double carried = 0, clearance = 0, normal = 0, tangents = 0, unit = 0,
@@ -47,8 +46,7 @@ namespace
                             after.present(before.at_rest(x)).distance(y),
                             after.at_rest(y).distance(before.at_rest(x))});
 
-        const FoundationPoint at    = before.evaluate(x),
-                              there = after.evaluate(y);
+        const BodyPoint at = before.evaluate(x), there = after.evaluate(y);
         clearance =
           std::max(clearance, std::abs(at.clearance - there.clearance));
         normal       = std::max(normal, (R * at.normal - there.normal).norm());
@@ -94,9 +92,9 @@ namespace
 int
 main()
 {
-  const FoundationShape::TravelLine line{Tensor<1, 3>({2, 0.6, -0.4}),
-                                         Point<3>(3, -1, 2)};
-  RigidDrum::Parameters             parameters;
+  const BodyShape::TravelLine line{Tensor<1, 3>({2, 0.6, -0.4}),
+                                   Point<3>(3, -1, 2)};
+  RigidDrum::Parameters       parameters;
   parameters.radius = 5;
   parameters.axis   = Tensor<1, 3>({0.2, 0.8, 0.6});
   const auto plane  = std::make_shared<RigidPlane>(line);

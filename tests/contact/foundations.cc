@@ -5,8 +5,8 @@
 // is minus its second derivative; after the travel to a point the foundation
 // touches it. With a huge radius all agree with a plane to the last digits.
 
-#include <biface/contact/foundation_shapes.h>
-#include <biface/contact/rigid_foundation.h>
+#include <biface/contact/body_shapes.h>
+#include <biface/contact/rigid_body.h>
 
 #include <tests.h>
 
@@ -15,7 +15,7 @@ using namespace Biface;
 
 namespace
 {
-  FoundationShape::TravelLine
+  BodyShape::TravelLine
   line()
   {
     return {Tensor<1, 3>({2, 0.6, -0.4}), Point<3>(3, -1, 2)};
@@ -36,19 +36,19 @@ namespace
   /** @param distance from the surface, by the center or axis. */
   template <typename Distance>
   void
-  test(const std::string                           &name,
-       const std::shared_ptr<const FoundationShape> shape,
-       const Distance                              &distance)
+  test(const std::string                     &name,
+       const std::shared_ptr<const BodyShape> shape,
+       const Distance                        &distance)
   {
-    const double          travel = 0.3, step = 1e-5;
-    const RigidFoundation foundation = RigidFoundation(shape).moved(travel);
+    const double    travel = 0.3, step = 1e-5;
+    const RigidBody foundation = RigidBody(shape).moved(travel);
 
     double clearance = 0, unit = 0, normal = 0, gradient = 0, touch = 0;
     for (unsigned int i = 0; i < 10; ++i)
       {
-        const Point<3>        x  = some_point(i);
-        const FoundationPoint at = foundation.evaluate(x);
-        clearance                = std::max(
+        const Point<3>  x  = some_point(i);
+        const BodyPoint at = foundation.evaluate(x);
+        clearance          = std::max(
           clearance,
           std::abs(at.clearance - distance(x + travel * shape->direction)));
         unit = std::max(unit, std::abs(at.normal.norm() - 1));
@@ -84,7 +84,7 @@ namespace
 
   /** The maximum differences from a plane. */
   void
-  compare_with_plane(const std::string &name, const FoundationShape &shape)
+  compare_with_plane(const std::string &name, const BodyShape &shape)
   {
     const RigidPlane plane(line());
     double           clearance = 0, normal = 0, travel = 0;

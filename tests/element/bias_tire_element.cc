@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // An element of the bias tire has the stiffness, strains, resultants, internal
-// force, tangent and energy of an independent implementation.
+// force, tangent and energy of the independent program of doc/bias_tire.md.
 
 #include <biface/element/mixed_element.h>
 #include <biface/laminate/layup.h>

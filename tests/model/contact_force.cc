@@ -18,30 +18,31 @@ using namespace Biface;
 
 namespace
 {
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
 
 
   void
-  test(const std::string                 &name,
-       const RigidFoundation::Parameters &foundation,
-       const MultiplierMass               mass)
+  test(const std::string           &name,
+       const RigidBody::Parameters &foundation,
+       const MultiplierMass         mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactInteraction::Parameters parameters;
+    ContactPair::Parameters parameters;
     parameters.condition.mass           = mass;
     parameters.condition.regularization = 1;
-    parameters.foundation               = foundation;
+    parameters.body                     = foundation;
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.foundation = contact.foundation(contact.touching_travel(state));
+    loads.place(
+      0, {contact.ground().body_at(contact.ground().touching_travel(state))});
     const double touching =
-      std::abs(contact.remaining_travel(state, loads)) / mesh->size();
-    loads.foundation            = loads.foundation->moved(6);
+      std::abs(contact.ground().remaining_travel(state, loads)) / mesh->size();
+    loads.place(0, {loads.ground()->moved(6)});
     const unsigned int n_active = contact.settle(state, loads);
 
     // the forces of the contact alone
@@ -59,7 +60,7 @@ namespace
                                        : foundation.sphere.radius)
         .value_or(0);
     // it has come by as much as it lacks at the point of its line
-    const double   travel = -loads.foundation->clearance(line.point);
+    const double   travel = -loads.ground()->clearance(line.point);
     const Point<3> center = line.point + (radius - travel) * d;
     for (const Node &node : mesh->nodes)
       if (node.locally_owned)
@@ -77,20 +78,21 @@ namespace
     moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);
 
     LoadRates rates;
-    rates.travel       = 1;
-    const auto   force = foundation_force(equations, state, loads, {rates});
+    rates.travel = 1;
+    const auto force =
+      foundation_force(contact.ground(), state, loads, {rates});
     const double scale = force.value;
 
     // derivatives with respect to the travel
     const double step  = 1e-5;
     const auto   moved = [&](const double travel) {
-      Loads result      = loads;
-      result.foundation = loads.foundation->moved(travel);
+      Loads result = loads;
+      result.place(0, {loads.ground()->moved(travel)});
       return result;
     };
     const double per_travel =
-      (foundation_force(equations, state, moved(step)).value -
-       foundation_force(equations, state, moved(-step)).value) /
+      (foundation_force(contact.ground(), state, moved(step)).value -
+       foundation_force(contact.ground(), state, moved(-step)).value) /
       (2 * step);
     LA::Vector   direction      = equations.load_direction(state, loads, rates);
     const double direction_norm = direction.l2_norm();
@@ -111,7 +113,8 @@ namespace
         V.add(sign * step, dV);
         gradient -=
           sign / (2 * step) *
-          foundation_force(equations, at(equations, state, V), loads).value;
+          foundation_force(contact.ground(), at(equations, state, V), loads)
+            .value;
       }
 
     const double       deviation = direction.l2_norm();
@@ -147,7 +150,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  RigidFoundation::Parameters foundation;
+  RigidBody::Parameters foundation;
   // the drum's axis is across it, so that the drum's center is on the line
   foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
   foundation.line.point     = Point<3>(10, 2, -1);

@@ -25,11 +25,10 @@ namespace
         DeadLoads loads;
         loads.edge_moments =
           parse_edge_moments("moments", edge + ": 3 " + kind);
-        const ContactInteraction contact(mesh,
-                                         ContactInteraction::Parameters());
+        const ContactInteraction contact(mesh, ContactPair::Parameters());
         ShellEquations equations(mesh, make_force_terms(mesh, contact, loads));
         Loads          at;
-        at.factor = 2;
+        at.factors = {2};
         equations.assemble(State(mesh), at);
         const Total total(mesh, equations.residual());
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
@@ -56,7 +55,7 @@ main(int argc, char *argv[])
   check("plate", *flat, "alpha_2 max", Tensor<1, 3>({-24, 0, 0}));
 
   // around a closed edge all balances; a generator has the length 6, the axis
-  // of the moment is e_1 = y at the begin and -y at the end
+  // of the moment is e_1 = y at the start and -y at the end
   const auto closed = cylinder("0:360:7", true);
   check("closed cylinder", *closed, "alpha_1 max", Tensor<1, 3>());
   const auto open = cylinder("0:90:3", false);

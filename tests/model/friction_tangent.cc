@@ -18,7 +18,7 @@ using namespace Biface;
 
 namespace
 {
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
 
 
   void
@@ -27,48 +27,51 @@ namespace
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactInteraction::Parameters parameters;
-    parameters.condition.mass            = mass;
-    parameters.condition.regularization  = 1;
-    parameters.friction.coefficient      = "0.4 + 0.1*p";
-    parameters.friction.regularization   = 0.7;
-    parameters.foundation.shape          = shape;
-    parameters.foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
-    parameters.foundation.drum.radius    = 80;
-    parameters.foundation.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
-    parameters.foundation.sphere.radius  = 120;
+    ContactPair::Parameters parameters;
+    parameters.condition.mass           = mass;
+    parameters.condition.regularization = 1;
+    parameters.friction.coefficient     = "0.4 + 0.1*p";
+    parameters.friction.regularization  = 0.7;
+    parameters.body.shape               = shape;
+    parameters.body.line.direction      = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.body.drum.radius         = 80;
+    parameters.body.drum.axis           = Tensor<1, 3>({0.3, 1, 0.1});
+    parameters.body.sphere.radius       = 120;
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
-    const double   touching = contact.touching_travel(state);
-    const Point<3> pivot    = contact.touched_point(state, touching);
+    const double   touching = contact.ground().touching_travel(state);
+    const Point<3> pivot    = contact.ground().touched_point(state, touching);
+    const auto     law      = contact.ground().law("", "", false, false);
     Loads          loads;
-    loads.foundation = contact.foundation(touching + 14);
+    loads.place(0, {contact.ground().body_at(touching + 14), law});
     const Tensor<1, 3> across =
-      cross_product_3d(loads.foundation->direction(), Tensor<1, 3>({1, 2, 3}));
-    loads.foundation = loads.foundation->displaced(across, 0.1, pivot);
-    loads.law        = contact.law("", "", false, false);
+      cross_product_3d(loads.ground()->direction(), Tensor<1, 3>({1, 2, 3}));
+    loads.place(0, {loads.ground()->displaced(across, 0.1, pivot), law});
     contact.settle(state, loads);
-    contact.commit_step(state, loads);
+    contact.ground().commit_step(state, loads);
 
     // the foundation moves on, and some nodes are said to do something else
-    loads.foundation =
-      contact.foundation(touching + 15).displaced(1.3 * across, 0.12, pivot);
+    loads.place(0,
+                {contact.ground()
+                   .body_at(touching + 15)
+                   .displaced(1.3 * across, 0.12, pivot),
+                 law});
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
-      if (state.grips[n] != Grip::none)
+      if (state.contacts[0].grips[n] != Grip::none)
         switch (mesh->nodes[n].number % 3)
           {
             case 0:
-              state.grips[n] = Grip::stick;
+              state.contacts[0].grips[n] = Grip::stick;
               break;
             case 1:
-              state.grips[n] = Grip::slip;
+              state.contacts[0].grips[n] = Grip::slip;
               break;
             default:
-              state.grips[n] = Grip::glued;
+              state.contacts[0].grips[n] = Grip::glued;
           }
 
     const double     step    = 1e-5;
@@ -78,9 +81,10 @@ namespace
     equations.tangent().vmult(product, dV);
     const double scale = product.l2_norm();
     LoadRates    rates;
-    rates.travel          = 1;
-    const auto   force    = foundation_force(equations, state, loads, {rates});
-    double       gradient = force.gradient * dV;
+    rates.travel = 1;
+    const auto force =
+      foundation_force(contact.ground(), state, loads, {rates});
+    double       gradient       = force.gradient * dV;
     const double gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
     for (const double sign : {-1., 1.})
       {
@@ -90,8 +94,8 @@ namespace
         const State moved = at(equations, state, V);
         equations.assemble(moved, loads);
         product.add(sign / (2 * step), equations.residual());
-        gradient -=
-          sign / (2 * step) * foundation_force(equations, moved, loads).value;
+        gradient -= sign / (2 * step) *
+                    foundation_force(contact.ground(), moved, loads).value;
       }
 
     LA::Vector   direction      = equations.load_direction(state, loads, rates);
@@ -99,12 +103,12 @@ namespace
     double       per_travel     = force.per_load[0];
     for (const double sign : {-1., 1.})
       {
-        Loads moved      = loads;
-        moved.foundation = loads.foundation->moved(sign * step);
+        Loads moved = loads;
+        moved.place(0, {loads.ground()->moved(sign * step), law});
         equations.assemble(state, moved);
         direction.add(-sign / (2 * step), equations.residual());
-        per_travel -=
-          sign / (2 * step) * foundation_force(equations, state, moved).value;
+        per_travel -= sign / (2 * step) *
+                      foundation_force(contact.ground(), state, moved).value;
       }
 
     const double       deviation  = product.l2_norm() / scale;

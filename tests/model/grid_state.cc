@@ -38,8 +38,8 @@ main(int argc, char *argv[])
   LA::Vector V = mesh.owned_vector();
   for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
     {
-      const Node &node = mesh.nodes[n];
-      state.active[n]  = std::abs(hat(node.alpha)) > 0.5;
+      const Node &node            = mesh.nodes[n];
+      state.contacts[0].active[n] = std::abs(hat(node.alpha)) > 0.5;
       if (node.locally_owned)
         for (unsigned int i = 0; i < 6; ++i)
           V(node.dofs[i]) = (i + 1) * hat(node.alpha);

@@ -35,7 +35,7 @@ namespace
                          Layup(layup, cord_ply()),
                          Supports());
 
-    const ContactInteraction contact(mesh, ContactInteraction::Parameters());
+    const ContactInteraction contact(mesh, ContactPair::Parameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
     State                    state(mesh);
     LA::Vector               w = mesh.owned_vector();

@@ -21,10 +21,10 @@ namespace
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactInteraction::Parameters parameters;
+    ContactPair::Parameters parameters;
     parameters.condition.regularization = 1;
-    parameters.foundation.shape  = RigidFoundation::Parameters::Shape::sphere;
-    parameters.foundation.sphere = {120};
+    parameters.body.shape               = RigidBody::Parameters::Shape::sphere;
+    parameters.body.sphere              = {120};
     const ContactInteraction contact(*mesh, parameters);
 
     PressureLoad pressure;
@@ -40,19 +40,21 @@ namespace
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.pressure   = 0.1;
-    loads.factor     = 0.7;
-    loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
+    loads.pressure = 0.1;
+    loads.factors  = {0.7};
+    loads.place(
+      0,
+      {contact.ground().body_at(contact.ground().touching_travel(state) + 6)});
     contact.settle(state, loads);
 
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (is_root)
       std::cout << name << std::endl;
     const std::pair<const char *, LoadRates> cases[] = {
-      {"  pressure", {0.3, 0, 0}},
-      {"  load factor", {0, 2, 0}},
-      {"  travel", {0, 0, 1}},
-      {"  all of them", {-0.2, 1, 0.5}}};
+      {"  pressure", {0.3, {0}, 0}},
+      {"  load factor", {0, {2}, 0}},
+      {"  travel", {0, {0}, 1}},
+      {"  all of them", {-0.2, {1}, 0.5}}};
     for (const auto &[what, rates] : cases)
       {
         LA::Vector   deviation = equations.load_direction(state, loads, rates);
@@ -62,9 +64,8 @@ namespace
           {
             Loads moved = loads;
             moved.pressure += sign * step * rates.pressure;
-            moved.factor += sign * step * rates.factor;
-            moved.foundation =
-              loads.foundation->moved(sign * step * rates.travel);
+            moved.factors[0] += sign * step * rates.factors[0];
+            moved.place(0, {loads.ground()->moved(sign * step * rates.travel)});
             equations.assemble(state, moved);
             deviation.add(-sign / (2 * step), equations.residual());
           }

@@ -58,7 +58,7 @@ namespace
     DeadLoads loads;
     loads.tractions = {
       {parse_traction("inner", inner), parse_traction("outer", outer)}};
-    return loads.assemble(mesh, area);
+    return loads.assemble(mesh, area)[0];
   }
 
 

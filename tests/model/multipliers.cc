@@ -14,47 +14,50 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string                       &name,
-       const RigidFoundation::Parameters::Shape shape,
-       const MultiplierMass                     mass)
+  test(const std::string                 &name,
+       const RigidBody::Parameters::Shape shape,
+       const MultiplierMass               mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactInteraction::Parameters parameters;
+    ContactPair::Parameters parameters;
     parameters.condition.mass           = mass;
     parameters.condition.regularization = 2;
-    parameters.foundation.shape         = shape;
-    parameters.foundation.sphere        = {300};
+    parameters.body.shape               = shape;
+    parameters.body.sphere              = {300};
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.foundation = contact.foundation(contact.touching_travel(state) + 12);
+    loads.place(
+      0,
+      {contact.ground().body_at(contact.ground().touching_travel(state) + 12)});
     contact.settle(state, loads);
     // another displacement, farther back: nodes leave
-    loads.foundation = loads.foundation->moved(-7);
-    state            = at(equations, state, some_displacement(*mesh, 0.6, 5));
+    loads.place(0, {loads.ground()->moved(-7)});
+    state = at(equations, state, some_displacement(*mesh, 0.6, 5));
     const unsigned int n_changes = contact.settle(state, loads);
 
     double apart = 0, condition = 0, tangential = 0, largest = 0;
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
       {
-        const Tensor<1, 3> &lambda = state.multipliers[n];
+        const Tensor<1, 3> &lambda = state.contacts[0].multipliers[n];
         largest                    = std::max(largest, std::abs(lambda[0]));
         tangential =
           std::max({tangential, std::abs(lambda[1]), std::abs(lambda[2])});
-        const double c = contact.clearance(state, loads, mesh->nodes[n]);
-        if (state.active[n])
+        const double c =
+          contact.ground().clearance(state, loads, mesh->nodes[n]);
+        if (state.contacts[0].active[n])
           condition = std::max(condition, std::abs(c - lambda[0] / 2));
         else
           apart = std::max(apart, std::abs(lambda[0]));
       }
 
     // the traction at Gauss' points of each cell, times the shape functions
-    const ContactSummary summary = contact.summarize(state, loads);
-    const Tensor<1, 3>   d       = loads.foundation->direction();
+    const ContactSummary summary = contact.ground().summarize(state, loads);
+    const Tensor<1, 3>   d       = loads.ground()->direction();
     double               force   = 0;
     LA::Vector           forces  = mesh->owned_vector();
     for (const Cell &cell : mesh->cells)
@@ -63,8 +66,8 @@ namespace
         for (unsigned int s = 0; s < 4; ++s)
           {
             const Node &node = mesh->nodes[cell.nodes[s]];
-            traction[s]      = state.multipliers[cell.nodes[s]][0] *
-                          loads.foundation
+            traction[s]      = state.contacts[0].multipliers[cell.nodes[s]][0] *
+                          loads.ground()
                             ->evaluate(mesh->deformed_position(
                               state.displacement, node, Resultants::outer))
                             .normal;
@@ -128,7 +131,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
   test("plane, consistent mass", Shape::plane, MultiplierMass::consistent);
   test("plane, lumped mass", Shape::plane, MultiplierMass::lumped);
   test("sphere, consistent mass", Shape::sphere, MultiplierMass::consistent);

@@ -23,39 +23,41 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string                       &name,
-       const RigidFoundation::Parameters::Shape shape,
-       const double                             omega)
+  test(const std::string                 &name,
+       const RigidBody::Parameters::Shape shape,
+       const double                       omega)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
     const Layup layup(Layup::Parameters(), material);
     const auto  mesh = coarse_torus(layup, StrainSampling::vertices, true);
 
-    ContactInteraction::Parameters parameters;
+    ContactPair::Parameters parameters;
     parameters.condition.regularization   = 1;
     parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
     parameters.friction.critical_velocity = 20;
-    parameters.foundation.line.direction  = Tensor<1, 3>({1, 0.2, -0.1});
-    parameters.foundation.shape           = shape;
-    parameters.foundation.drum.radius     = 300;
-    parameters.foundation.drum.axis       = Tensor<1, 3>({-0.2, 1, 0.3});
+    parameters.body.line.direction        = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.body.shape                 = shape;
+    parameters.body.drum.radius           = 300;
+    parameters.body.drum.axis             = Tensor<1, 3>({-0.2, 1, 0.3});
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    const double touching   = contact.touching_travel(state);
+    const auto   law        = contact.ground().law("", "", false, true);
+    const double touching   = contact.ground().touching_travel(state);
     const auto   set_travel = [&](Loads &loads, const double travel) {
       const double slip_angle = 0.02;
-      loads.foundation =
-        on_steered(contact.foundation(touching + travel), slip_angle);
-      loads.rolling->ground = GroundMotion::under_wheel(
-        *loads.foundation, 200 * omega + 5, slip_angle);
+      loads.place(
+        0,
+        {on_steered(contact.ground().body_at(touching + travel), slip_angle),
+         law});
+      loads.rolling->ground =
+        GroundMotion::under_wheel(*loads.ground(), 200 * omega + 5, slip_angle);
     };
     loads.rolling = Rolling{omega};
     set_travel(loads, 15);
-    loads.law = contact.law("", "", false, true);
     contact.settle(state, loads);
     const unsigned int n_active   = contact.count_active(state);
     const unsigned int n_slipping = contact.count_slipping(state, loads);
@@ -72,8 +74,8 @@ namespace
     rates[1].travel           = 1;
     const auto resultants     = [&](const State &state, const Loads &loads) {
       return std::array<FoundationResultant, 2>{
-        {axle_moment(equations, state, loads, rates),
-         foundation_force(equations, state, loads, rates)}};
+        {axle_moment(contact.ground(), state, loads, rates),
+         foundation_force(contact.ground(), state, loads, rates)}};
     };
     const auto            here = resultants(state, loads);
     std::array<double, 2> gradients{};
@@ -118,7 +120,7 @@ namespace
       }
 
     Loads smooth = loads;
-    smooth.law   = std::make_shared<const TangentialLaw>();
+    smooth.place(0, {*loads.ground()});
     equations.assemble(state, smooth);
     const LA::Vector other = some_displacement(*mesh, 1, 9);
     LA::Vector       left = mesh->owned_vector(), right = left;
@@ -165,7 +167,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
   test("rolling", Shape::plane, 5);
   test("standing on moving ground", Shape::plane, 0);
   test("rolling on a drum", Shape::drum, 5);

@@ -29,7 +29,7 @@ namespace
     const Layup layup(parameters, materials);
     const auto  mesh = coarse_torus(layup, sampling);
 
-    const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+    const ContactInteraction contact(*mesh, ContactPair::Parameters());
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     equations.internal_forces().take_as_prestress(state);

@@ -27,7 +27,7 @@ namespace
     const Layup layup(parameters, cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactInteraction::Parameters contact_parameters;
+    ContactPair::Parameters contact_parameters;
     contact_parameters.condition.mass           = mass;
     contact_parameters.condition.regularization = 1;
     const ContactInteraction contact(*mesh, contact_parameters);
@@ -40,7 +40,9 @@ namespace
     Loads loads;
     loads.pressure = (with_pressure ? 0.1 : 0.);
     if (with_foundation)
-      loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
+      loads.place(0,
+                  {contact.ground().body_at(
+                    contact.ground().touching_travel(state) + 6)});
     contact.settle(state, loads);
     equations.assemble(state, loads);
 

@@ -21,7 +21,7 @@ namespace
                                  "cord: 1.2 @ 52, cord: 1.2 @ -52";
 
 
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
 
 
   void
@@ -45,14 +45,14 @@ namespace
     const auto  mesh = coarse_torus(layup);
 
     // a foundation as soft as the shell, so that neither hides the other
-    ContactInteraction::Parameters contact_parameters;
-    contact_parameters.condition.mass            = mass;
-    contact_parameters.condition.regularization  = 1;
-    contact_parameters.foundation.shape          = foundation;
-    contact_parameters.foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
-    contact_parameters.foundation.drum.radius    = 80;
-    contact_parameters.foundation.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
-    contact_parameters.foundation.sphere.radius  = 120;
+    ContactPair::Parameters contact_parameters;
+    contact_parameters.condition.mass           = mass;
+    contact_parameters.condition.regularization = 1;
+    contact_parameters.body.shape               = foundation;
+    contact_parameters.body.line.direction      = Tensor<1, 3>({1, 0.2, -0.1});
+    contact_parameters.body.drum.radius         = 80;
+    contact_parameters.body.drum.axis           = Tensor<1, 3>({0.3, 1, 0.1});
+    contact_parameters.body.sphere.radius       = 120;
     const ContactInteraction contact(*mesh, contact_parameters);
 
     PressureLoad pressure;
@@ -88,9 +88,11 @@ namespace
     state = at(equations, state, some_displacement(*mesh, 0.2, 3));
 
     Loads loads;
-    loads.pressure   = 0.1;
-    loads.factor     = 0.7;
-    loads.foundation = contact.foundation(contact.touching_travel(state) + 6);
+    loads.pressure = 0.1;
+    loads.factors  = {0.7};
+    loads.place(
+      0,
+      {contact.ground().body_at(contact.ground().touching_travel(state) + 6)});
     const unsigned int n_active = contact.settle(state, loads);
 
     equations.assemble(state, loads);

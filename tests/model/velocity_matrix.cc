@@ -21,7 +21,7 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name, const RigidFoundation::Parameters::Shape shape)
+  test(const std::string &name, const RigidBody::Parameters::Shape shape)
   {
     const auto mesh = [](const double density) {
       auto material       = cord_ply();
@@ -29,14 +29,14 @@ namespace
       return coarse_torus(
         Layup(Layup::Parameters(), material), StrainSampling::vertices, true);
     };
-    ContactInteraction::Parameters parameters;
+    ContactPair::Parameters parameters;
     parameters.condition.regularization   = 1;
     parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
     parameters.friction.critical_velocity = 20;
-    parameters.foundation.line.direction  = Tensor<1, 3>({1, 0.2, -0.1});
-    parameters.foundation.shape           = shape;
-    parameters.foundation.drum.radius     = 300;
-    parameters.foundation.drum.axis       = Tensor<1, 3>({-0.2, 1, 0.3});
+    parameters.body.line.direction        = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.body.shape                 = shape;
+    parameters.body.drum.radius           = 300;
+    parameters.body.drum.axis             = Tensor<1, 3>({-0.2, 1, 0.3});
 
     const auto               light = mesh(0);
     const ContactInteraction contact(*light, parameters);
@@ -44,11 +44,13 @@ namespace
     State          state =
       at(equations, State(*light), some_displacement(*light, 0.2, 1));
     Loads loads;
-    loads.foundation = contact.foundation(contact.touching_travel(state) + 15);
-    loads.rolling    = Rolling{5};
+    loads.place(
+      0,
+      {contact.ground().body_at(contact.ground().touching_travel(state) + 15),
+       contact.ground().law("", "", false, true)});
+    loads.rolling = Rolling{5};
     loads.rolling->ground =
-      GroundMotion::under_wheel(*loads.foundation, 1005, 0.02);
-    loads.law = contact.law("", "", false, true);
+      GroundMotion::under_wheel(*loads.ground(), 1005, 0.02);
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
 
@@ -74,7 +76,7 @@ namespace
 
     const auto               heavy = mesh(1e-4);
     const ContactInteraction no_friction(*heavy, parameters);
-    loads.law = std::make_shared<const TangentialLaw>();
+    loads.place(0, {*loads.ground()});
     const VelocityMatrix gyroscopic(no_friction, State(*heavy), loads);
     const LA::Vector     x = some_displacement(*heavy, 1, 4),
                      y     = some_displacement(*heavy, 1, 9);
@@ -101,7 +103,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  using Shape = RigidFoundation::Parameters::Shape;
+  using Shape = RigidBody::Parameters::Shape;
   test("plane", Shape::plane);
   test("drum", Shape::drum);
 }

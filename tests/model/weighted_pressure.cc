@@ -21,16 +21,16 @@ namespace
   {
     const auto mesh =
       free_shell(std::make_unique<Biface::Plane>(), {{"0:4:200", "0:2:2"}});
-    const ContactInteraction contact(*mesh, {});
+    const ContactInteraction contact(*mesh, ContactPair::Parameters());
     State                    state(*mesh);
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
       {
-        const double part = mesh->nodes[n].alpha[0] / 4;
-        state.active[n]   = true;
-        state.multipliers[n] =
+        const double part           = mesh->nodes[n].alpha[0] / 4;
+        state.contacts[0].active[n] = true;
+        state.contacts[0].multipliers[n] =
           Tensor<1, 3>({-(at_begin + part * (at_end - at_begin)), 0, 0});
       }
-    return contact.summarize(state, Loads());
+    return contact.ground().summarize(state, Loads());
   }
 } // namespace
 

@@ -59,10 +59,10 @@ namespace
     for (const StepReport &report : reports)
       {
         if (report.buckling)
-          predicted = report.buckling->loads[0].level.factor;
+          predicted = report.buckling->loads[0].level.factors[0];
         if (!report.critical_point)
           continue;
-        found   = report.critical_point->loads.level.factor;
+        found   = report.critical_point->loads.level.factors[0];
         located = report.critical_point->located;
         if (root)
           std::cout << what << ": " << report.critical_point->kind() << ", "

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The lowest frequencies of the bias tire, unloaded and inflated, are those of
-// an independent implementation. They, the masses and the shapes of its pairs
-// of modes do not depend on the number of ranks, nor do those of the pressed
-// tire.
+// the independent program of doc/bias_tire.md. They, the masses and the shapes
+// of its pairs of modes do not depend on the number of ranks, nor do those of
+// the pressed tire.
 
 #include <deal.II/base/mpi.h>
 

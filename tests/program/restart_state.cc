@@ -34,10 +34,11 @@ main(int argc, char *argv[])
   state = at(equations, state, some_displacement(*mesh, 0.3, 3));
   for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
     {
-      const Point<2> &alpha = mesh->nodes[n].alpha;
-      state.active[n]       = alpha[0] > 0.1;
+      const Point<2> &alpha       = mesh->nodes[n].alpha;
+      state.contacts[0].active[n] = alpha[0] > 0.1;
       for (unsigned int i = 0; i < 3; ++i)
-        state.multipliers[n][i] = std::sin(3 * alpha[0] + 7 * alpha[1] + i);
+        state.contacts[0].multipliers[n][i] =
+          std::sin(3 * alpha[0] + 7 * alpha[1] + i);
     }
   state.terms["term"] = {
     {1, 2}, {mesh->nodes.size(), 2}, {mesh->cells.size(), 3}};
@@ -91,8 +92,8 @@ main(int argc, char *argv[])
   const bool found[]         = {
             all(same),
             all(other.resultants == state.resultants),
-            all(other.active == state.active),
-            all(other.multipliers == state.multipliers),
+            all(other.contacts[0].active == state.contacts[0].active),
+            all(other.contacts[0].multipliers == state.contacts[0].multipliers),
             all(after.resultants == before.resultants &&
         after.strains == before.strains),
             all(other.linearization_point && other.linearization_point->resultants ==

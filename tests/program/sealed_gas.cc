@@ -37,7 +37,7 @@ main(int argc, char *argv[])
                                         {"Gas/Polytropic exponent=" + n});
       for (unsigned int i = 1; i < reports.size(); ++i)
         {
-          const double e = -5 * reports[i].loads.factor / length;
+          const double e = -5 * reports[i].loads.factors[0] / length;
           double       p = before;
           for (unsigned int k = 0; k < 50; ++k)
             p = (before + ambient) *

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The derivatives of the force on the bias tire, pressed by 20 mm from where
-// the plane touches the inflated tire, are those of an independent
-// implementation: by the pressure, by the angle of all plies and by the travel.
-// Those by the pressure and all moduli together agree with the homogeneity of
-// the equations, and none depends on the number of ranks: the last table, in
-// millionths, is the same to 1e-8.
+// the plane touches the inflated tire, are those of the independent
+// program of doc/bias_tire.md: by the pressure, by the angle of all plies and
+// by the travel. Those by the pressure and all moduli together agree with the
+// homogeneity of the equations, and none depends on the number of ranks: the
+// last table, in millionths, is the same to 1e-8.
 
 #include <deal.II/base/mpi.h>
 

@@ -22,7 +22,7 @@ main(int argc, char *argv[])
                                     "Stage 3/Contact=true"});
   check_true("three steps", steps.size() == 3);
   for (const StepReport &step : steps)
-    std::cout << step.loads.pressure << ' ' << step.loads.factor << ' '
+    std::cout << step.loads.pressure << ' ' << step.loads.factors[0] << ' '
               << step.approach << std::endl;
   check_small("force",
               steps.back().contact.force - steps[1].contact.force,

@@ -21,7 +21,7 @@ using namespace Biface;
 
 namespace
 {
-  // of the numbers in m, N, Pa and kg
+  // factors from mm, N, MPa and t to m, N, Pa and kg
   constexpr double length = 1e-3, pressure = 1e6, density = 1e12;
 
   /** The entries of an example by their units, in the form of

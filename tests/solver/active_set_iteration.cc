@@ -23,13 +23,16 @@ main(int argc, char *argv[])
 
   const Layup              layup(Layup::Parameters(), cord_ply());
   const auto               mesh = coarse_torus(layup);
-  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  const ContactInteraction contact(*mesh, ContactPair::Parameters());
   State                    state(*mesh);
 
   // the foundation goes to and fro, and the shell stands still
   Loads near, far;
-  near.foundation = contact.foundation(contact.touching_travel(state) + 12);
-  far.foundation  = contact.foundation(contact.touching_travel(state) + 1);
+  near.place(
+    0,
+    {contact.ground().body_at(contact.ground().touching_travel(state) + 12)});
+  far.place(
+    0, {contact.ground().body_at(contact.ground().touching_travel(state) + 1)});
 
   ActiveSetIteration zone(contact, out);
   const auto         print = [&](const std::string &what) {

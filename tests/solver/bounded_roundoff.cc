@@ -25,7 +25,7 @@ main(int argc, char *argv[])
 
   // without supports, and moved as a whole
   const auto               mesh = plate();
-  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  const ContactInteraction contact(*mesh, ContactPair::Parameters());
   ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
   State                    state(*mesh);
   LA::Vector               distance = mesh->owned_vector();

@@ -31,7 +31,7 @@ namespace
                                        "Element/Strain sampling=means",
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-    const ContactInteraction contact(mesh, ContactInteraction::Parameters());
+    const ContactInteraction contact(mesh, ContactPair::Parameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
 
     Loads loads;

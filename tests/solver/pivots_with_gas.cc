@@ -93,13 +93,13 @@ namespace
                      const LA::Vector &,
                      const LA::Vector &) const override
     {
-      return factor - iteration.loads.factor;
+      return factor - iteration.loads.factors[0];
     }
 
     double
     violation(const Iteration &iteration) const override
     {
-      return std::abs(factor - iteration.loads.factor) / factor;
+      return std::abs(factor - iteration.loads.factors[0]) / factor;
     }
 
   private:
@@ -107,7 +107,7 @@ namespace
     unit_factor()
     {
       LoadRates rates;
-      rates.factor = 1;
+      rates.factors = {1};
       return rates;
     }
 
@@ -138,7 +138,7 @@ main(int argc, char *argv[])
         loads.equations = (controlled ? &equation : nullptr);
         loads.at        = [sealed](const LoadParameters &factor) {
           Loads loads;
-          loads.factor     = factor[0];
+          loads.factors    = {factor[0]};
           loads.sealed_gas = sealed;
           return loads;
         };

@@ -20,7 +20,7 @@ main(int argc, char *argv[])
 
   const Analysis           analysis(PRM_DIR "/bias_tire.prm");
   const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-  const ContactInteraction contact(mesh, ContactInteraction::Parameters());
+  const ContactInteraction contact(mesh, ContactPair::Parameters());
   ShellEquations           equations(mesh, make_force_terms(mesh, contact));
   equations.assemble(State(mesh), Loads());
 

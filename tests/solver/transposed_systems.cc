@@ -83,7 +83,7 @@ main(int argc, char *argv[])
                                        "Mesh/Intervals alpha_2=0:10:16",
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-    const ContactInteraction contact(mesh, ContactInteraction::Parameters());
+    const ContactInteraction contact(mesh, ContactPair::Parameters());
     PressureLoad             pressure;
     pressure.kind = PressureKind::follower;
     ShellEquations equations(

@@ -56,7 +56,7 @@ main(int argc, char *argv[])
 
   const Layup              layup(Layup::Parameters(), cord_ply());
   const auto               mesh = coarse_torus(layup);
-  const ContactInteraction contact(*mesh, ContactInteraction::Parameters());
+  const ContactInteraction contact(*mesh, ContactPair::Parameters());
   ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
   const auto               solver =
     make_linear_solver(LinearSolver::Parameters(), *mesh, timer);

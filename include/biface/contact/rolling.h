@@ -7,7 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <biface/contact/friction.h>
-#include <biface/contact/rigid_foundation.h>
+#include <biface/contact/rigid_body.h>
 
 namespace Biface
 {
@@ -56,9 +56,9 @@ namespace Biface
      * radians.
      */
     static GroundMotion
-    under_wheel(const RigidFoundation &ground,
-                const double           speed,
-                const double           slip_angle);
+    under_wheel(const RigidBody &ground,
+                const double     speed,
+                const double     slip_angle);
   };
 
 
@@ -66,8 +66,8 @@ namespace Biface
    * the wheel about its line of travel, and the wheel then moves over it to the
    * left of its plane by the slip angle, in radians. A plane remains as it
    * is. */
-  RigidFoundation
-  on_steered(const RigidFoundation &ground, const double slip_angle);
+  RigidBody
+  on_steered(const RigidBody &ground, const double slip_angle);
 
 
   /**

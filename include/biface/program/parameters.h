@@ -50,7 +50,7 @@ namespace Biface
     DeadLoads                         loads;
     PressureLoad                      pressure;
     Gas::Parameters                   gas;
-    ContactInteraction::Parameters    contact;
+    ContactPair::Parameters           contact;
     std::vector<Stage>                stages;
     LinearSolver::Parameters          linear_solver;
     Newton::Parameters                newton;
@@ -65,6 +65,12 @@ namespace Biface
     add_parameters(dealii::ParameterHandler       &prm,
                    const std::vector<std::string> &material_names,
                    const unsigned int              n_stages);
+
+    /** Give the loads and supports that stages name in 'Load factors' factors
+     * of their own, and set those of the stages. Throws InputError if there are
+     * none of a name. */
+    void
+    assign_load_factors();
 
     /** Check everything that does not need a mesh: values, and whether the
      * points, edges, materials and tables named by entries exist. Throws

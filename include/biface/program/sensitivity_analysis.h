@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/output/scalar_results.h>
@@ -84,35 +85,7 @@ namespace Biface
     struct Neighbor;
     struct Linearization;
 
-    /** The derivative of the displacements and of the load parameters by an
-     * entry in a step, as far as it is known. */
-    struct Derivative
-    {
-      /** The displacements of the run, but at the supports those of the two
-       * perturbed runs. */
-      std::array<LA::Vector, 2> fixed;
-      LA::Vector                displacements;
-      /** The displacements for which the forces were evaluated last. The
-       * round-off in the positions is balanced by the displacements since. */
-      LA::Vector     balanced;
-      LoadParameters mu;
-      /** The load parameters for which the forces were evaluated last. */
-      LoadParameters balanced_mu;
-
-      /** The displacements of a neighbor for which they were. */
-      LA::Vector
-      balanced_at(const unsigned int side, const double half_step) const;
-
-      /** Its displacements since. */
-      LA::Vector
-      since_balanced(const double half_step) const;
-    };
-
     using Change = SensitivityParameters::Change;
-
-    /** The change of an entry in one of its neighbors. */
-    double
-    half_step(const unsigned int entry, const unsigned int side) const;
 
     /** Whether a step must be followed: if later steps read its state, or if
      * derivatives are wanted, which those of buckling factors read from the
@@ -120,51 +93,109 @@ namespace Biface
     bool
     is_read(const Step &step) const;
 
-    /** Prepare a neighbor to follow a step, with the active set and the
-     * slipping nodes of the run.
-     * @return the displacements of the run, but at the supports those of the
-     * neighbor. */
-    LA::Vector
-    propose(const Step &step, Neighbor &neighbor) const;
-
-    /** Prepare both neighbors of an entry, with derivatives that vanish. */
-    Derivative
-    start(const Step &step, const unsigned int entry) const;
-
-    /** Move both neighbors of an entry to where its derivative leads them. */
-    void
-    move(const Step        &step,
-         const unsigned int entry,
-         const Derivative  &derivative) const;
-
-    /** The rate of the forces out of balance between the neighbors of an entry
-     * where they are. Sets their multipliers to those of the run.
-     * @param here those of the run.
-     * @param roundoff of these. */
-    LA::Vector
-    force_rate(const Step        &step,
-               const unsigned int entry,
-               const LA::Vector  &here,
-               const double       roundoff);
-
-    /** Correct the derivative of load parameters by the equations that
-     * determine them.
-     * @param per_parameter the displacements per unit of each.
-     * @return whether they do. */
+    /** Whether the neighbors of an entry follow a stage: unless they have not
+     * settled. */
     bool
-    correct_loads(const Step                    &step,
-                  const unsigned int             entry,
+    follows(const unsigned int entry, const unsigned int stage) const
+    {
+      return unsettled.count({stage, entry}) == 0;
+    }
+
+    /** The neighbors that do. */
+    std::vector<Neighbor *>
+    followers(const unsigned int stage) const;
+
+    /** Prepare a neighbor to follow a step, with the active set and the
+     * slipping nodes of the run, and where the run is but at the supports. */
+    void
+    start(const Step &step, Neighbor &neighbor) const;
+
+    /** Move a neighbor to where its deviation from the run leads it. */
+    void
+    move(const Step &step, Neighbor &neighbor) const;
+
+    /** What a converged step leaves out of balance, the neighbors as well as
+     * the run. */
+    struct Balance
+    {
+      LA::Vector forces;
+      double     roundoff = 0;
+      /** The changes of the load parameters that the equations that determine
+       * them ask for. */
+      LoadParameters missing_loads;
+    };
+
+    Balance
+    balance_of_run(const Step &step, const Linearization &tangent) const;
+
+    /** The forces out of balance of a neighbor where it is, beyond those of the
+     * run. Sets its multipliers to those of the run. */
+    LA::Vector
+    unbalance(const Step       &step,
+              const LA::Vector &of_run,
+              Neighbor         &neighbor) const;
+
+    /** The changes of the load parameters that the equations that determine
+     * them ask of a neighbor.
+     * @param per_parameter the displacements per unit of each. */
+    LoadParameters
+    missing_loads(const Step                    &step,
                   const std::vector<LA::Vector> &per_parameter,
-                  Derivative                    &derivative) const;
+                  const Neighbor                &neighbor) const;
+
+    /** Correct the displacements and the load parameters of a neighbor.
+     * @param per_parameter the displacements per unit of each.
+     * @param missing_in_run see Balance. */
+    void
+    correct(const Step                    &step,
+            const LA::Vector              &correction,
+            const std::vector<LA::Vector> &per_parameter,
+            const LoadParameters          &missing_in_run,
+            Neighbor                      &neighbor) const;
+
+    /** A vector of each neighbor of an entry. */
+    using Sides = std::array<const LA::Vector *, 2>;
+
+    /** Whether both neighbors of an entry are somewhere near the run: whether
+     * the corrections do not diverge. */
+    bool
+    is_near(const unsigned int entry) const;
+
+    /** Whether the neighbors of an entry deviate from the run in opposite
+     * directions, so that their first corrections suffice for the difference
+     * if forces are linear. If not, warn.
+     * @param roundoff of the forces. */
+    bool
+    is_linear(const unsigned int entry,
+              const Sides       &forces,
+              const Sides       &corrections,
+              const double       roundoff);
+
+    /** Let the neighbors of an entry deviate from the run by opposite amounts:
+     * what they have in common is of second order. */
+    void
+    make_opposite(const Step &step, const unsigned int entry);
+
+    /** Whether the last correction of both neighbors of an entry was small.
+     * @param forces that it has balanced.
+     * @param roundoff of these. */
+    bool
+    has_settled(const unsigned int entry,
+                const Sides       &forces,
+                const double       roundoff) const;
 
     /** Move all neighbors to the end of a step, until a system is not solved,
-     * see Linearization::failure. */
+     * see Linearization::failure. Each settles in its own contact. */
     void
     carry_along(const Step &step, Linearization &tangent);
 
     /** Leave the neighbors where they were before a step. */
     void
     lose(const Step &step, const Failure &failure);
+
+    /** Leave those of an entry there that have not settled. */
+    void
+    leave_unsettled(const Step &step, const unsigned int entry);
 
     /** The modes of the run with the frequencies of a neighbor. */
     std::shared_ptr<const VibrationModes>
@@ -178,18 +209,7 @@ namespace Biface
                     Neighbor       &neighbor,
                     const Loads    &loads);
 
-    /** Warn once if something is not a smooth function of an entry: if the
-     * value here deviates from the mean of those below and above by more than a
-     * part of their difference.
-     * @param roundoff a deviation that does not count. */
-    void
-    check_step(const Change      &change,
-               const double       below,
-               const double       here,
-               const double       above,
-               const double       roundoff,
-               const std::string &what);
-
+    /** Warn once that something is not a smooth function of an entry. */
     void
     warn(const Change &change, const std::string &what);
 
@@ -203,8 +223,9 @@ namespace Biface
     /** Two of each entry, below and above. */
     std::vector<std::unique_ptr<Neighbor>> neighbors;
     /** See NeighborPoints. */
-    std::set<unsigned int>   lost_stages;
-    std::vector<std::string> warned;
+    std::set<unsigned int>                          lost_stages;
+    std::set<std::pair<unsigned int, unsigned int>> unsettled;
+    std::vector<std::string>                        warned;
   };
 } // namespace Biface
 

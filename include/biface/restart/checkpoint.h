@@ -68,9 +68,10 @@ namespace Biface
 
     Points run;
     /** The points of NeighborPoints. */
-    std::vector<Points>    neighbors;
-    std::set<unsigned int> lost_stages;
-    ResultsWriter::Written written;
+    std::vector<Points>                             neighbors;
+    std::set<unsigned int>                          lost_stages;
+    std::set<std::pair<unsigned int, unsigned int>> unsettled;
+    ResultsWriter::Written                          written;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
 
@@ -78,8 +79,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &stages &files   &differences;
-      archive &run &neighbors &lost_stages &written &summary;
+      archive &version &parameters &stages &files              &differences;
+      archive &run &neighbors &lost_stages &unsettled &written &summary;
     }
   };
 

@@ -29,7 +29,8 @@ namespace Biface
       : communicator(communicator)
     {}
 
-    /** Record the active set of this rank after another iteration.
+    /** Record the active set of this rank, that of all pairs, after another
+     * iteration.
      * @return whether the same sequence of sets has occurred twice, the same on
      * all ranks. */
     bool

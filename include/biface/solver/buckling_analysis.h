@@ -131,8 +131,16 @@ namespace Biface
               const Equilibrium               &now,
               const std::vector<BucklingMode> &modes);
 
-    /** The number of negative pivots of the tangent, if it is symmetric and the
-     * linear solver counts them. The last assembly of the equations is lost. */
+    /**
+     * The number of negative pivots of the tangent, or of its symmetric part if
+     * only loads make it unsymmetric, if the linear solver counts them.
+     *
+     * While the symmetric part is positive definite, the tangent is regular.
+     * Its eigenvalues are those of the symmetric part up to the square of the
+     * unsymmetric one, which is an error of the discretization if the loads
+     * have a potential; critical_mode() tells whether they do. The last
+     * assembly of the equations is lost.
+     */
     std::optional<unsigned int>
     count_negative_pivots(const Equilibrium &now);
 
@@ -141,14 +149,24 @@ namespace Biface
      * their shapes have nothing in common. */
     static constexpr unsigned int n_candidates = 4;
 
+    /** The shape of a critical point. */
+    struct CriticalMode
+    {
+      /** Without a position. */
+      BucklingMode mode;
+      /** Whether the tangent is singular there as its symmetric part is, up to
+       * 1 % of the loads. If not, the loads have no potential. */
+      bool is_of_tangent = true;
+    };
+
     /**
-     * The shape of the eigenvalue of the tangent closest to zero, without a
-     * position. The last assembly of the equations is lost.
+     * The shape of the eigenvalue of the tangent closest to zero. The last
+     * assembly of the equations is lost.
      *
      * @param unstable whether it is a negative eigenvalue, if there is one.
      * @return none if it was not found.
      */
-    std::optional<BucklingMode>
+    std::optional<CriticalMode>
     critical_mode(const Equilibrium &now,
                   const LoadRates   &rates,
                   const bool         unstable);
@@ -162,6 +180,11 @@ namespace Biface
     /** The tangent of one equilibrium, and whether it is symmetric. */
     bool
     assemble(const Equilibrium &now, LA::SparseMatrix &K);
+
+    /** The stiffness in a shape that stresses and loads have taken away, where
+     * they leave none, relative to the square of its norm. */
+    double
+    softening(const Equilibrium &now, const LA::Vector &shape);
 
     /** A mode with all but its position. */
     BucklingMode

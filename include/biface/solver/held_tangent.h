@@ -22,10 +22,10 @@ namespace Biface
    * is that of the shape about which the strains are linearized, with the
    * stresses of the equilibrium.
    *
-   * The nodes in contact are held along the normal of the foundation by the
+   * The nodes in contact are held along the normal of the body by the
    * regularization of the contact condition, with the lumped multiplier mass,
    * so that contact never makes the tangent unsymmetric. With friction, they
-   * also stick to the foundation; see TangentialLaw::hold(). While
+   * also stick to the body; see TangentialLaw::hold(). While
    * the shell rolls, the whole tangent of the contact is part of it instead:
    * friction follows from the slip velocity, needs the lumped multiplier mass,
    * and makes the tangent unsymmetric.
@@ -38,37 +38,42 @@ namespace Biface
                 const ContactInteraction &contact,
                 dealii::TimerOutput      &timer);
 
-    /** The tangent of the shell without the foundation, or with it if it rolls
+    /** The tangent of the shell without the bodies, or with them if it rolls
      * with friction. The last assembly of the equations is lost. */
     void
     assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
 
-    /** Add what holds the nodes in contact, if there is a foundation, and if
+    /** Add what holds the nodes in contact, if there are bodies, and if
      * assemble() has not. */
     void
     hold(const State &state, const Loads &loads, LA::SparseMatrix &K) const;
 
-    /** The rigid motions of the shell that neither supports nor the foundation
+    /** The rigid motions of the shell that neither supports nor bodies
      * resist; none while it rolls. */
     std::vector<RigidMotion>
     free_motions(const State &state, const Loads &loads) const;
 
-    /** Those of free_motions() that loads and reactions do not resist, either,
-     * as a rotation of an unloaded shell.
+    /** The motions among free_motions() that loads and reactions do not resist,
+     * either, as a rotation of an unloaded shell.
      * @param K the tangent of the equilibrium. */
     std::vector<RigidMotion>
     neutral_motions(const State            &state,
                     const Loads            &loads,
                     const LA::SparseMatrix &K) const;
 
-    /** The loads without the foundation. */
+    /** The loads without the bodies in contact. */
     static Loads
-    without_foundation(const Loads &loads);
+    without_bodies(const Loads &loads);
 
     /** Whether what assemble() gave for these loads is symmetric, see
      * ShellEquations::is_symmetric(). */
     bool
     is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const;
+
+    /** Whether loads alone can make it unsymmetric, see
+     * ShellEquations::is_symmetric_but_for_loads(). */
+    bool
+    is_symmetric_but_for_loads(const Loads &loads) const;
 
   private:
     ShellEquations           &equations;

@@ -40,9 +40,10 @@ namespace Biface
       }
     };
 
-    /** Those of a converged attempt, which belong to equilibria if they differ.
-     * If they agree, the second may be that of an iterate close to the
-     * equilibrium, unless the stage locates critical points. */
+    /** The numbers of negative pivots before and after a converged attempt,
+     * which belong to equilibria if they differ. If they agree, the second may
+     * be that of an iterate close to the equilibrium, unless the stage locates
+     * critical points. */
     PivotCounts
     count(const StageRun &run, const Attempt &attempt);
 
@@ -72,6 +73,12 @@ namespace Biface
              const bool         located);
 
   private:
+    /** Whether those after an attempt are to be counted for the symmetric part
+     * of a tangent that loads make unsymmetric, which Newton's method does not
+     * do. */
+    bool
+    counts_symmetric_part(const StageRun &run, const Attempt &attempt) const;
+
     /** The number of negative pivots of an equilibrium with the loads of a
      * stage, in double precision; warns once if it cannot be counted. */
     std::optional<unsigned int>

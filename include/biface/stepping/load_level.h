@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include <biface/model/state/state.h>
+
 namespace Biface
 {
   /** Loads, motions of the foundation, and how a wheel rolls: a @p Value of
@@ -16,17 +18,17 @@ namespace Biface
   struct LoadsOf
   {
     Value<double> pressure{};
-    /** The factor of the dead loads and of prescribed displacements of
-     * supports. */
-    Value<double> factor{};
+    /** The factors of the dead loads and of prescribed displacements of
+     * supports, see Loads::factors. */
+    std::vector<Value<double>> factors = std::vector<Value<double>>(1);
 
     /** The travel since the foundation first touched the shell. */
     Value<double> travel{};
-    /** See RigidFoundation::displaced(); the turn is in degrees. */
+    /** See RigidBody::displaced(); the turn is in degrees. */
     Value<dealii::Tensor<1, 3>> slide{};
     Value<double>               turn{};
     /** The angle by which the wheel has turned on the foundation, in degrees,
-     * see RigidFoundation::around(). */
+     * see RigidBody::around(). */
     Value<double> wheel_turn{};
 
     /** The motion of a rolling wheel, see Rolling; the slip angle is in
@@ -51,17 +53,42 @@ namespace Biface
 
 
   /** Call a function for each load and motion, with those of all the given
-   * objects. */
-  template <class Function, class... Levels>
+   * objects, which must have the same number of factors. */
+  template <class Function, class First, class... Levels>
   void
-  for_each_load(const Function &function, Levels &&...levels)
+  for_each_load(const Function &function, First &&first, Levels &&...levels)
   {
-    function(levels.pressure...);
-    function(levels.factor...);
-    for_each_motion(function, levels...);
-    function(levels.angular_velocity...);
-    function(levels.ground_velocity...);
-    function(levels.slip_angle...);
+    function(first.pressure, levels.pressure...);
+    for (unsigned int i = 0; i < first.factors.size(); ++i)
+      function(first.factors[i], levels.factors[i]...);
+    for_each_motion(function, first, levels...);
+    function(first.angular_velocity, levels.angular_velocity...);
+    function(first.ground_velocity, levels.ground_velocity...);
+    function(first.slip_angle, levels.slip_angle...);
+  }
+
+
+  /** The same loads with at least @p n factors: those of loads that had none of
+   * their own are the common one. */
+  template <class Level>
+  Level
+  with_factors(const Level &level, const std::size_t n)
+  {
+    Level result = level;
+    while (result.factors.size() < n)
+      result.factors.push_back(level.factors[0]);
+    return result;
+  }
+
+
+  /** Add the number of factors to an archive, or make room for as many. */
+  template <class Archive, class Level>
+  void
+  serialize_number_of_factors(Archive &archive, Level &level)
+  {
+    unsigned int n = level.factors.size();
+    archive     &n;
+    level.factors.resize(n);
   }
 
 
@@ -82,6 +109,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
+      serialize_number_of_factors(archive, *this);
       for_each_load([&archive](auto &load) { archive &load; }, *this);
     }
   };
@@ -104,6 +132,10 @@ namespace Biface
   loads_on_line(const LoadLevel &first,
                 const LoadLevel &second,
                 const double     position);
+
+  /** The changes of the factors between two levels. */
+  std::vector<double>
+  change_of_factors(const LoadLevel &before, const LoadLevel &after);
 
   /** The largest change of a load between two levels, relative to the load. */
   double

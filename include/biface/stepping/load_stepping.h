@@ -165,7 +165,7 @@ namespace Biface
     LoadSteppingResult
     failure_at(const StageRun &run, const LoadLevel &tried) const;
 
-    /** That of a step. */
+    /** A failure of a step with its reason. */
     LoadSteppingResult
     failure_of(const StageRun       &run,
                const Control::Trial &trial,

@@ -29,15 +29,15 @@ namespace Biface
     bool         stage_begun = false;
     /** The loads of the last converged step. */
     LoadLevel reached;
-    /** See ContactInteraction::touching_travel(), at the start of the first
+    /** See ContactPair::touching_travel(), at the start of the first
      * stage with contact, or of the first one after a prestress. */
     std::optional<double> touching_travel;
-    /** See ContactInteraction::touched_point(), at the same time. */
+    /** See ContactPair::touched_point(), at the same time. */
     dealii::Point<3> touched_point;
-    /** The load factor in the shape from which displacements count: 0, or that
-     * at the start of the last stage from a prestress. Prescribed displacements
-     * are proportional to what exceeds it. */
-    double factor_of_shape = 0;
+    /** The load factors in the shape from which displacements count: 0, or
+     * those at the start of the last stage from a prestress. Prescribed
+     * displacements are proportional to what exceeds them. */
+    std::vector<double> factors_of_shape = {0};
 
     /** In all steps, or in those since the last start from a prestress. */
     Work work;
@@ -87,6 +87,11 @@ namespace Biface
     void
     end_stage(const Stage &ended);
 
+    /** Continue with other factors: the position of each among the present
+     * ones, see StageLoads::positions_in(). */
+    void
+    rearrange_factors(const std::vector<unsigned int> &positions);
+
     /** Change the description of the current stage, if it has started, see
      * Control::change_stage(). */
     void
@@ -99,7 +104,7 @@ namespace Biface
     {
       archive &n_steps &stage &stage_begun &reached;
       serialize_optional(archive, touching_travel);
-      archive &touched_point &factor_of_shape &work;
+      archive &touched_point &factors_of_shape &work;
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, free_rolling_radius);

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <biface/model/state/state.h>
@@ -41,6 +42,8 @@ namespace Biface
     /** The positions of stages that they did not follow to the end, see
      * SensitivityAnalysis::follow(). */
     std::set<unsigned int> lost_stages;
+    /** The positions of stages and entries whose runs have not settled. */
+    std::set<std::pair<unsigned int, unsigned int>> unsettled{};
   };
 } // namespace Biface
 

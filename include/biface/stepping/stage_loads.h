@@ -8,6 +8,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <biface/stepping/load_level.h>
 
@@ -25,10 +27,41 @@ namespace Biface
   }
 
 
+  /** Loads or supports as the entry 'Load factors' names them, with their
+   * factor; not set for 'unchanged'. */
+  using NamedFactors =
+    std::vector<std::pair<std::string, std::optional<double>>>;
+
+  /** Read a comma-separated list 'name: factor'. Throws InputError if it is
+   * malformed. */
+  NamedFactors
+  parse_load_factors(const std::string &entry, const std::string &text);
+
+
+  /** Factors at other positions, see StageLoads::positions_in(). */
+  template <typename Number>
+  std::vector<Number>
+  rearranged(const std::vector<Number>       &factors,
+             const std::vector<unsigned int> &positions)
+  {
+    std::vector<Number> result;
+    for (const unsigned int position : positions)
+      result.push_back(factor_at(factors, position));
+    return result;
+  }
+
+
   /** The loads and motions at the end of a stage; those that are not set are
    * those at its start. */
   struct StageLoads : LoadsOf<std::optional>
   {
+    /** The common factor and those of named loads, from which set_factors()
+     * sets the factors of all loads. */
+    std::optional<double> common_factor;
+    NamedFactors          own_factors;
+    /** For each of the factors, the names in 'Load factors' of any stage that
+     * include its loads, from the most general one to that of the factor. */
+    std::vector<std::vector<std::string>> names_of_factors = {{}};
     /** Whether the gas that exerts the pressure is sealed in, see Gas. */
     bool sealed = false;
     /** Whether there is a foundation. */
@@ -40,6 +73,17 @@ namespace Biface
     std::string friction;
     /** Whether the nodes in contact at the start of the stage cannot slip. */
     bool glued = false;
+
+    /** Set the factors: of several names that include a load, the last one
+     * counts.
+     * @param names see names_of_factors. */
+    void
+    set_factors(const std::vector<std::vector<std::string>> &names);
+
+    /** For each of the factors, the position among those of another run that
+     * its loads had there. */
+    std::vector<unsigned int>
+    positions_in(const StageLoads &other) const;
 
     /** The loads at the end of the stage for given loads at its start. */
     LoadLevel
@@ -63,8 +107,10 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
+      serialize_number_of_factors(archive, *this);
       for_each_load(
         [&archive](auto &load) { serialize_optional(archive, load); }, *this);
+      archive &names_of_factors;
       serialize_optional(archive, slip_ratio);
       archive &sealed &contact &friction &glued;
     }

@@ -89,7 +89,7 @@ namespace Biface
 
   private:
     Loads
-    loads_without_foundation(const LoadLevel &level) const;
+    loads_without_contact(const LoadLevel &level) const;
 
     ShellEquations::Unbalance
     start_from_prestress();

@@ -11,10 +11,10 @@ namespace Biface
                          const State       &state,
                          const Loads       &loads) const
   {
-    if (!loads.foundation)
+    if (!contact.body(loads))
       return false;
     for (const unsigned int node : contact.mesh.cells[cell].nodes)
-      if (state.active[node])
+      if (contact.state_of(state).active[node])
         return true;
     return false;
   }
@@ -33,7 +33,7 @@ namespace Biface
     for (unsigned int s = 0; s < 4; ++s)
       {
         const unsigned int node = at.cell.nodes[s];
-        if (!at.state.active[node])
+        if (!contact.state_of(at.state).active[node])
           continue;
         const LinearizedTraction traction =
           contact.traction(at.state, at.loads, node);
@@ -52,16 +52,16 @@ namespace Biface
                   stiffness[i][j] = M[r][s] * (frame(r)[i] * columns[j]);
               }
             MixedElement::add_force(
-              force, r, at.cell.sign_of_outer_face(r), forces.force);
+              force, r, at.cell.sign_of_face(r, contact.face), forces.force);
             forces.square += 2 * force.norm_square();
             MixedElement::add_stiffness(stiffness,
                                         r,
-                                        at.cell.sign_of_outer_face(r),
+                                        at.cell.sign_of_face(r, contact.face),
                                         s,
-                                        at.cell.sign_of_outer_face(s),
+                                        at.cell.sign_of_face(s, contact.face),
                                         forces.tangent);
           }
-        if (law_of(at.loads).depends_on_velocity())
+        if (contact.body(at.loads)->law->depends_on_velocity())
           add_neighbor(at.cell, s, traction, forces.tangent);
       }
   }
@@ -74,7 +74,7 @@ namespace Biface
                               MixedElement::NodalMatrix &K) const
   {
     const ShellMesh &mesh    = contact.mesh;
-    const auto      &stencil = contact.rolling.flow_lines.at(cell.nodes[s]);
+    const auto      &stencil = contact.flow_lines.at(cell.nodes[s]);
     if (!stencil)
       return;
     const unsigned int r    = s ^ 2;
@@ -94,9 +94,9 @@ namespace Biface
           (own[i] * (traction.stiffness_of_neighbors[side] * neighbor[j]));
     MixedElement::add_stiffness(stiffness,
                                 s,
-                                cell.sign_of_outer_face(s),
+                                cell.sign_of_face(s, contact.face),
                                 r,
-                                cell.sign_of_outer_face(r),
+                                cell.sign_of_face(r, contact.face),
                                 K);
   }
 
@@ -114,7 +114,7 @@ namespace Biface
     for (unsigned int s = 0; s < 4; ++s)
       {
         const unsigned int node = at.cell.nodes[s];
-        if (!at.state.active[node])
+        if (!contact.state_of(at.state).active[node])
           continue;
         // a travel of the foundation is equivalent to the opposite displacement
         // of the node
@@ -122,14 +122,14 @@ namespace Biface
           contact.traction(at.state, at.loads, node);
         const Tensor<1, 3> change =
           -rates.travel *
-            (traction.stiffness * at.loads.foundation->direction()) +
+            (traction.stiffness * contact.body(at.loads)->body.direction()) +
           rates.angular_velocity * traction.per_angular_velocity;
         for (unsigned int r = 0; r < 4; ++r)
           {
             const Tensor<1, 3> m =
               mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
             MixedElement::add_force(
-              M[r][s] * m, r, at.cell.sign_of_outer_face(r), force);
+              M[r][s] * m, r, at.cell.sign_of_face(r, contact.face), force);
           }
       }
   }

@@ -32,7 +32,8 @@ namespace Biface
     terms.push_back(
       std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
     terms.push_back(std::make_unique<CentrifugalForces>(mesh));
-    terms.push_back(std::make_unique<ContactForces>(contact));
+    for (const auto &pair : contact.pairs)
+      terms.push_back(std::make_unique<ContactForces>(*pair));
     return terms;
   }
 
@@ -117,7 +118,7 @@ namespace Biface
 
     LA::Vector load = mesh.owned_vector();
     for (const ForceTerm *term : terms)
-      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+      term->add_dead_forces({loads.pressure, loads.factors, 0}, load);
     LA::Vector constant = mesh.owned_vector();
     internal.add_constant_forces(state, constant);
     mesh.condense(constant);
@@ -149,7 +150,7 @@ namespace Biface
   {
     LA::Vector load = mesh.owned_vector();
     for (const ForceTerm *term : terms)
-      term->add_dead_forces({loads.pressure, loads.factor, 0}, load);
+      term->add_dead_forces({loads.pressure, loads.factors, 0}, load);
     LA::Vector constant = mesh.owned_vector();
     internal.add_constant_forces(state, constant);
 
@@ -195,6 +196,21 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    double
+    value_of(const PrescribedDisplacement &prescribed, const Loads &loads)
+    {
+      double value = 0;
+      for (unsigned int i = 0; i < prescribed.values.size(); ++i)
+        value +=
+          (factor_at(loads.factors, i) - factor_at(loads.factors_of_shape, i)) *
+          prescribed.values[i];
+      return value;
+    }
+  } // namespace
+
+
   void
   ShellEquations::move_supports(State &state, const Loads &loads) const
   {
@@ -202,7 +218,7 @@ namespace Biface
     mesh.constraints.distribute(displacement);
     for (const PrescribedDisplacement &p : mesh.prescribed)
       if (mesh.locally_owned.is_element(p.dof))
-        displacement(p.dof) += (loads.factor - loads.factor_of_shape) * p.value;
+        displacement(p.dof) += value_of(p, loads);
     displacement.compress(VectorOperation::add);
     state.displacement = displacement;
   }
@@ -223,6 +239,16 @@ namespace Biface
     return std::any_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
       return term->source() == ForceTerm::Source::foundation &&
              !term->is_symmetric(loads);
+    });
+  }
+
+
+  bool
+  ShellEquations::is_symmetric_but_for_loads(const Loads &loads) const
+  {
+    return std::all_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
+      return term->source() == ForceTerm::Source::loads ||
+             term->is_symmetric(loads);
     });
   }
 
@@ -309,7 +335,7 @@ namespace Biface
   ShellEquations::Unbalance
   ShellEquations::start_from_prestress(State &state, const Loads &loads) const
   {
-    Assert(!loads.foundation, ExcInternalError());
+    Assert(loads.bodies.empty(), ExcInternalError());
     internal.take_as_prestress(state);
     LA::Vector given = nodal_forces(state, loads)[ForceTerm::Source::loads];
     internal.balance(given, state);
@@ -330,7 +356,7 @@ namespace Biface
   {
     NodalForces result(mesh);
     for (const ForceTerm *term : terms)
-      term->add_dead_forces({loads.pressure, loads.factor, 0},
+      term->add_dead_forces({loads.pressure, loads.factors, 0},
                             result[term->source()]);
     internal.add_constant_forces(state, result[ForceTerm::Source::shell]);
 
@@ -357,8 +383,7 @@ namespace Biface
     double violation = 0;
     for (const PrescribedDisplacement &p : mesh.prescribed)
       {
-        double missing = (loads.factor - loads.factor_of_shape) * p.value -
-                         state.displacement(p.dof);
+        double missing = value_of(p, loads) - state.displacement(p.dof);
         for (const auto &entry : *constraints.get_constraint_entries(p.dof))
           missing += entry.second * state.displacement(entry.first);
         constraints.set_inhomogeneity(p.dof, missing);

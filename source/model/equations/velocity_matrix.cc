@@ -46,7 +46,7 @@ namespace Biface
 
 
     void
-    add_friction(const ContactInteraction  &contact,
+    add_friction(const ContactPair         &pair,
                  const State               &state,
                  const Loads               &loads,
                  const Cell                &cell,
@@ -55,17 +55,17 @@ namespace Biface
       for (unsigned int v = 0; v < 4; ++v)
         {
           const unsigned int node = cell.nodes[v];
-          if (!state.active[node])
+          if (!pair.state_of(state).active[node])
             continue;
-          const auto        &frame = contact.mesh.nodes[node].surface.frame;
+          const auto        &frame = pair.mesh.nodes[node].surface.frame;
           const Tensor<2, 3> per_velocity =
-            contact.traction(state, loads, node).per_velocity;
+            pair.traction(state, loads, node).per_velocity;
           Tensor<2, 3> in_frame;
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)
               in_frame[i][j] = -cell.geometry.weight / 4 *
                                (frame[i] * (per_velocity * frame[j]));
-          const double sign = cell.sign_of_outer_face(v);
+          const double sign = cell.sign_of_face(v, pair.face);
           MixedElement::add_stiffness(in_frame, v, sign, v, sign, C);
         }
     }
@@ -94,8 +94,9 @@ namespace Biface
                        mass_moments[cell.strip],
                        angular_velocity,
                        velocity_matrix);
-        if (loads.foundation)
-          add_friction(contact, state, loads, cell, velocity_matrix);
+        for (const auto &pair : contact.pairs)
+          if (pair->body(loads))
+            add_friction(*pair, state, loads, cell, velocity_matrix);
         matrix.add(c, velocity_matrix, MixedElement::NodalVector(), nothing);
       }
     matrix.compress();

@@ -313,21 +313,31 @@ namespace Biface
   } // namespace
 
 
-  LA::Vector
+  std::vector<LA::Vector>
   DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
   {
-    LA::Vector nodal_forces = mesh.owned_vector();
+    unsigned int last = factor_of_area_force;
+    for (const PointForce &item : point_forces)
+      last = std::max(last, item.force.factor);
+    for (const EdgeForce &item : edge_forces)
+      last = std::max(last, item.force.factor);
+    for (const EdgeMoment &item : edge_moments)
+      last = std::max(last, item.factor);
+    for (const Traction &traction : tractions)
+      last = std::max(last, traction.factor);
+    std::vector<LA::Vector> nodal_forces(last + 1, mesh.owned_vector());
 
     for (const PointForce &item : point_forces)
       {
         const unsigned int n =
           node_of_point(mesh, "Loads/Point forces", item.point);
         if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
-          add_nodal_force(mesh.nodes[n], item.force, 1, nodal_forces);
+          add_nodal_force(
+            mesh.nodes[n], item.force, 1, nodal_forces[item.force.factor]);
       }
 
     for (const EdgeForce &item : edge_forces)
-      add_edge_force(mesh, item, nodal_forces);
+      add_edge_force(mesh, item, nodal_forces[item.force.factor]);
 
     for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
       {
@@ -342,21 +352,26 @@ namespace Biface
                                        moment.vertex,
                                        face,
                                        force);
-        mesh.add_nodal_forces(cell, force, nodal_forces);
+        mesh.add_nodal_forces(cell, force, nodal_forces[moment.factor]);
       }
 
     for (const auto face : {Resultants::inner, Resultants::outer})
       if (!tractions[face].components.empty())
-        add_traction(mesh, face, tractions[face], area, nodal_forces);
+        add_traction(mesh,
+                     face,
+                     tractions[face],
+                     area,
+                     nodal_forces[tractions[face].factor]);
 
     if (area_force.norm() > 0)
       {
         DeadForce weight;
         weight.components = area_force;
-        add_area_force(mesh, weight, nodal_forces);
+        add_area_force(mesh, weight, nodal_forces[factor_of_area_force]);
       }
 
-    nodal_forces.compress(VectorOperation::add);
+    for (LA::Vector &forces : nodal_forces)
+      forces.compress(VectorOperation::add);
     return nodal_forces;
   }
 } // namespace Biface

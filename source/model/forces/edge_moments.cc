@@ -64,7 +64,8 @@ namespace Biface
               result.push_back({segment.cell,
                                 vertex,
                                 moment.moment * segment.length / 2,
-                                axis});
+                                axis,
+                                moment.factor});
       }
     return result;
   }
@@ -116,17 +117,18 @@ namespace Biface
     for (const VertexMoment &moment : moments.at(at.index))
       {
         const FollowerCouple couple = this->couple(at, moment);
-        const auto           dof    = [&](const unsigned int i) {
+        const double factor = factor_at(at.loads.factors, moment.factor);
+        const auto   dof    = [&](const unsigned int i) {
           return MixedElement::dof(
             moment.vertex, i, MixedElement::half_difference);
         };
         // opposite forces on the faces do work on the half difference alone
         for (unsigned int i = 0; i < 3; ++i)
           {
-            forces.load[dof(i)] += 2 * at.loads.factor * couple.force[i];
+            forces.load[dof(i)] += 2 * factor * couple.force[i];
             for (unsigned int j = 0; j < 3; ++j)
               forces.tangent[dof(i)][dof(j)] -=
-                4 * at.loads.factor * couple.derivative[i][j];
+                4 * factor * couple.derivative[i][j];
           }
       }
   }
@@ -141,11 +143,12 @@ namespace Biface
       {
         const FollowerCouple couple = this->couple(at, moment);
         for (const auto face : {Resultants::inner, Resultants::outer})
-          MixedElement::add_face_force(MixedElement::face_sign[face] *
-                                         rates.factor * couple.force,
-                                       moment.vertex,
-                                       face,
-                                       force);
+          MixedElement::add_face_force(
+            MixedElement::face_sign[face] *
+              factor_at(rates.factors, moment.factor) * couple.force,
+            moment.vertex,
+            face,
+            force);
       }
   }
 } // namespace Biface

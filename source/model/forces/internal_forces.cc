@@ -234,7 +234,7 @@ namespace Biface
       }
     if (state.prestress)
       prestress->balancing_forces = state.prestress->balancing_forces;
-    state           = State(mesh);
+    state           = State(mesh, state.contacts.size());
     state.prestress = prestress;
   }
 

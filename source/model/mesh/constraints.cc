@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <valarray>
 #include <vector>
 
 #include <biface/base/errors.h>
@@ -34,7 +35,8 @@ namespace Biface
     struct Equation
     {
       Tensor<1, n_unknowns> coefficients;
-      double                value;
+      /** See SupportEquation. */
+      std::valarray<double> values;
     };
 
 
@@ -43,7 +45,7 @@ namespace Biface
     Equation
     for_unknowns(const SupportEquation &equation)
     {
-      Equation result{{}, equation.value};
+      Equation result{{}, equation.values};
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int face = 0; face < 2; ++face)
           {
@@ -69,26 +71,38 @@ namespace Biface
       {
         Equation     remainder = for_unknowns(equation);
         const double norm      = remainder.coefficients.norm();
-        // of the values that cancel, and of all prescribed displacements
-        double scale = std::abs(remainder.value), size = 0;
+        // sizes of the values that cancel, and of all prescribed displacements
+        const std::size_t     n_values = remainder.values.size();
+        std::valarray<double> scale    = std::abs(remainder.values);
+        std::valarray<double> size(0., n_values);
         // twice, since the first pass leaves round-off of what it removes
         for (unsigned int pass = 0; pass < 2; ++pass)
           for (const Equation &other : orthonormal)
             {
               const double part = remainder.coefficients * other.coefficients;
               remainder.coefficients -= part * other.coefficients;
-              remainder.value -= part * other.value;
-              scale = std::max(scale, std::abs(part * other.value));
-              size  = std::max(size, std::abs(other.value));
+              remainder.values -= part * other.values;
+              for (std::size_t i = 0; i < n_values; ++i)
+                {
+                  scale[i] =
+                    std::max(scale[i], std::abs(part * other.values[i]));
+                  size[i] = std::max(size[i], std::abs(other.values[i]));
+                }
             }
         const double left = remainder.coefficients.norm();
         if (left <= roundoff * norm)
-          // what the coefficients that are left, of round-off, contribute
-          return std::abs(remainder.value) <=
-                 roundoff * scale + (left + 100 * epsilon * norm) * size;
+          {
+            // what the coefficients that are left, of round-off, contribute
+            for (std::size_t i = 0; i < n_values; ++i)
+              if (!(std::abs(remainder.values[i]) <=
+                    roundoff * scale[i] +
+                      (left + 100 * epsilon * norm) * size[i]))
+                return false;
+            return true;
+          }
 
         orthonormal.push_back(
-          {remainder.coefficients / left, remainder.value / left});
+          {remainder.coefficients / left, remainder.values / left});
         independent.push_back(equation);
         return true;
       }
@@ -127,12 +141,12 @@ namespace Biface
             rows.erase(pivot_row);
             const double factor = solution.coefficients[pivot];
             solution.coefficients /= factor;
-            solution.value /= factor;
+            solution.values /= factor;
 
             const auto eliminate = [&](Equation &row) {
               const double part = row.coefficients[pivot];
               row.coefficients -= part * solution.coefficients;
-              row.value -= part * solution.value;
+              row.values -= part * solution.values;
               row.coefficients[pivot] = 0;
             };
             for (Equation &row : rows)
@@ -151,15 +165,19 @@ namespace Biface
     };
 
 
+    /** @param n_factors the number of factors of values. */
     SupportEquation
     equation_of(const SupportCondition &condition,
                 const SurfacePoint     &point,
                 const Tensor<1, 3>     &axis,
                 const unsigned int      body,
-                const double            share)
+                const double            share,
+                const unsigned int      n_factors)
     {
       const Tensor<1, 3> unit = direction(condition.component, point, axis);
-      SupportEquation    equation{{}, condition.value, body, share};
+      SupportEquation    equation{
+        {}, std::valarray<double>(0., n_factors), body, share};
+      equation.values[condition.factor] = condition.value;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int face = 0; face < 2; ++face)
           equation.coefficients[2 * i + face] =
@@ -176,6 +194,32 @@ namespace Biface
     {
       for (const SupportCondition &condition : conditions)
         check_component(entry, condition.component, surface);
+    }
+
+
+    /** The number of factors of prescribed displacements. */
+    unsigned int
+    number_of_factors(const Supports &supports)
+    {
+      unsigned int last = 0;
+      const auto   see = [&last](const std::vector<SupportCondition> &support) {
+        for (const SupportCondition &condition : support)
+          last = std::max(last, condition.factor);
+      };
+      for (const auto &edge : supports.edges)
+        see(edge);
+      for (const PointSupport &point : supports.points)
+        see(point.conditions);
+      return last + 1;
+    }
+
+
+    bool
+    is_zero(const std::valarray<double> &values)
+    {
+      return std::all_of(std::begin(values),
+                         std::end(values),
+                         [](const double value) { return value == 0; });
     }
 
 
@@ -217,7 +261,8 @@ namespace Biface
       first_of = cyclic_pairs(mesh);
     for (const auto &pair : first_of)
       is_first.insert(pair.second);
-    const auto add = [&](const unsigned int                   node,
+    const unsigned int n_factors = number_of_factors(supports);
+    const auto         add = [&](const unsigned int                   node,
                          const std::vector<SupportCondition> &conditions,
                          const bool                           both_sides) {
       const auto   pair   = first_of.find(node);
@@ -229,7 +274,8 @@ namespace Biface
                           mesh.nodes[node].surface,
                           axis,
                           supported.bodies.size() - 1,
-                          share)))
+                          share,
+                          n_factors)))
           contradiction = true;
     };
 
@@ -284,10 +330,10 @@ namespace Biface
         supported.items.push_back(
           {item.first, partner, item.second.equations()});
 
-        std::array<double, n_unknowns> values{};
+        std::array<std::valarray<double>, n_unknowns> values;
         for (const auto &row : item.second.solved())
           {
-            values[row.first] = row.second.value;
+            values[row.first] = row.second.values;
             const auto dof    = node.dofs[row.first];
             constraints.add_line(dof);
             for (unsigned int i = 0; i < n_unknowns; ++i)
@@ -295,8 +341,8 @@ namespace Biface
                   std::abs(row.second.coefficients[i]) > roundoff)
                 constraints.add_entry(
                   dof, node.dofs[i], -row.second.coefficients[i]);
-            if (row.second.value != 0)
-              prescribed.push_back({dof, row.second.value});
+            if (!is_zero(row.second.values))
+              prescribed.push_back({dof, row.second.values});
           }
         if (partner != numbers::invalid_unsigned_int)
           for (unsigned int i = 0; i < n_unknowns; ++i)
@@ -304,7 +350,7 @@ namespace Biface
               const auto dof = mesh.nodes[partner].dofs[i];
               constraints.add_line(dof);
               constraints.add_entry(dof, node.dofs[i], 1);
-              if (values[i] != 0)
+              if (!is_zero(values[i]))
                 prescribed.push_back({dof, values[i]});
             }
       }

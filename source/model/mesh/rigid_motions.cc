@@ -276,7 +276,7 @@ namespace Biface
                    const std::vector<LA::Vector> &motions,
                    std::vector<double>           &squares)
     {
-      // of its largest entry: what resists so little counts
+      // part of its largest entry: a resistance this small counts
       constexpr double least = 1e-9, tolerance = 1e-5;
 
       const double scale = least / tolerance * stiffness.linfty_norm();

@@ -205,11 +205,12 @@ namespace Biface
     }
 
 
-    /** Whether any displacement of the outer face, the sum of the two unknowns
-     * of a component, is free. */
+    /** Whether any displacement of a face is free: the sum of the two unknowns
+     * of a component, with the sign of the face. */
     bool
-    outer_face_is_free(const Node                      &node,
-                       const AffineConstraints<double> &constraints)
+    face_is_free(const Node                      &node,
+                 const unsigned int               face,
+                 const AffineConstraints<double> &constraints)
     {
       for (unsigned int i = 0; i < 3; ++i)
         {
@@ -218,13 +219,16 @@ namespace Biface
           for (const auto part :
                {MixedElement::mean, MixedElement::half_difference})
             {
-              const auto dof = node.dof(i, part);
+              const auto   dof = node.dof(i, part);
+              const double sign =
+                (part == MixedElement::mean ? 1.
+                                            : MixedElement::face_sign[face]);
               if (!constraints.is_constrained(dof))
-                change[dof] += 1;
+                change[dof] += sign;
               else
                 for (const auto &entry :
                      *constraints.get_constraint_entries(dof))
-                  change[entry.first] += entry.second;
+                  change[entry.first] += sign * entry.second;
             }
           for (const auto &entry : change)
             if (std::abs(entry.second) > 1e-12)
@@ -278,7 +282,8 @@ namespace Biface
     make_constraints(supports, *this, constraints, prescribed, supported);
 
     for (Node &node : nodes)
-      node.outer_face_free = outer_face_is_free(node, constraints);
+      for (const auto face : {Resultants::inner, Resultants::outer})
+        node.face_is_free[face] = face_is_free(node, face, constraints);
     types::global_dof_index n_owned_free = 0;
     for (const auto dof : locally_owned)
       if (!constraints.is_constrained(dof))
@@ -352,9 +357,9 @@ namespace Biface
                ExcMessage("Coarse cells must be numbered as in the grid."));
         for (unsigned int i = 0; i < 6; ++i)
           node.dofs[i] = cell->vertex_dof_index(v, i);
-        node.locally_owned   = locally_owned.is_element(node.dofs[0]);
-        node.outer_face_free = true;
-        index                = nodes.size();
+        node.locally_owned = locally_owned.is_element(node.dofs[0]);
+        node.face_is_free  = {{true, true}};
+        index              = nodes.size();
         nodes.push_back(node);
         return index;
       };
@@ -474,9 +479,9 @@ namespace Biface
               node.number       = grid.node_number(other);
               for (unsigned int d = 0; d < 6; ++d)
                 node.dofs[d] = dofs[position(line, i) + d];
-              node.locally_owned   = false;
-              node.outer_face_free = true;
-              known[node.number]   = nodes.size();
+              node.locally_owned = false;
+              node.face_is_free  = {{true, true}};
+              known[node.number] = nodes.size();
               locally_relevant.add_indices(node.dofs.begin(), node.dofs.end());
               neighbors.push_back({static_cast<unsigned int>(nodes.size())});
               nodes.push_back(node);
@@ -540,12 +545,13 @@ namespace Biface
 
 
   double
-  Cell::sign_of_outer_face(const unsigned int vertex) const
+  Cell::sign_of_face(const unsigned int vertex, const unsigned int face) const
   {
+    const double sign = MixedElement::face_sign[face];
     if (!face_offsets)
-      return MixedElement::face_sign[Resultants::outer];
+      return sign;
     const FaceOffset &offset = (*face_offsets)[vertex];
-    return (1 - offset.s) / offset.r;
+    return (sign - offset.s) / offset.r;
   }
 
 
@@ -573,6 +579,19 @@ namespace Biface
   ShellMesh::prescribes_displacements() const
   {
     return Utilities::MPI::logical_or(!prescribed.empty(), communicator);
+  }
+
+
+  bool
+  ShellMesh::prescribes_displacements(const unsigned int factor) const
+  {
+    return Utilities::MPI::logical_or(
+      std::any_of(prescribed.begin(),
+                  prescribed.end(),
+                  [factor](const PrescribedDisplacement &p) {
+                    return factor < p.values.size() && p.values[factor] != 0;
+                  }),
+      communicator);
   }
 
 

@@ -61,8 +61,8 @@ namespace Biface
           "revolution, radial, axial (along y), circumferential (along "
           "alpha_2), in the undeformed shell; FACE is one of inner, outer, "
           "both, middle, difference (outer minus inner). Values are multiplied "
-          "by the load factor. A closed coordinate has no edges; leave them "
-          "'free'. Unit: length.");
+          "by the load factor of the stage, see 'Load factors'. A closed "
+          "coordinate has no edges; leave them 'free'. Unit: length.");
     add_parsed(prm,
                "Supports/",
                "Point supports",
@@ -132,8 +132,10 @@ namespace Biface
         if (name == names.end())
           throw InputError(entry, text, form);
 
-        SupportCondition condition{
-          static_cast<Component>(name - names.begin()), inner_only, value};
+        SupportCondition condition{static_cast<Component>(name - names.begin()),
+                                   inner_only,
+                                   value,
+                                   equals != std::string::npos};
         const std::map<std::string, std::array<double, 2>> faces{
           {"inner", inner_only},
           {"outer", outer_only},
@@ -182,21 +184,5 @@ namespace Biface
           "Supports/" + edge_names[edge],
           "cyclic",
           "then the other edge of alpha_2 must be 'cyclic', too");
-  }
-
-
-  bool
-  Supports::prescribe() const
-  {
-    const auto prescribes = [](const std::vector<SupportCondition> &support) {
-      return std::any_of(
-        support.begin(), support.end(), [](const SupportCondition &condition) {
-          return condition.value != 0;
-        });
-    };
-    return std::any_of(edges.begin(), edges.end(), prescribes) ||
-           std::any_of(points.begin(), points.end(), [&](const auto &point) {
-             return prescribes(point.conditions);
-           });
   }
 } // namespace Biface

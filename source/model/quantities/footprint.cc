@@ -17,7 +17,7 @@ namespace Biface
 
   namespace
   {
-    /** A node of the outer face. */
+    /** A node of the face. */
     struct FaceNode
     {
       Point<3> x;
@@ -30,24 +30,27 @@ namespace Biface
 
     /** The nodes of all ranks by number, on the first rank. */
     std::vector<FaceNode>
-    gather_nodes(const ShellMesh &mesh, const State &state, const Loads &loads)
+    gather_nodes(const ContactPair &pair,
+                 const State       &state,
+                 const Loads       &loads)
     {
+      const ShellMesh       &mesh      = pair.mesh;
+      const ContactState    &zone      = pair.state_of(state);
       constexpr unsigned int n_columns = 7;
       std::vector<double>    values;
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
           {
             const Node    &node = mesh.nodes[n];
-            const Point<3> x    = mesh.deformed_position(
-              state.displacement, node, Resultants::outer);
+            const Point<3> x    = pair.position(state, node);
             values.insert(values.end(),
                           {static_cast<double>(node.number),
                            x[0],
                            x[1],
                            x[2],
-                           std::max(0., loads.foundation->clearance(x)),
-                           state.contact_pressure(n),
-                           static_cast<double>(state.active[n])});
+                           std::max(0., pair.body(loads)->body.clearance(x)),
+                           zone.pressure(n),
+                           static_cast<double>(zone.active[n])});
           }
       values = gather_numbers(mesh.communicator, values);
 
@@ -81,15 +84,16 @@ namespace Biface
 
     /** See Footprint::max_pressure; on the first rank. */
     double
-    max_recovered_pressure(const ShellMesh     &mesh,
-                           const MultiplierMass mass,
-                           const State         &state,
-                           const std::size_t    n_nodes)
+    max_recovered_pressure(const ContactPair &pair,
+                           const State       &state,
+                           const std::size_t  n_nodes)
     {
+      const ShellMesh       &mesh      = pair.mesh;
+      const ContactState    &zone      = pair.state_of(state);
       constexpr unsigned int n_columns = 3;
       // the value at a vertex of the dual functions of the vertices, in one
       // dimension
-      const bool   lumped = (mass == MultiplierMass::lumped);
+      const bool   lumped = (pair.condition.mass() == MultiplierMass::lumped);
       const double same = (lumped ? 2 : 1), other = (lumped ? -1 : 0);
 
       std::vector<double> values;
@@ -98,7 +102,7 @@ namespace Biface
           if (!std::all_of(
                 cell.nodes.begin(),
                 cell.nodes.end(),
-                [&](const unsigned int n) { return state.active[n]; }))
+                [&](const unsigned int n) { return zone.active[n]; }))
             continue;
           for (unsigned int r = 0; r < 4; ++r)
             {
@@ -106,7 +110,7 @@ namespace Biface
               for (unsigned int s = 0; s < 4; ++s)
                 pressure += ((r ^ s) & 1 ? other : same) *
                             ((r ^ s) & 2 ? other : same) *
-                            state.contact_pressure(cell.nodes[s]);
+                            zone.pressure(cell.nodes[s]);
               values.insert(
                 values.end(),
                 {static_cast<double>(mesh.nodes[cell.nodes[r]].number),
@@ -289,21 +293,21 @@ namespace Biface
 
 
   Footprint
-  find_footprint(const ContactInteraction &contact,
-                 const State              &state,
-                 const Loads              &loads)
+  find_footprint(const ContactPair &pair,
+                 const State       &state,
+                 const Loads       &loads)
   {
     Footprint result;
-    if (!loads.foundation || contact.count_active(state) == 0)
+    if (!pair.body(loads) || pair.count_active(state) == 0)
       return result;
 
-    const ShellMesh &mesh         = contact.mesh;
-    const auto       nodes        = gather_nodes(mesh, state, loads);
-    const double     max_pressure = max_recovered_pressure(
-      mesh, contact.condition.mass(), state, nodes.size());
+    const ShellMesh &mesh  = pair.mesh;
+    const auto       nodes = gather_nodes(pair, state, loads);
+    const double     max_pressure =
+      max_recovered_pressure(pair, state, nodes.size());
     if (Utilities::MPI::this_mpi_process(mesh.communicator) == 0)
       {
-        result = measure(mesh.grid, nodes, loads.foundation->direction());
+        result = measure(mesh.grid, nodes, pair.body(loads)->body.direction());
         result.max_pressure = max_pressure;
         // no node has all its neighbors in contact
         if (max_pressure == 0)

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include <biface/model/contact/contact_forces.h>
 #include <biface/model/quantities/foundation_resultants.h>
 
 namespace Biface
@@ -12,7 +13,7 @@ namespace Biface
 
   namespace
   {
-    /** A motion of the outer face, the work of the forces of the foundation on
+    /** A motion of the face, the work of the forces of the foundation on
      * which is the resultant. */
     struct Motion
     {
@@ -25,13 +26,14 @@ namespace Biface
 
 
     FoundationResultant
-    work_of_foundation(const ShellEquations         &equations,
+    work_of_foundation(const ContactPair            &ground,
                        const State                  &state,
                        const Loads                  &loads,
                        const std::vector<LoadRates> &rates,
                        const Motion                 &motion)
     {
-      const ShellMesh    &mesh = equations.mesh;
+      const ShellMesh    &mesh = ground.mesh;
+      const ContactForces of_ground(ground);
       FoundationResultant result;
       result.gradient = mesh.owned_vector();
 
@@ -46,19 +48,12 @@ namespace Biface
           forces.clear();
           for (MixedElement::NodalVector &vector : per_load)
             vector = 0;
-          bool acts = false;
-          for (const ForceTerm *term : equations.get_terms())
-            if (term->source() == ForceTerm::Source::foundation &&
-                term->acts_on(c, state, loads))
-              {
-                acts = true;
-                const ForceTerm::CellState at{c, cell, V, state, loads};
-                term->add(at, forces);
-                for (unsigned int i = 0; i < rates.size(); ++i)
-                  term->add_load_derivative(at, rates[i], per_load[i]);
-              }
-          if (!acts)
+          if (!of_ground.acts_on(c, state, loads))
             continue;
+          const ForceTerm::CellState at{c, cell, V, state, loads};
+          of_ground.add(at, forces);
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            of_ground.add_load_derivative(at, rates[i], per_load[i]);
 
           const MixedElement::NodalVector force = forces.force + forces.load;
           MixedElement::NodalVector       moved, gradient;
@@ -67,7 +62,7 @@ namespace Biface
               const Node &node = mesh.nodes[cell.nodes[v]];
               if (motion.transposed_derivative)
                 {
-                  // all forces act on the outer face of the node
+                  // all forces act on the face of the node
                   Tensor<1, 3> f;
                   for (unsigned int i = 0; i < 3; ++i)
                     f[i] = force[MixedElement::dof(v, i, MixedElement::mean)];
@@ -75,12 +70,11 @@ namespace Biface
                     node.surface.to_frame(
                       motion.transposed_derivative(node.surface.from_frame(f))),
                     v,
-                    cell.sign_of_outer_face(v),
+                    cell.sign_of_face(v, ground.face),
                     gradient);
                 }
               const Tensor<1, 3> r = node.surface.to_frame(
-                motion.at(Tensor<1, 3>(mesh.deformed_position(
-                  state.displacement, node, Resultants::outer))));
+                motion.at(Tensor<1, 3>(ground.position(state, node))));
               for (unsigned int i = 0; i < 3; ++i)
                 moved[MixedElement::dof(v, i, MixedElement::mean)] = r[i];
             }
@@ -104,14 +98,14 @@ namespace Biface
 
 
   FoundationResultant
-  foundation_force(const ShellEquations         &equations,
+  foundation_force(const ContactPair            &ground,
                    const State                  &state,
                    const Loads                  &loads,
                    const std::vector<LoadRates> &rates)
   {
-    const Tensor<1, 3> outward = -loads.foundation->direction();
+    const Tensor<1, 3> outward = -loads.ground()->direction();
     return work_of_foundation(
-      equations,
+      ground,
       state,
       loads,
       rates,
@@ -120,14 +114,14 @@ namespace Biface
 
 
   FoundationResultant
-  axle_moment(const ShellEquations         &equations,
+  axle_moment(const ContactPair            &ground,
               const State                  &state,
               const Loads                  &loads,
               const std::vector<LoadRates> &rates)
   {
     const Tensor<1, 3> axle({0., 1., 0.});
     return work_of_foundation(
-      equations,
+      ground,
       state,
       loads,
       rates,

@@ -19,7 +19,7 @@ namespace Biface
   {
     /** See RollingSummary. */
     Point<3>
-    contact_center(const RigidFoundation &ground)
+    contact_center(const RigidBody &ground)
     {
       // Newton's method; exact for a plane
       constexpr unsigned int max_iterations = 20;
@@ -30,7 +30,7 @@ namespace Biface
       Point<3> center;
       for (unsigned int i = 0; i < max_iterations; ++i)
         {
-          const FoundationPoint at = ground.evaluate(center);
+          const BodyPoint at = ground.evaluate(center);
           if (std::abs(at.clearance) <= tolerance * center.norm())
             break;
           center += at.clearance / (at.normal * down) * down;
@@ -41,18 +41,18 @@ namespace Biface
 
 
   RollingSummary
-  summarize_rolling(const ShellEquations     &equations,
-                    const ContactInteraction &contact,
-                    const State              &state,
-                    const Loads              &loads,
-                    const NodalForces        &forces)
+  summarize_rolling(const ShellEquations &equations,
+                    const ContactPair    &contact,
+                    const State          &state,
+                    const Loads          &loads,
+                    const NodalForces    &forces)
   {
-    const RigidFoundation &ground  = *loads.foundation;
-    const Rolling         &rolling = *loads.rolling;
-    const GroundMotion    &motion  = rolling.ground;
-    const Point<3>         center  = contact_center(ground);
-    const WheelAxes        axes(ground.evaluate(center).normal);
-    const auto             in_axes = [&](const Tensor<1, 3> &v) {
+    const RigidBody    &ground  = contact.body(loads)->body;
+    const Rolling      &rolling = *loads.rolling;
+    const GroundMotion &motion  = rolling.ground;
+    const Point<3>      center  = contact_center(ground);
+    const WheelAxes     axes(ground.evaluate(center).normal);
+    const auto          in_axes = [&](const Tensor<1, 3> &v) {
       return Tensor<1, 3>({axes.forward * v, axes.left * v, axes.up * v});
     };
 
@@ -64,12 +64,13 @@ namespace Biface
     const ShellMesh    &mesh = equations.mesh;
     for (const Cell &cell : mesh.cells)
       for (const unsigned int n : cell.nodes)
-        if (state.active[n])
+        if (contact.state_of(state).active[n])
           {
-            const double area     = cell.geometry.weight / 4;
-            const auto   traction = contact_traction(mesh, state, loads, n);
+            const double area = cell.geometry.weight / 4;
+            const auto   traction =
+              contact.traction_of_multipliers(state, loads, n);
             const Tensor<1, 3> v =
-              contact.rolling.relative_velocity(state, loads, n);
+              contact.at_node(state, loads, n).relative_velocity();
             powers[0] -= area * (traction.friction * v);
             powers[1] += area * ((traction.total - traction.friction) * v);
           }
@@ -78,7 +79,7 @@ namespace Biface
     RollingSummary result;
     result.force       = in_axes(exerted.force);
     result.moment      = in_axes(exerted.moment);
-    result.axle_moment = axle_moment(equations, state, loads).value;
+    result.axle_moment = axle_moment(contact, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
          ? std::copysign(motion.velocity.norm(),
@@ -95,9 +96,9 @@ namespace Biface
     result.normal_power   = powers[1];
     result.slip_velocities.resize(mesh.nodes.size());
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      if (state.active[n])
+      if (contact.state_of(state).active[n])
         result.slip_velocities[n] =
-          contact.rolling.slip_velocity(state, loads, n);
+          contact.at_node(state, loads, n).slip_velocity();
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())

@@ -10,22 +10,35 @@ namespace Biface
 
   namespace
   {
-    /** The work of the forces of the foundation in one state, on nodes that
-     * move with it by a given motion. */
+    /** The work of the tractions of a body in one state, on nodes that move
+     * with it by a given motion. */
     template <typename Motion>
     double
-    foundation_work(const ShellMesh   &mesh,
-                    const LoadedState &at,
-                    const Motion      &motion)
+    work_of_body(const ContactPair &pair,
+                 const LoadedState &at,
+                 const Motion      &motion)
     {
-      const LA::Vector &forces = at.forces[ForceTerm::Source::foundation];
-      double            work   = 0;
-      for (const Node &node : mesh.nodes)
-        if (node.locally_owned)
-          work += node.surface.from_frame(
-                    mesh.force_on_face(forces, node, Resultants::outer)) *
-                  motion(mesh.deformed_position(
-                    at.state.displacement, node, Resultants::outer));
+      const ShellMesh    &mesh = pair.mesh;
+      const ContactState &zone = pair.state_of(at.state);
+      double              work = 0;
+      for (const Cell &cell : mesh.cells)
+        {
+          const auto M =
+            multiplier_mass(pair.condition.mass(), cell.geometry.weight);
+          for (unsigned int s = 0; s < 4; ++s)
+            {
+              if (!zone.active[cell.nodes[s]])
+                continue;
+              const Tensor<1, 3> traction =
+                pair.traction_of_multipliers(at.state, at.loads, cell.nodes[s])
+                  .total;
+              for (unsigned int r = 0; r < 4; ++r)
+                work +=
+                  M[r][s] *
+                  (traction *
+                   motion(pair.position(at.state, mesh.nodes[cell.nodes[r]])));
+            }
+        }
       return Utilities::MPI::sum(work, mesh.communicator);
     }
   } // namespace
@@ -50,24 +63,26 @@ namespace Biface
     result.loads = (prescribed ? -work(ForceTerm::Source::shell) -
                                    work(ForceTerm::Source::foundation)
                                : work(ForceTerm::Source::loads));
-    if (after.loads.foundation)
+    for (const auto &pair : contact.pairs)
       {
-        const RigidFoundation &start = *before.loads.foundation;
-        const RigidFoundation &end   = *after.loads.foundation;
-        result.foundation =
-          (foundation_work(mesh,
-                           before,
-                           [&](const Point<3> &x) {
-                             return end.present(start.at_rest(x)) - x;
-                           }) +
-           foundation_work(mesh,
-                           after,
-                           [&](const Point<3> &x) {
-                             return x - start.present(end.at_rest(x));
-                           })) /
+        if (!pair->body(after.loads))
+          continue;
+        const RigidBody &start = pair->body(before.loads)->body;
+        const RigidBody &end   = pair->body(after.loads)->body;
+        result.foundation +=
+          (work_of_body(*pair,
+                        before,
+                        [&](const Point<3> &x) {
+                          return end.present(start.at_rest(x)) - x;
+                        }) +
+           work_of_body(*pair,
+                        after,
+                        [&](const Point<3> &x) {
+                          return x - start.present(end.at_rest(x));
+                        })) /
           2;
-        result.friction =
-          contact.friction_work(before.state, after.state, after.loads);
+        result.friction +=
+          pair->friction_work(before.state, after.state, after.loads);
       }
     return result;
   }

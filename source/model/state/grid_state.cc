@@ -63,7 +63,7 @@ namespace Biface
           continue;
         for (unsigned int i = 0; i < 6; ++i)
           displacements[node.number][i] = state.displacement(node.dofs[i]);
-        contacts[node.number] = state.active[n];
+        contacts[node.number] = state.ground().active[n];
       }
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       cell_resultants[mesh.cells[c].number] = state.resultants[c];

@@ -4,12 +4,9 @@
 
 namespace Biface
 {
-  State::State(const ShellMesh &mesh)
+  State::State(const ShellMesh &mesh, const unsigned int n_contacts)
     : displacement(mesh.ghosted_vector())
     , resultants(mesh.cells.size())
-    , active(mesh.nodes.size(), 0)
-    , multipliers(mesh.nodes.size())
-    , grips(mesh.nodes.size(), Grip::none)
-    , stick_points(mesh.nodes.size())
+    , contacts(n_contacts, ContactState(mesh.nodes.size()))
   {}
 } // namespace Biface

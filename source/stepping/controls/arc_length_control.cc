@@ -163,7 +163,7 @@ namespace Biface
         change -= owned_part(step.before.displacement);
         const double length = change.l2_norm();
         size                = StepSize(length);
-        // of the first step as prescribed, which may have been shortened
+        // what was taken of the prescribed first step, which may have been cut
         const double part =
           (step.to_branch ? 1. : std::abs(step.mu[0]) * stage.n_steps);
         first_length = length / part;

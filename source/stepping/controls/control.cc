@@ -90,14 +90,15 @@ namespace Biface
   Control::KnownStart
   Control::known_end(const KnownStart &start) const
   {
-    KnownStart end;
+    const KnownStart from = with_factors(start, stage.factors.size());
+    KnownStart       end  = with_factors(KnownStart(), stage.factors.size());
     for_each_load(
       [](auto &known, const auto &prescribed, const auto &at_start) {
         known = (prescribed ? prescribed : at_start);
       },
       end,
       stage,
-      start);
+      from);
     if (stage.slip_ratio)
       end.angular_velocity.reset();
     return end;
@@ -202,7 +203,7 @@ namespace Biface
     const LoadLevel end = stage.end(start);
     LoadRates       rate;
     rate.pressure         = end.pressure - start.pressure;
-    rate.factor           = end.factor - start.factor;
+    rate.factors          = change_of_factors(start, end);
     rate.angular_velocity = end.angular_velocity - start.angular_velocity;
     return rate;
   }
@@ -217,8 +218,11 @@ namespace Biface
     const std::string what = "the stage '" + stage.name +
                              "' is controlled by a displacement or an arc "
                              "length, but ";
-    if (stays(start.pressure, stage.pressure) &&
-        stays(start.factor, stage.factor))
+    bool changes = !stays(start.pressure, stage.pressure);
+    for (unsigned int i = 0; i < stage.factors.size(); ++i)
+      changes =
+        changes || !stays(factor_at(start.factors, i), stage.factors[i]);
+    if (!changes)
       throw InputError(what + "neither its pressure nor its load factor "
                               "changes.");
     bool moves = false;
@@ -241,9 +245,10 @@ namespace Biface
   void
   check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh)
   {
-    if (mesh.prescribes_displacements())
-      throw InputError("the stage '" + stage.name +
-                       "' is controlled by a displacement or an arc length, "
-                       "but supports prescribe displacements, too.");
+    for (unsigned int i = 0; i < stage.factors.size(); ++i)
+      if (stage.factors[i] && mesh.prescribes_displacements(i))
+        throw InputError("the stage '" + stage.name +
+                         "' is controlled by a displacement or an arc length, "
+                         "but supports prescribe displacements, too.");
   }
 } // namespace Biface

@@ -63,7 +63,8 @@ namespace Biface
   {
     KnownStart end = EqualSteps::known_end(start);
     end.pressure.reset();
-    end.factor.reset();
+    for (std::optional<double> &factor : end.factors)
+      factor.reset();
     if (stage.angular_velocity)
       end.angular_velocity.reset();
     return end;

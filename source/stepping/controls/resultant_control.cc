@@ -46,12 +46,12 @@ namespace Biface
       }
 
       FoundationResultant
-      evaluate(const ShellEquations         &equations,
+      evaluate(const ContactPair            &ground,
                const State                  &state,
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
-        return foundation_force(equations, state, loads, rates);
+        return foundation_force(ground, state, loads, rates);
       }
 
       double
@@ -110,7 +110,7 @@ namespace Biface
                    const State              &state,
                    const Loads              &loads)
       {
-        return contact.remaining_travel(state, loads) +
+        return contact.ground().remaining_travel(state, loads) +
                0.01 * contact.mesh.thickness();
       }
     };
@@ -152,12 +152,12 @@ namespace Biface
       }
 
       FoundationResultant
-      evaluate(const ShellEquations         &equations,
+      evaluate(const ContactPair            &ground,
                const State                  &state,
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
-        return axle_moment(equations, state, loads, rates);
+        return axle_moment(ground, state, loads, rates);
       }
 
       double
@@ -166,13 +166,13 @@ namespace Biface
       {
         // free rolling prescribes zero: relative to what the force on the
         // ground would exert at the radius
-        const double force = foundation_force(iteration.equations,
+        const double force = foundation_force(iteration.contact.ground(),
                                               iteration.state,
                                               iteration.loads)
                                .value;
         return std::abs(prescribed) +
                std::abs(force *
-                        iteration.loads.foundation->clearance(Point<3>()));
+                        iteration.loads.ground()->clearance(Point<3>()));
       }
 
       double LoadLevel::       *
@@ -204,8 +204,8 @@ namespace Biface
                  ? from.level.angular_velocity * next.ground_velocity /
                      from.level.ground_velocity
                  : next.ground_velocity /
-                     std::abs(from.loads(from.level)
-                                .foundation->clearance(Point<3>()));
+                     std::abs(
+                       from.loads(from.level).ground()->clearance(Point<3>()));
       }
     };
 
@@ -267,8 +267,11 @@ namespace Biface
         Vector<double>           missing(n);
         for (unsigned int i = 0; i < n; ++i)
           {
-            const FoundationResultant now = resultants[i]->evaluate(
-              iteration.equations, iteration.state, iteration.loads, rates);
+            const FoundationResultant now =
+              resultants[i]->evaluate(iteration.contact.ground(),
+                                      iteration.state,
+                                      iteration.loads,
+                                      rates);
             missing[i] = values[i] - now.value - now.gradient * dV_R;
             for (unsigned int j = 0; j < n; ++j)
               matrix(i, j) = now.gradient * dV_q[j] + now.per_load[j];
@@ -282,11 +285,12 @@ namespace Biface
         double largest = 0;
         for (unsigned int i = 0; i < resultants.size(); ++i)
           {
-            const double now =
-              resultants[i]
-                ->evaluate(
-                  iteration.equations, iteration.state, iteration.loads, {})
-                .value;
+            const double now = resultants[i]
+                                 ->evaluate(iteration.contact.ground(),
+                                            iteration.state,
+                                            iteration.loads,
+                                            {})
+                                 .value;
             const double relative = std::abs(now - values[i]) /
                                     resultants[i]->scale(values[i], iteration);
             // not a number is none
@@ -347,7 +351,9 @@ namespace Biface
     const Loads loads = from.loads(from.level);
     for (unsigned int i = 0; i < resultants.size(); ++i)
       start_values[i] =
-        resultants[i]->evaluate(from.equations, from.state, loads, {}).value;
+        resultants[i]
+          ->evaluate(from.contact.ground(), from.state, loads, {})
+          .value;
   }
 
 

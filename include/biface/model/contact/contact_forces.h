@@ -3,18 +3,18 @@
 #ifndef biface_model_contact_contact_forces_h
 #define biface_model_contact_contact_forces_h
 
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/forces/force_term.h>
 
 namespace Biface
 {
   /**
-   * The forces of the foundation on the active nodes.
+   * The forces of the body of a pair on the active nodes.
    *
    * The force on node r is
    * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
    * node s, like the multipliers: the traction is interpolated. The forces
-   * therefore add up to foundation_force() for both multiplier masses.
+   * therefore add up to the force of the body for both multiplier masses.
    * Without friction, with the lumped mass, they have the potential
    * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
    * symmetric tangent. Neither would be true with the normal at node r. With
@@ -24,7 +24,7 @@ namespace Biface
   {
   public:
     /** The object is kept by reference. */
-    explicit ContactForces(const ContactInteraction &contact) : contact(contact)
+    explicit ContactForces(const ContactPair &contact) : contact(contact)
     {}
 
     bool
@@ -44,8 +44,8 @@ namespace Biface
     void
     start_stage(const Loads &loads, State &state) const override
     {
-      if (loads.foundation)
-        law_of(loads).start_stage(state);
+      if (const PlacedBody *body = contact.body(loads))
+        body->law->start_stage(contact.state_of(state));
     }
 
     /** See TangentialLaw. */
@@ -61,9 +61,9 @@ namespace Biface
     bool
     is_symmetric(const Loads &loads) const override
     {
-      return !loads.foundation ||
+      return !contact.body(loads) ||
              (contact.condition.mass() == MultiplierMass::lumped &&
-              !has_friction(loads));
+              !contact.has_friction(loads));
     }
 
     Source
@@ -91,7 +91,7 @@ namespace Biface
                  const LinearizedTraction  &traction,
                  MixedElement::NodalMatrix &K) const;
 
-    const ContactInteraction &contact;
+    const ContactPair &contact;
   };
 } // namespace Biface
 

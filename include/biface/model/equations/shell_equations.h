@@ -87,6 +87,12 @@ namespace Biface
     bool
     has_unsymmetric_contact(const Loads &loads) const;
 
+    /** Whether loads that follow the shell are all that makes the tangent
+     * unsymmetric for these loads. Where its edges are held, only the error of
+     * the discretization does. */
+    bool
+    is_symmetric_but_for_loads(const Loads &loads) const;
+
     /** Whether a tangent for these loads is symmetric. Loads that follow the
      * shell may have a potential on a shell whose edges are held, which the
      * matrix shows up to round-off; contact is judged by its kind. */
@@ -151,8 +157,8 @@ namespace Biface
 
     /** Turn the resultants of the state into initial resultants of the
      * undeformed shape, to which its displacements return, see
-     * InternalForces::take_as_prestress(). The loads go on; from now on
-     * constant forces take up what is out of balance.
+     * InternalForces::take_as_prestress(). The loads keep acting; from
+     * now on constant forces take up what is out of balance.
      * @param loads without a foundation. */
     Unbalance
     start_from_prestress(State &state, const Loads &loads) const;

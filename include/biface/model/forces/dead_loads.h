@@ -25,6 +25,8 @@ namespace Biface
     bool local = false;
     /** The fractions on the two faces. */
     std::array<double, 2> faces{{0.5, 0.5}};
+    /** The position of its factor in Loads::factors. */
+    unsigned int factor = 0;
   };
 
   struct PointForce
@@ -54,6 +56,8 @@ namespace Biface
     /** Three, or none for no force. */
     std::vector<Formula> components;
     bool                 local = false;
+    /** See DeadForce. */
+    unsigned int factor = 0;
   };
 
 
@@ -71,7 +75,7 @@ namespace Biface
 
 
   /**
-   * Loads proportional to the load factor, given for the load factor 1: dead
+   * Loads proportional to a load factor, given for the factor 1: dead
    * forces at named points, on edges, on faces and on the whole shell, and dead
    * or follower moments along edges.
    */
@@ -83,20 +87,23 @@ namespace Biface
     /** By the face. */
     std::array<Traction, 2> tractions;
     dealii::Tensor<1, 3>    area_force;
+    /** The position of its factor in Loads::factors. */
+    unsigned int factor_of_area_force = 0;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
     /**
      * The nodal forces of all these loads except follower moments, regardless
-     * of supports.
+     * of supports: for each of the factors in Loads::factors, those of the
+     * loads that have it.
      *
      * @param area the area to which tractions refer.
      *
      * Throws InputError if a named point does not exist, or if a formula is not
      * finite at a node.
      */
-    LA::Vector
+    std::vector<LA::Vector>
     assemble(const ShellMesh &mesh, const AreaMeasure area) const;
   };
 
@@ -126,11 +133,12 @@ namespace Biface
     add_dead_forces(const LoadRates &loads,
                     LA::Vector      &nodal_forces) const override
     {
-      nodal_forces.add(loads.factor, at_unit_factor);
+      for (unsigned int i = 0; i < at_unit_factor.size(); ++i)
+        nodal_forces.add(factor_at(loads.factors, i), at_unit_factor[i]);
     }
 
   private:
-    const LA::Vector at_unit_factor;
+    const std::vector<LA::Vector> at_unit_factor;
   };
 } // namespace Biface
 

@@ -26,6 +26,8 @@ namespace Biface
     /** Whether it does work on the rotation of the director, or is a couple of
      * forces with constant directions. */
     bool follower;
+    /** The position of its factor in Loads::factors. */
+    unsigned int factor = 0;
   };
 
   /** Read a comma-separated list of moments along edges, 'edge: M dead' or
@@ -46,6 +48,8 @@ namespace Biface
      * outer face outward beyond the edge, in the direction
      * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
     dealii::Tensor<1, 3> axis;
+    /** See EdgeMoment. */
+    unsigned int factor;
   };
 
 

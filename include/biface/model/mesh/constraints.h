@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <valarray>
 #include <vector>
 
 #include <biface/model/mesh/supports.h>
@@ -17,13 +18,13 @@ namespace Biface
 {
   class ShellMesh;
 
-  /** A constrained unknown whose constraint is not homogeneous: @p value is
-   * multiplied by the load factor and added to the entries of the constraint.
-   */
+  /** A constrained unknown whose constraint is not homogeneous: @p values are
+   * multiplied by Loads::factors, and their sum is added to the entries of the
+   * constraint. */
   struct PrescribedDisplacement
   {
     dealii::types::global_dof_index dof;
-    double                          value;
+    std::valarray<double>           values;
   };
 
 
@@ -33,8 +34,9 @@ namespace Biface
     /** The coefficients of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. The
      * forces of the support on the faces are a multiple of them. */
     dealii::Tensor<1, 6> coefficients;
-    /** The right-hand side for the load factor 1. */
-    double value;
+    /** The right-hand side is their sum, each multiplied by one of
+     * Loads::factors. */
+    std::valarray<double> values;
     /** Which support: a position in SupportedNodes::bodies. */
     unsigned int body;
     /** Between cyclic edges, the fraction of its forces on the node itself; the

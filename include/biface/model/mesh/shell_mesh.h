@@ -60,8 +60,8 @@ namespace Biface
     /** Whether the node belongs to this rank. */
     bool locally_owned;
 
-    /** Whether any displacement of the outer face is free. */
-    bool outer_face_free;
+    /** Whether any displacement of each face is free. */
+    std::array<bool, 2> face_is_free;
   };
 
 
@@ -107,10 +107,10 @@ namespace Biface
     void
     to_nodes(MixedElement::NodalMatrix &K) const;
 
-    /** The derivative of the displacement of the node's outer face by the half
+    /** The derivative of the displacement of a face of the node by the half
      * difference of the faces of the cell. */
     double
-    sign_of_outer_face(const unsigned int vertex) const;
+    sign_of_face(const unsigned int vertex, const unsigned int face) const;
   };
 
 
@@ -240,6 +240,11 @@ namespace Biface
     /** Whether supports prescribe displacements, on any rank. */
     bool
     prescribes_displacements() const;
+
+    /** Whether they prescribe some that have a given factor, see
+     * SupportEquation. */
+    bool
+    prescribes_displacements(const unsigned int factor) const;
 
     /** The number of unknowns not determined by supports. */
     dealii::types::global_dof_index

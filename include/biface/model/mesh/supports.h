@@ -25,6 +25,10 @@ namespace Biface
     std::array<double, 2> coefficients;
     /** @f$\bar v@f$ for the load factor 1. Unit: length. */
     double value;
+    /** Whether the value was given. */
+    bool is_prescribed = false;
+    /** The position of its factor in Loads::factors. */
+    unsigned int factor = 0;
   };
 
 
@@ -86,10 +90,6 @@ namespace Biface
     /** Throw InputError if only one edge of alpha_2 is cyclic. */
     void
     check() const;
-
-    /** Whether a displacement other than 0 is prescribed. */
-    bool
-    prescribe() const;
   };
 } // namespace Biface
 

@@ -27,7 +27,7 @@ namespace Biface
    *   C(\varphi_j-\varphi_k),\qquad
    *   C(x)=\sum_{n=1}^\infty\frac{\cos nx}{n^3},
    * @f]
-   * without truncation. That of piecewise constant cycles would not converge.
+   * without truncation. For piecewise constant cycles it would not converge.
    */
   class CyclicLoss
   {

@@ -3,7 +3,7 @@
 #ifndef biface_model_quantities_footprint_h
 #define biface_model_quantities_footprint_h
 
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -33,7 +33,7 @@ namespace Biface
      * the projection of the y axis. Unit: length. */
     double length = 0, width = 0;
 
-    /** Area of the deformed outer face within the edge. Unit: area. */
+    /** Area of the deformed face within the edge. Unit: area. */
     double area = 0;
 
     /**
@@ -53,9 +53,9 @@ namespace Biface
   /** The footprint of a state; zero without contact. Must be called on all
    * ranks. */
   Footprint
-  find_footprint(const ContactInteraction &contact,
-                 const State              &state,
-                 const Loads              &loads);
+  find_footprint(const ContactPair &pair,
+                 const State       &state,
+                 const Loads       &loads);
 } // namespace Biface
 
 #endif

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/equations/shell_equations.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -28,7 +28,7 @@ namespace Biface
    *
    * Must be called on all ranks. */
   FoundationResultant
-  foundation_force(const ShellEquations         &equations,
+  foundation_force(const ContactPair            &ground,
                    const State                  &state,
                    const Loads                  &loads,
                    const std::vector<LoadRates> &rates = {});
@@ -38,7 +38,7 @@ namespace Biface
    * The moment of the axle on a wheel about the y axis. It is what balances the
    * moment of the foundation about the axle, @f$-\mathbf r\cdot\mathbf f@f$
    * with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf x@f$ of the
-   * deformed outer face. The rim exerts it in addition to what dead loads need:
+   * deformed face. The rim exerts it in addition to what dead loads need:
    * only with it the power of the axle is what the ground takes, since the work
    * of a dead pressure on the particles that flow through a constant shape is
    * minus that of its moment on the rotation. A true pressure has none. Unit:
@@ -47,7 +47,7 @@ namespace Biface
    * Must be called on all ranks.
    */
   FoundationResultant
-  axle_moment(const ShellEquations         &equations,
+  axle_moment(const ContactPair            &ground,
               const State                  &state,
               const Loads                  &loads,
               const std::vector<LoadRates> &rates = {});

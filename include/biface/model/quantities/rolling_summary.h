@@ -27,11 +27,10 @@ namespace Biface
     double axle_moment = 0;
 
     /** The speed over the ground, see GroundMotion::under_wheel(), per angular
-     * velocity; not a number without
-     * one. Unit: length. */
+     * velocity; not a number without one. Unit: length. */
     double rolling_radius = 0;
 
-    /** Powers. Of the axle on the wheel, of the ground on the wheel, and what
+    /** Powers: of the axle on the wheel, of the ground on the wheel, and what
      * friction turns into heat. Their balance is @p mismatch, axle + ground -
      * friction: the error of the mesh, which is zero in the limit. Most of it
      * is @p normal, the power of the contact pressure on particles that cross
@@ -58,11 +57,11 @@ namespace Biface
   /** The figures of a converged state. Must be called on all ranks.
    * @param forces on the nodes in this state. */
   RollingSummary
-  summarize_rolling(const ShellEquations     &equations,
-                    const ContactInteraction &contact,
-                    const State              &state,
-                    const Loads              &loads,
-                    const NodalForces        &forces);
+  summarize_rolling(const ShellEquations &equations,
+                    const ContactPair    &contact,
+                    const State          &state,
+                    const Loads          &loads,
+                    const NodalForces    &forces);
 } // namespace Biface
 
 #endif

@@ -14,18 +14,15 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
-#include <biface/contact/rigid_foundation.h>
+#include <biface/contact/contact_state.h>
+#include <biface/contact/rigid_body.h>
 #include <biface/contact/rolling.h>
+#include <biface/contact/tangential_law.h>
 #include <biface/element/modes.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
 {
-  class TangentialLaw;
-
-
   /** The results of earlier stages that belong to the undeformed shape since
    * InternalForces::take_as_prestress(). */
   struct Prestress
@@ -60,8 +57,10 @@ namespace Biface
     /** An empty state, to be assigned to. */
     State() = default;
 
-    /** The unloaded shell. */
-    explicit State(const ShellMesh &mesh);
+    /** The unloaded shell.
+     * @param n_contacts the number of pairs in contact, see
+     * ContactInteraction. */
+    explicit State(const ShellMesh &mesh, const unsigned int n_contacts = 1);
 
     /** The nodal unknowns, see MixedElement::Part, readable at all nodes of
      * this rank. */
@@ -77,49 +76,48 @@ namespace Biface
      * states. */
     std::vector<Modes::Vector> predicted_strains;
 
-    /** The active set: the nodes of this rank in contact. */
-    ActiveSet active;
-
-    /**
-     * The contact multipliers at the nodes of this rank, bilinear on the outer
-     * face, @cite GrigolyukKulikovPlotnikova2004, eq. (10): the traction on the
-     * shell per area of the middle surface. The first component, along the
-     * normal of the foundation, is minus the pressure; the two tangential
-     * components, see RigidFoundation::tangents(), are zero without friction.
-     * In the iteration, the first component is an unknown like the resultants:
-     * the solution of the last linear system, zero at nodes that have just
-     * entered. In converged states it is that of the clearance.
-     * Unit: force/area.
-     */
-    std::vector<dealii::Tensor<1, 3>> multipliers;
-
-    /** How the foundation holds the nodes of this rank sideways, and the points
-     * of the foundation at rest to which they stick. In a step a node may begin
-     * and cease to slip; everything else is the history of friction up to the
-     * end of the last step, see TangentialLaw::commit_step(). While the
-     * shell rolls, friction has no history: the grips tell where it slips, and
-     * the stick points are those from which it could stand. */
-    std::vector<Grip>             grips;
-    std::vector<dealii::Point<3>> stick_points;
+    /** What happens between the shell and each body, by ContactPair::number;
+     * the first body is the ground. */
+    std::vector<ContactState> contacts;
 
     /** What the force terms remember, by ForceTerm::name(). */
     std::map<std::string, TermState> terms;
 
-    /** That of earlier stages, which copies share; null if there is none but
-     * that of the laminate. */
+    /** The prestress from earlier stages, which copies share; null if only the
+     * laminate has one. */
     std::shared_ptr<const Prestress> prestress;
 
     /** The state about which the strains are linearized; null in nonlinear
      * theory. */
     std::shared_ptr<const State> linearization_point;
 
-    /** Contact pressure at a node, by its position in ShellMesh::nodes. */
-    double
-    contact_pressure(const unsigned int node) const
+    /** The contact with the ground. */
+    const ContactState &
+    ground() const
     {
-      return active[node] ? -multipliers[node][0] : 0.;
+      return contacts.front();
     }
   };
+
+
+  /** A rigid body at its present place, and how it holds the nodes of the shell
+   * sideways. */
+  struct PlacedBody
+  {
+    RigidBody body;
+    /** Not null. */
+    std::shared_ptr<const TangentialLaw> law =
+      std::make_shared<const TangentialLaw>();
+  };
+
+
+  /** The factor at a position; what has none of its own has the first one. */
+  template <typename Number>
+  const Number &
+  factor_at(const std::vector<Number> &factors, const unsigned int position)
+  {
+    return factors[position < factors.size() ? position : 0];
+  }
 
 
   /** The loads on the shell. */
@@ -128,32 +126,55 @@ namespace Biface
     /** See PressureLoad. Unit: force/area. */
     double pressure = 0;
 
-    /** Factor of the dead loads and prescribed displacements. */
-    double factor = 0;
+    /** The factors of the dead loads and prescribed displacements: first the
+     * common one, of all those without a factor of their own, see factor_at().
+     */
+    std::vector<double> factors = {0};
 
-    /** The factor at which prescribed displacements vanish, see
-     * Progress::factor_of_shape. */
-    double factor_of_shape = 0;
+    /** The factors at which prescribed displacements vanish, see
+     * Progress::factors_of_shape. */
+    std::vector<double> factors_of_shape = {0};
 
     /** Whether the gas that exerts the pressure is sealed in, so that the
      * pressure follows from the state, see Gas. */
     bool sealed_gas = false;
 
-    std::optional<RigidFoundation> foundation;
-
-    /** How it holds the nodes sideways; null if it does not. */
-    std::shared_ptr<const TangentialLaw> law;
+    /** The bodies that are there, by ContactPair::number; the first is the
+     * ground. */
+    std::map<unsigned int, PlacedBody> bodies;
 
     /** Set if the shell rolls. */
     std::optional<Rolling> rolling;
+
+    /** Put the body of a pair in a place. */
+    void
+    place(const unsigned int number, const PlacedBody &body)
+    {
+      bodies.insert_or_assign(number, body);
+    }
+
+    /** The body of a pair; null if it is not there. */
+    const PlacedBody *
+    body(const unsigned int number) const
+    {
+      const auto found = bodies.find(number);
+      return found == bodies.end() ? nullptr : &found->second;
+    }
+
+    /** The ground; null if it is not there. */
+    const RigidBody *
+    ground() const
+    {
+      return body(0) ? &body(0)->body : nullptr;
+    }
   };
 
 
   /** Derivatives of the loads by a parameter. */
   struct LoadRates
   {
-    double pressure = 0;
-    double factor   = 0;
+    double              pressure = 0;
+    std::vector<double> factors  = {0};
     /** Travel of the foundation. */
     double travel = 0;
     /** See Rolling. */

@@ -64,7 +64,7 @@ namespace Biface
       static KnownStart
       at(const LoadLevel &level)
       {
-        KnownStart start;
+        KnownStart start = with_factors(KnownStart(), level.factors.size());
         for_each_load(
           [](auto &known, const auto &load) { known = load; }, start, level);
         return start;
@@ -310,7 +310,7 @@ namespace Biface
   check_loads_follow(const Stage &stage, const Control::KnownStart &start);
 
   /** Throw InputError for a stage with unknown loads if supports prescribe
-   * displacements. */
+   * displacements that may change in it. */
   void
   check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh);
 } // namespace Biface

@@ -34,7 +34,7 @@ namespace Biface
     end(const Stage &stage) const = 0;
 
     virtual FoundationResultant
-    evaluate(const ShellEquations         &equations,
+    evaluate(const ContactPair            &ground,
              const State                  &state,
              const Loads                  &loads,
              const std::vector<LoadRates> &rates) const = 0;

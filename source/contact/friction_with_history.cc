@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/model/contact/friction_with_history.h>
+#include <biface/contact/friction_with_history.h>
 
 namespace Biface
 {
   using namespace dealii;
 
   void
-  FrictionWithHistory::start_stage(State &state) const
+  FrictionWithHistory::start_stage(ContactState &state) const
   {
     TangentialLaw::start_stage(state);
     if (glued)
@@ -16,7 +16,7 @@ namespace Biface
 
 
   void
-  FrictionWithHistory::hold(State &state) const
+  FrictionWithHistory::hold(ContactState &state) const
   {
     for (Grip &grip : state.grips)
       if (grip != Grip::none)
@@ -25,28 +25,25 @@ namespace Biface
 
 
   FrictionWithHistory::Slip
-  FrictionWithHistory::slip(const State         &state,
-                            const Loads         &loads,
-                            const NodeInContact &at)
+  FrictionWithHistory::slip(const ContactState &state, const NodeInContact &at)
   {
-    const Tensor<1, 3> &n = at.foundation.normal;
+    const Tensor<1, 3> &n = at.at_body.normal;
     const Tensor<1, 3>  total =
-      at.x - loads.foundation->present(state.stick_points[at.node]);
+      at.x - at.body.present(state.stick_points[at.node]);
     return {total, total - (n * total) * n};
   }
 
 
   bool
-  FrictionWithHistory::decide(State               &state,
-                              const Loads         &loads,
+  FrictionWithHistory::decide(ContactState        &state,
                               const NodeInContact &at,
                               const Tensor<1, 3>  &last) const
   {
     Grip &grip = state.grips[at.node];
     if (grip == Grip::glued)
       return false;
-    const auto tangents      = loads.foundation->tangents(at.foundation.normal);
-    const Tensor<1, 3> trial = law.trial(slip(state, loads, at).tangential);
+    const auto         tangents = at.body.tangents(at.at_body.normal);
+    const Tensor<1, 3> trial    = law.trial(slip(state, at).tangential);
     // A node that slips meets no resistance along its traction and moves too
     // far. Where it has passed its stick point, the reversed traction would
     // throw it back, and so forth.
@@ -60,11 +57,10 @@ namespace Biface
 
 
   Tensor<1, 3>
-  FrictionWithHistory::traction(const State         &state,
-                                const Loads         &loads,
+  FrictionWithHistory::traction(const ContactState  &state,
                                 const NodeInContact &at) const
   {
-    const Tensor<1, 3> trial = law.trial(slip(state, loads, at).tangential);
+    const Tensor<1, 3> trial = law.trial(slip(state, at).tangential);
     return state.grips[at.node] == Grip::slip
              ? law.slip(trial, -state.multipliers[at.node][0]).traction
              : trial;
@@ -72,18 +68,17 @@ namespace Biface
 
 
   void
-  FrictionWithHistory::linearize(const State         &state,
-                                 const Loads         &loads,
+  FrictionWithHistory::linearize(const ContactState  &state,
                                  const NodeInContact &at,
                                  LinearizedTraction  &traction) const
   {
     if (!acts_on(state, at.node))
       return;
-    const Tensor<1, 3> &n      = at.foundation.normal;
+    const Tensor<1, 3> &n      = at.at_body.normal;
     const double        lambda = state.multipliers[at.node][0];
-    const double        exact  = condition.multiplier(at.foundation.clearance);
-    const Tensor<2, 3>  normal_gradient(at.foundation.normal_gradient);
-    const Slip          slip = this->slip(state, loads, at);
+    const double        exact  = condition.multiplier(at.at_body.clearance);
+    const Tensor<2, 3>  normal_gradient(at.at_body.normal_gradient);
+    const Slip          slip = this->slip(state, at);
     Tensor<1, 3>        t    = law.trial(slip.tangential);
     // the derivative of the trial traction by the position of the node
     Tensor<2, 3> derivative =
@@ -105,29 +100,28 @@ namespace Biface
 
 
   void
-  FrictionWithHistory::commit_step(State               &state,
-                                   const Loads         &loads,
+  FrictionWithHistory::commit_step(ContactState        &state,
                                    const NodeInContact &at) const
   {
     if (!acts_on(state, at.node))
-      TangentialLaw::commit_step(state, loads, at);
+      TangentialLaw::commit_step(state, at);
     else if (state.grips[at.node] == Grip::slip)
       // without slip there is no direction for the traction of a node that
       // slips
-      state.stick_points[at.node] = loads.foundation->at_rest(
-        Point<3>(at.x - law.elastic_slip(traction(state, loads, at))));
+      state.stick_points[at.node] =
+        at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction(state, at))));
   }
 
 
   Tensor<1, 3>
-  FrictionWithHistory::slip_in_step(const State       &before,
-                                    const State       &after,
-                                    const Loads       &loads,
-                                    const unsigned int node) const
+  FrictionWithHistory::slip_in_step(const ContactState &before,
+                                    const ContactState &after,
+                                    const RigidBody    &body,
+                                    const unsigned int  node) const
   {
     if (after.grips[node] != Grip::slip || before.grips[node] == Grip::none)
       return {};
-    return loads.foundation->present(after.stick_points[node]) -
-           loads.foundation->present(before.stick_points[node]);
+    return body.present(after.stick_points[node]) -
+           body.present(before.stick_points[node]);
   }
 } // namespace Biface

@@ -1,63 +1,58 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/contact/friction_by_slip_velocity.h>
 #include <biface/contact/rolling.h>
-#include <biface/model/contact/friction_by_slip_velocity.h>
 
 namespace Biface
 {
   using namespace dealii;
 
   void
-  FrictionBySlipVelocity::start_stage(State &state) const
+  FrictionBySlipVelocity::start_stage(ContactState &state) const
   {
     for (unsigned int n = 0; n < state.grips.size(); ++n)
-      forget_stick_point(state, n);
+      state.forget_stick_point(n);
   }
 
 
   bool
-  FrictionBySlipVelocity::decide(State               &state,
-                                 const Loads         &loads,
+  FrictionBySlipVelocity::decide(ContactState        &state,
                                  const NodeInContact &at,
                                  const Tensor<1, 3> & /*last*/) const
   {
-    const bool slips = SlipVelocityLaw(law).slips(
-      kinematics.slip_velocity(state, loads, at.node));
+    const bool slips     = SlipVelocityLaw(law).slips(at.slip_velocity());
     state.grips[at.node] = (slips ? Grip::slip : Grip::stick);
     return false;
   }
 
 
   Tensor<1, 3>
-  FrictionBySlipVelocity::traction(const State         &state,
-                                   const Loads         &loads,
+  FrictionBySlipVelocity::traction(const ContactState  &state,
                                    const NodeInContact &at) const
   {
     LinearizedTraction result;
-    linearize(state, loads, at, result);
+    linearize(state, at, result);
     return result.value;
   }
 
 
   void
-  FrictionBySlipVelocity::linearize(const State         &state,
-                                    const Loads         &loads,
+  FrictionBySlipVelocity::linearize(const ContactState  &state,
                                     const NodeInContact &at,
                                     LinearizedTraction  &result) const
   {
-    const auto &stencil = kinematics.flow_lines.at(at.node);
-    if (!stencil)
+    if (!at.particle)
       return;
-    const Rolling      &rolling  = *loads.rolling;
-    const Tensor<1, 3> &n        = at.foundation.normal;
-    const Tensor<2, 3>  gradient = Tensor<2, 3>(at.foundation.normal_gradient);
-    const Tensor<1, 3>  slope    = kinematics.slope(state, at.node);
-    const Tensor<1, 3>  v        = rolling.relative_velocity(at.x, slope);
+    const Rolling      &rolling  = at.particle->rolling;
+    const Tensor<1, 3> &n        = at.at_body.normal;
+    const Tensor<2, 3>  gradient = Tensor<2, 3>(at.at_body.normal_gradient);
+    const Tensor<1, 3>  slope    = at.particle->slope;
+    const Tensor<1, 3>  v        = at.relative_velocity();
     const Tensor<2, 3>  tangential =
       Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
 
     const double lambda = state.multipliers[at.node][0];
-    const double exact  = condition.multiplier(at.foundation.clearance);
+    const double exact  = condition.multiplier(at.at_body.clearance);
     const SlipVelocityLaw::Traction friction =
       SlipVelocityLaw(law).traction(tangential * v, -lambda);
     result.per_velocity = friction.per_slip * tangential;
@@ -78,20 +73,20 @@ namespace Biface
                         result.per_velocity * ground_gradient -
                         outer_product(friction.per_pressure,
                                       condition.multiplier_stiffness() * n);
-    result.stiffness_of_neighbors[1] =
-      stencil->per_neighbor() * rolling.angular_velocity * result.per_velocity;
+    result.stiffness_of_neighbors[1] = at.particle->per_neighbor *
+                                       rolling.angular_velocity *
+                                       result.per_velocity;
     result.stiffness_of_neighbors[0] = -result.stiffness_of_neighbors[1];
     result.per_angular_velocity      = -result.per_velocity * slope;
   }
 
 
   void
-  FrictionBySlipVelocity::commit_step(State               &state,
-                                      const Loads         &loads,
+  FrictionBySlipVelocity::commit_step(ContactState        &state,
                                       const NodeInContact &at) const
   {
-    state.stick_points[at.node] = loads.foundation->at_rest(
-      Point<3>(at.x - law.elastic_slip(traction(state, loads, at))));
+    state.stick_points[at.node] =
+      at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction(state, at))));
   }
 
 
@@ -99,6 +94,6 @@ namespace Biface
   FrictionBySlipVelocity::with_critical_velocity(const double velocity) const
   {
     return std::make_shared<const FrictionBySlipVelocity>(
-      law.with_critical_velocity(velocity), condition, kinematics);
+      law.with_critical_velocity(velocity), condition);
   }
 } // namespace Biface

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_contact_friction_with_history_h
-#define biface_model_contact_friction_with_history_h
+#ifndef biface_contact_friction_with_history_h
+#define biface_contact_friction_with_history_h
 
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
-#include <biface/model/contact/tangential_law.h>
+#include <biface/contact/tangential_law.h>
 
 namespace Biface
 {
   /** Friction of a shell that stands: each node has a stick point on the
-   * foundation, see FrictionLaw. Nodes may be glued to theirs. */
+   * body, see FrictionLaw. Nodes may be glued to theirs. */
   class FrictionWithHistory : public TangentialLaw
   {
   public:
@@ -29,46 +29,40 @@ namespace Biface
     }
 
     bool
-    acts_on(const State &state, const unsigned int node) const override
+    acts_on(const ContactState &state, const unsigned int node) const override
     {
       return state.grips[node] != Grip::none;
     }
 
     void
-    start_stage(State &state) const override;
+    start_stage(ContactState &state) const override;
 
     void
-    hold(State &state) const override;
+    hold(ContactState &state) const override;
 
     /** A node that slips sticks in the next iteration if it has passed its
      * stick point: friction does not push. */
     bool
-    decide(State                      &state,
-           const Loads                &loads,
+    decide(ContactState               &state,
            const NodeInContact        &at,
            const dealii::Tensor<1, 3> &last) const override;
 
     dealii::Tensor<1, 3>
-    traction(const State         &state,
-             const Loads         &loads,
-             const NodeInContact &at) const override;
+    traction(const ContactState &state, const NodeInContact &at) const override;
 
     void
-    linearize(const State         &state,
-              const Loads         &loads,
+    linearize(const ContactState  &state,
               const NodeInContact &at,
               LinearizedTraction  &traction) const override;
 
     void
-    commit_step(State               &state,
-                const Loads         &loads,
-                const NodeInContact &at) const override;
+    commit_step(ContactState &state, const NodeInContact &at) const override;
 
     dealii::Tensor<1, 3>
-    slip_in_step(const State       &before,
-                 const State       &after,
-                 const Loads       &loads,
-                 const unsigned int node) const override;
+    slip_in_step(const ContactState &before,
+                 const ContactState &after,
+                 const RigidBody    &body,
+                 const unsigned int  node) const override;
 
   private:
     /** The vector from the stick point of a node to the node, and its
@@ -79,7 +73,7 @@ namespace Biface
     };
 
     static Slip
-    slip(const State &state, const Loads &loads, const NodeInContact &at);
+    slip(const ContactState &state, const NodeInContact &at);
 
     const FrictionLaw      law;
     const ContactCondition condition;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <biface/base/errors.h>
-#include <biface/contact/foundation_shapes.h>
+#include <biface/contact/body_shapes.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -45,7 +45,7 @@ namespace Biface
   {}
 
 
-  FoundationPoint
+  BodyPoint
   RigidSphere::evaluate(const Point<3> &x) const
   {
     // rho, the distance from the center, has the sign of R. The clearance is
@@ -96,7 +96,7 @@ namespace Biface
 
 
   RigidDrum::RigidDrum(const TravelLine &line, const Parameters &parameters)
-    : FoundationShape(line)
+    : BodyShape(line)
     , axis(unit_vector("Contact/Drum/Axis", parameters.axis))
     , radius(given_radius("Contact/Drum/Radius", parameters.radius))
     , section({direction - (direction * axis) * axis, point}, radius)
@@ -106,10 +106,10 @@ namespace Biface
   }
 
 
-  FoundationPoint
+  BodyPoint
   RigidDrum::evaluate(const Point<3> &x) const
   {
-    FoundationPoint result = section.evaluate(x - (axis * (x - point)) * axis);
+    BodyPoint result = section.evaluate(x - (axis * (x - point)) * axis);
     SymmetricTensor<2, 3> &G = result.normal_gradient;
     G -= (axis * (G * axis)) * symmetrize(outer_product(axis, axis));
     return result;

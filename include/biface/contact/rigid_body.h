@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_contact_rigid_foundation_h
-#define biface_contact_rigid_foundation_h
+#ifndef biface_contact_rigid_body_h
+#define biface_contact_rigid_body_h
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-#include <biface/contact/foundation_shapes.h>
+#include <biface/contact/body_shapes.h>
 
 namespace Biface
 {
@@ -20,7 +20,7 @@ namespace Biface
    * and turned. Queries move the point back; the shape itself never moves.
    * Copies share the shape.
    */
-  class RigidFoundation
+  class RigidBody
   {
   public:
     /** The foundation on which the shell is pressed. */
@@ -33,10 +33,10 @@ namespace Biface
         sphere
       };
 
-      Shape                       shape = Shape::plane;
-      FoundationShape::TravelLine line;
-      RigidDrum::Parameters       drum;
-      RigidSphere::Parameters     sphere;
+      Shape                   shape = Shape::plane;
+      BodyShape::TravelLine   line;
+      RigidDrum::Parameters   drum;
+      RigidSphere::Parameters sphere;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -48,18 +48,18 @@ namespace Biface
 
     /** The foundation at zero travel. Throws InputError if the parameters are
      * invalid. */
-    explicit RigidFoundation(const Parameters &parameters);
+    explicit RigidBody(const Parameters &parameters);
 
-    explicit RigidFoundation(std::shared_ptr<const FoundationShape> shape,
-                             const double                           travel = 0)
+    explicit RigidBody(std::shared_ptr<const BodyShape> shape,
+                       const double                     travel = 0)
       : shape(shape), travel(travel)
     {}
 
     /** The same foundation after a further travel. */
-    RigidFoundation
+    RigidBody
     moved(const double further) const
     {
-      RigidFoundation result = *this;
+      RigidBody result = *this;
       result.travel += further;
       return result;
     }
@@ -68,17 +68,17 @@ namespace Biface
      * and turned by an angle in radians, right-handed about its direction. The
      * axis of the turn passes through the given point before the foundation
      * slides, and slides with it. */
-    RigidFoundation
+    RigidBody
     displaced(const dealii::Tensor<1, 3> &slide,
               const double                turn,
               const dealii::Point<3>     &pivot) const;
 
     /** The same foundation after a further turn by an angle in radians,
      * right-handed about the y axis, the axle of a wheel. */
-    RigidFoundation
+    RigidBody
     around(const double angle) const;
 
-    FoundationPoint
+    BodyPoint
     evaluate(const dealii::Point<3> &x) const;
 
     /** The point of the foundation at rest, before all motions, that is now at
@@ -107,7 +107,7 @@ namespace Biface
       return evaluate(x).clearance;
     }
 
-    /** The remaining travel to a point, see FoundationShape. */
+    /** The remaining travel to a point, see BodyShape. */
     double
     travel_to(const dealii::Point<3> &x) const
     {
@@ -122,8 +122,8 @@ namespace Biface
       return present(shape->point);
     }
 
-    /** With its present axis, see FoundationShape::cylinder(). */
-    std::optional<FoundationShape::Cylinder>
+    /** With its present axis, see BodyShape::cylinder(). */
+    std::optional<BodyShape::Cylinder>
     cylinder() const;
 
     /** The unit vector opposite to the direction of travel, which turns with
@@ -145,16 +145,16 @@ namespace Biface
     };
 
     /** The same foundation after a further motion. */
-    RigidFoundation
+    RigidBody
     after(Displacement further) const;
 
     /** A point before this motion. */
     dealii::Point<3>
     back(const dealii::Point<3> &x) const;
 
-    std::shared_ptr<const FoundationShape> shape;
-    double                                 travel;
-    std::optional<Displacement>            displacement;
+    std::shared_ptr<const BodyShape> shape;
+    double                           travel;
+    std::optional<Displacement>      displacement;
   };
 } // namespace Biface
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_contact_tangential_law_h
-#define biface_model_contact_tangential_law_h
+#ifndef biface_contact_tangential_law_h
+#define biface_contact_tangential_law_h
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -10,25 +10,62 @@
 #include <memory>
 #include <optional>
 
-#include <biface/contact/rigid_foundation.h>
-#include <biface/model/state/state.h>
+#include <biface/contact/contact_state.h>
+#include <biface/contact/rigid_body.h>
+#include <biface/contact/rolling.h>
 
 namespace Biface
 {
-  /** A node in contact. */
+  /** A node where it may touch a rigid body. */
   struct NodeInContact
   {
     /** Its position in ShellMesh::nodes. */
     unsigned int node;
-    /** The deformed position of the face, and the foundation there. */
+    /** The deformed position of the face. */
     dealii::Point<3> x;
-    FoundationPoint  foundation;
+    /** Kept by reference. */
+    const RigidBody &body;
+    /** The body at this position. */
+    BodyPoint at_body;
+
+    /** The particle of a rolling shell that passes the node, if it has a
+     * velocity, see FlowLines. */
+    struct Particle
+    {
+      Rolling rolling;
+      /** @f$\partial\mathbf x/\partial\varphi@f$. */
+      dealii::Tensor<1, 3> slope;
+      /** The derivative of the slope by the position of the adjacent node ahead
+       * on the line of flow, and minus that by the one behind. */
+      double per_neighbor;
+    };
+
+    std::optional<Particle> particle{};
+
+    /** The velocity of the particle relative to the ground; zero without
+     * one. */
+    dealii::Tensor<1, 3>
+    relative_velocity() const
+    {
+      return particle ? particle->rolling.relative_velocity(x, particle->slope)
+                      : dealii::Tensor<1, 3>();
+    }
+
+    /** The velocity with which the particle slips over the ground: its relative
+     * velocity without the part along the normal. */
+    dealii::Tensor<1, 3>
+    slip_velocity() const
+    {
+      const dealii::Tensor<1, 3> &n = at_body.normal;
+      const dealii::Tensor<1, 3>  v = relative_velocity();
+      return v - (n * v) * n;
+    }
   };
 
 
-  /** The traction of the foundation on the shell at a node in contact, as it
-   * enters the linear system from which the multiplier @f$\lambda@f$ of the
-   * next iterate is eliminated. */
+  /** The traction of the body on the shell at a node in contact, as it enters
+   * the linear system from which the multiplier @f$\lambda@f$ of the next
+   * iterate is eliminated. */
   struct LinearizedTraction
   {
     /** The traction with the multiplier extrapolated linearly from that of the
@@ -48,8 +85,8 @@ namespace Biface
   };
 
 
-  /** How the foundation holds the nodes in contact sideways. Without friction,
-   * it does not. */
+  /** How a body holds the nodes in contact sideways. Without friction, it does
+   * not. */
   class TangentialLaw
   {
   public:
@@ -72,19 +109,19 @@ namespace Biface
 
     /** Whether there is a tangential traction at an active node. */
     virtual bool
-    acts_on(const State & /*state*/, const unsigned int /*node*/) const
+    acts_on(const ContactState & /*state*/, const unsigned int /*node*/) const
     {
       return false;
     }
 
     /** Set what the nodes remember at the start of a stage. */
     virtual void
-    start_stage(State &state) const;
+    start_stage(ContactState &state) const;
 
     /** Let the nodes of a copy of an equilibrium stick, to hold them in
      * perturbations of it. */
     virtual void
-    hold(State & /*state*/) const
+    hold(ContactState & /*state*/) const
     {}
 
     /** Decide whether an active node on which the law acts sticks or slips,
@@ -92,8 +129,7 @@ namespace Biface
      * @return whether the iteration has to go on until the node obeys the law.
      */
     virtual bool
-    decide(State & /*state*/,
-           const Loads & /*loads*/,
+    decide(ContactState & /*state*/,
            const NodeInContact & /*at*/,
            const dealii::Tensor<1, 3> & /*last*/) const
     {
@@ -103,17 +139,14 @@ namespace Biface
     /** The tangential traction at an active node on which the law acts, with
      * the multiplier of the state. */
     virtual dealii::Tensor<1, 3>
-    traction(const State & /*state*/,
-             const Loads & /*loads*/,
-             const NodeInContact & /*at*/) const
+    traction(const ContactState & /*state*/, const NodeInContact & /*at*/) const
     {
       return {};
     }
 
     /** Add the tangential traction at an active node and its derivatives. */
     virtual void
-    linearize(const State & /*state*/,
-              const Loads & /*loads*/,
+    linearize(const ContactState & /*state*/,
               const NodeInContact & /*at*/,
               LinearizedTraction & /*traction*/) const
     {}
@@ -121,16 +154,14 @@ namespace Biface
     /** Set what an active node remembers at the end of a step. Nodes slide
      * freely without friction and in the step in which they enter. */
     virtual void
-    commit_step(State               &state,
-                const Loads         &loads,
-                const NodeInContact &at) const;
+    commit_step(ContactState &state, const NodeInContact &at) const;
 
-    /** The motion over the foundation at rest of a node that has slipped in a
-     * step, whose work with the traction is heat. */
+    /** The motion over the body at rest of a node that has slipped in a step,
+     * whose work with the traction is heat. */
     virtual dealii::Tensor<1, 3>
-    slip_in_step(const State & /*before*/,
-                 const State & /*after*/,
-                 const Loads & /*loads*/,
+    slip_in_step(const ContactState & /*before*/,
+                 const ContactState & /*after*/,
+                 const RigidBody & /*body*/,
                  const unsigned int /*node*/) const
     {
       return {};
@@ -150,28 +181,6 @@ namespace Biface
       return nullptr;
     }
   };
-
-
-  /** The law of the loads. */
-  inline const TangentialLaw &
-  law_of(const Loads &loads)
-  {
-    static const TangentialLaw frictionless;
-    return loads.law ? *loads.law : frictionless;
-  }
-
-
-  /** Whether the foundation, if there is one, holds nodes sideways. */
-  inline bool
-  has_friction(const Loads &loads)
-  {
-    return loads.foundation && law_of(loads).has_friction();
-  }
-
-
-  /** Let a node forget how it sticks. */
-  void
-  forget_stick_point(State &state, const unsigned int node);
 } // namespace Biface
 
 #endif

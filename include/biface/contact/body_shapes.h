@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_contact_foundation_shapes_h
-#define biface_contact_foundation_shapes_h
+#ifndef biface_contact_body_shapes_h
+#define biface_contact_body_shapes_h
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -13,7 +13,7 @@
 namespace Biface
 {
   /** The geometry of a foundation at a point near it. */
-  struct FoundationPoint
+  struct BodyPoint
   {
     /** The signed distance from the surface of the foundation, negative inside
      * it. Its gradient is a unit vector. Unit: length. */
@@ -34,7 +34,7 @@ namespace Biface
    * The shape of a rigid foundation at zero travel, where it touches the point
    * of its line of travel with a normal along the direction of this line.
    */
-  class FoundationShape
+  class BodyShape
   {
   public:
     /** The line along which a foundation travels. */
@@ -46,13 +46,13 @@ namespace Biface
       dealii::Point<3>     point;
     };
 
-    explicit FoundationShape(const TravelLine &line)
+    explicit BodyShape(const TravelLine &line)
       : direction(line.direction / line.direction.norm()), point(line.point)
     {}
 
-    virtual ~FoundationShape() = default;
+    virtual ~BodyShape() = default;
 
-    virtual FoundationPoint
+    virtual BodyPoint
     evaluate(const dealii::Point<3> &x) const = 0;
 
     /** The travel until the surface of the foundation touches a point from
@@ -86,12 +86,12 @@ namespace Biface
 
 
   /** A half-space bounded by a plane, which travels against its normal. */
-  class RigidPlane : public FoundationShape
+  class RigidPlane : public BodyShape
   {
   public:
-    using FoundationShape::FoundationShape;
+    using BodyShape::BodyShape;
 
-    FoundationPoint
+    BodyPoint
     evaluate(const dealii::Point<3> &x) const override
     {
       return {direction * (point - x), direction, {}};
@@ -106,7 +106,7 @@ namespace Biface
 
 
   /** A ball; with a negative radius, the space around a hollow ball. */
-  class RigidSphere : public FoundationShape
+  class RigidSphere : public BodyShape
   {
   public:
     struct Parameters
@@ -123,10 +123,10 @@ namespace Biface
 
     /** @param radius any nonzero number. */
     RigidSphere(const TravelLine &line, const double radius)
-      : FoundationShape(line), radius(radius)
+      : BodyShape(line), radius(radius)
     {}
 
-    FoundationPoint
+    BodyPoint
     evaluate(const dealii::Point<3> &x) const override;
 
     double
@@ -139,7 +139,7 @@ namespace Biface
 
   /** An infinitely long cylinder: in the section normal to its axis it is a
    * RigidSphere. */
-  class RigidDrum : public FoundationShape
+  class RigidDrum : public BodyShape
   {
   public:
     struct Parameters
@@ -155,7 +155,7 @@ namespace Biface
     /** Throws InputError if the parameters are invalid. */
     RigidDrum(const TravelLine &line, const Parameters &parameters);
 
-    FoundationPoint
+    BodyPoint
     evaluate(const dealii::Point<3> &x) const override;
 
     double

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <biface/contact/rigid_foundation.h>
+#include <biface/contact/rigid_body.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -12,7 +12,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  RigidFoundation::Parameters::add_parameters(ParameterHandler &prm)
+  RigidBody::Parameters::add_parameters(ParameterHandler &prm)
   {
     add_choice(prm,
                "Foundation",
@@ -43,21 +43,21 @@ namespace Biface
 
 
   void
-  RigidFoundation::Parameters::check() const
+  RigidBody::Parameters::check() const
   {
     // the constructor checks its parameters
-    RigidFoundation foundation(*this);
+    RigidBody foundation(*this);
   }
 
 
   namespace
   {
-    std::shared_ptr<const FoundationShape>
-    make_shape(const RigidFoundation::Parameters &parameters)
+    std::shared_ptr<const BodyShape>
+    make_shape(const RigidBody::Parameters &parameters)
     {
-      using Shape = RigidFoundation::Parameters::Shape;
+      using Shape = RigidBody::Parameters::Shape;
 
-      const FoundationShape::TravelLine &line = parameters.line;
+      const BodyShape::TravelLine &line = parameters.line;
       unit_vector("Contact/Direction", line.direction);
       check_finite("Contact/Point on path", line.point);
       switch (parameters.shape)
@@ -75,15 +75,15 @@ namespace Biface
   } // namespace
 
 
-  RigidFoundation::RigidFoundation(const Parameters &parameters)
-    : RigidFoundation(make_shape(parameters))
+  RigidBody::RigidBody(const Parameters &parameters)
+    : RigidBody(make_shape(parameters))
   {}
 
 
-  RigidFoundation
-  RigidFoundation::displaced(const Tensor<1, 3> &slide,
-                             const double        turn,
-                             const Point<3>     &pivot) const
+  RigidBody
+  RigidBody::displaced(const Tensor<1, 3> &slide,
+                       const double        turn,
+                       const Point<3>     &pivot) const
   {
     if (turn == 0 && slide.norm() == 0)
       return *this;
@@ -94,8 +94,8 @@ namespace Biface
   }
 
 
-  RigidFoundation
-  RigidFoundation::around(const double angle) const
+  RigidBody
+  RigidBody::around(const double angle) const
   {
     if (angle == 0)
       return *this;
@@ -106,10 +106,10 @@ namespace Biface
   }
 
 
-  RigidFoundation
-  RigidFoundation::after(Displacement further) const
+  RigidBody
+  RigidBody::after(Displacement further) const
   {
-    RigidFoundation result = *this;
+    RigidBody result = *this;
     if (displacement)
       {
         // from the pivot of the first motion
@@ -123,8 +123,8 @@ namespace Biface
   }
 
 
-  std::optional<FoundationShape::Cylinder>
-  RigidFoundation::cylinder() const
+  std::optional<BodyShape::Cylinder>
+  RigidBody::cylinder() const
   {
     auto result = shape->cylinder();
     if (result && displacement)
@@ -134,7 +134,7 @@ namespace Biface
 
 
   Point<3>
-  RigidFoundation::back(const Point<3> &x) const
+  RigidBody::back(const Point<3> &x) const
   {
     if (!displacement)
       return x;
@@ -144,7 +144,7 @@ namespace Biface
 
 
   Point<3>
-  RigidFoundation::present(const Point<3> &at_rest) const
+  RigidBody::present(const Point<3> &at_rest) const
   {
     const Point<3> x = at_rest - travel * shape->direction;
     if (!displacement)
@@ -154,10 +154,10 @@ namespace Biface
   }
 
 
-  FoundationPoint
-  RigidFoundation::evaluate(const Point<3> &x) const
+  BodyPoint
+  RigidBody::evaluate(const Point<3> &x) const
   {
-    FoundationPoint at = shape->evaluate(at_rest(x));
+    BodyPoint at = shape->evaluate(at_rest(x));
     if (displacement)
       {
         const Tensor<2, 3> &R = displacement->rotation;
@@ -170,7 +170,7 @@ namespace Biface
 
 
   std::array<Tensor<1, 3>, 2>
-  RigidFoundation::tangents(const Tensor<1, 3> &normal) const
+  RigidBody::tangents(const Tensor<1, 3> &normal) const
   {
     const Tensor<1, 3> &d        = shape->direction;
     unsigned int        farthest = 0;

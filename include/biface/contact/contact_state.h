@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_contact_state_h
+#define biface_contact_contact_state_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+#include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
+
+namespace Biface
+{
+  /** What happens between a face of the shell and one rigid body, at the nodes
+   * of this rank by their positions. */
+  struct ContactState
+  {
+    ContactState() = default;
+
+    /** No node is in contact. */
+    explicit ContactState(const unsigned int n_nodes)
+      : active(n_nodes, 0)
+      , multipliers(n_nodes)
+      , grips(n_nodes, Grip::none)
+      , stick_points(n_nodes)
+    {}
+
+    /** The active set: the nodes in contact. */
+    ActiveSet active;
+
+    /**
+     * The contact multipliers, bilinear on the face,
+     * @cite GrigolyukKulikovPlotnikova2004, eq. (10): the traction on the
+     * shell per area of the middle surface. The first component, along the
+     * normal of the body, is minus the pressure; the two tangential
+     * components, see RigidBody::tangents(), are zero without friction.
+     * In the iteration, the first component is an unknown like the resultants:
+     * the solution of the last linear system, zero at nodes that have just
+     * entered. In converged states it is that of the clearance.
+     * Unit: force/area.
+     */
+    std::vector<dealii::Tensor<1, 3>> multipliers;
+
+    /** How the body holds the nodes sideways, and the points of the body at
+     * rest to which they stick. In a step a node may start and cease to slip;
+     * everything else is the history of friction up to the end of the last
+     * step, see TangentialLaw::commit_step(). While the shell rolls, friction
+     * has no history: the grips tell where it slips, and the stick points are
+     * those from which it could stand. */
+    std::vector<Grip>             grips;
+    std::vector<dealii::Point<3>> stick_points;
+
+    /** The contact pressure at a node. */
+    double
+    pressure(const unsigned int node) const
+    {
+      return active[node] ? -multipliers[node][0] : 0.;
+    }
+
+    /** Whether a node slips at the limit of friction. */
+    bool
+    slips(const unsigned int node) const
+    {
+      return active[node] && grips[node] == Grip::slip;
+    }
+
+    /** Let a node forget how it sticks. */
+    void
+    forget_stick_point(const unsigned int node)
+    {
+      grips[node]        = Grip::none;
+      stick_points[node] = dealii::Point<3>();
+    }
+  };
+} // namespace Biface
+
+#endif

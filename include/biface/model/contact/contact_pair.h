@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_contact_pair_h
+#define biface_model_contact_contact_pair_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <string>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
+#include <biface/contact/rigid_body.h>
+#include <biface/contact/tangential_law.h>
+#include <biface/model/mesh/flow_lines.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** The figures of a contact zone. */
+  struct ContactSummary
+  {
+    /** Compressive force on the body, along its direction. */
+    double       force   = 0;
+    unsigned int n_nodes = 0;
+    /** The number of nodes that slip at the limit of friction; 0 without
+     * friction. */
+    unsigned int n_slipping = 0;
+    /** Sum of the areas of the active nodes on the middle surface. */
+    double area = 0;
+    /** The part of @p area that belongs to slipping nodes. */
+    double slipping_area = 0;
+    double max_pressure  = 0;
+    /** The mean of the nodal pressures @f$p@f$, each weighted by the force
+     * @f$pA@f$ that it carries: @f$\sum p^2A/\sum pA@f$. For a given force it
+     * is lowest if the pressure is the same on as large an area as possible.
+     * Nodes that enter or leave do so without pressure and do not change it.
+     * Unit: force/area. */
+    double weighted_pressure = 0;
+    /** The standard deviation of the nodal pressures with the same weights, in
+     * parts of this mean: zero if all of the ground that carries is under the
+     * same pressure. No unit. */
+    double pressure_variation = 0;
+  };
+
+
+  /** The traction of a body on the shell. Unit: force/area. */
+  struct ContactTraction
+  {
+    dealii::Tensor<1, 3> total;
+    /** Its tangential part. */
+    dealii::Tensor<1, 3> friction;
+  };
+
+
+  /** The traction at a node from its multipliers; zero if it is inactive, or
+   * if the body, then null, is not there.
+   * @param x the deformed position of the face at the node. */
+  ContactTraction
+  contact_traction(const ContactState     &state,
+                   const PlacedBody       *body,
+                   const unsigned int      node,
+                   const dealii::Point<3> &x);
+
+
+  /** Whether a node slips at the limit of friction of a body, which is null if
+   * it is not there. */
+  inline bool
+  slips(const ContactState &state,
+        const PlacedBody   *body,
+        const unsigned int  node)
+  {
+    return body && body->law->has_friction() && state.slips(node);
+  }
+
+
+  /**
+   * The contact between a face of the shell and a rigid body: the active set,
+   * the tractions, and the figures of the contact zone. What happens there is a
+   * ContactState, and where the body is belongs to the Loads; both are found by
+   * the number of the pair. ContactForces computes the nodal forces.
+   */
+  class ContactPair
+  {
+  public:
+    struct Parameters
+    {
+      RigidBody::Parameters        body;
+      ContactCondition::Parameters condition;
+      FrictionLaw::Parameters      friction;
+      /** The face of the shell that touches the body. */
+      Resultants::Face face = Resultants::outer;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError if a value is invalid. */
+      void
+      check() const;
+    };
+
+    /** The mesh is kept by reference. Throws InputError if the parameters are
+     * invalid.
+     * @param number the position of the pair in State::contacts and
+     * Loads::bodies. */
+    ContactPair(const ShellMesh   &mesh,
+                const Parameters  &parameters,
+                const unsigned int number);
+
+    /** What happens in this pair. */
+    const ContactState &
+    state_of(const State &state) const
+    {
+      return state.contacts[number];
+    }
+
+    ContactState &
+    state_of(State &state) const
+    {
+      return state.contacts[number];
+    }
+
+    /** Where the body is and how it holds the nodes; null if it is not
+     * there. */
+    const PlacedBody *
+    body(const Loads &loads) const
+    {
+      return loads.body(number);
+    }
+
+    /** Whether the body is there and holds nodes sideways. */
+    bool
+    has_friction(const Loads &loads) const
+    {
+      return body(loads) && body(loads)->law->has_friction();
+    }
+
+    /** The body after the given travel from its initial position. */
+    RigidBody
+    body_at(const double travel) const
+    {
+      return body_at_rest.moved(travel);
+    }
+
+    /** The law by which the body holds the nodes sideways. Throws InputError if
+     * the coefficient is invalid.
+     * @param entry the entry of the coefficient.
+     * @param coefficient that of a stage; empty for that of the parameters.
+     * @param glued whether the nodes in contact at the start of the stage
+     * cannot slip.
+     * @param rolls whether the shell rolls. */
+    std::shared_ptr<const TangentialLaw>
+    law(const std::string &entry,
+        const std::string &coefficient,
+        const bool         glued,
+        const bool         rolls) const;
+
+    /** The travel at which the body just touches a free node of the deformed
+     * face, one that can come into contact. Throws InputError if it misses the
+     * shell, or if the shell does not fit into it. */
+    double
+    touching_travel(const State &state) const;
+
+    /** The mean of the deformed positions of the nodes that the body touches at
+     * the given travel. */
+    dealii::Point<3>
+    touched_point(const State &state, const double touching_travel) const;
+
+    /** The nodes of this rank that the body has passed through: supports hold
+     * their face, so they cannot come into contact. */
+    ActiveSet
+    pierced_nodes(const State &state, const Loads &loads) const;
+
+    /** The travel from the present place of the body until it touches a free
+     * node of the face, see RigidBody::travel_to(). */
+    double
+    remaining_travel(const State &state, const Loads &loads) const;
+
+    /** The deformed position of the face at a node. */
+    dealii::Point<3>
+    position(const State &state, const Node &node) const
+    {
+      return mesh.deformed_position(state.displacement, node, face);
+    }
+
+    /** Distance between the deformed face at a node and the body. */
+    double
+    clearance(const State &state, const Loads &loads, const Node &node) const
+    {
+      return body(loads)->body.clearance(position(state, node));
+    }
+
+    /** A node, by its position in ShellMesh::nodes, where it may touch the
+     * body, which must be there and outlive the result. */
+    NodeInContact
+    at_node(const State       &state,
+            const Loads       &loads,
+            const unsigned int node) const;
+
+    /** The contact at an active node, linearized in the motion of the node
+     * against the body. */
+    struct Linearization
+    {
+      /** The point of the body at rest at the node. */
+      dealii::Point<3>     at_rest;
+      double               clearance;
+      dealii::Tensor<1, 3> normal;
+    };
+
+    /** By node of this rank; of use at active nodes only. */
+    using Linearizations = std::vector<Linearization>;
+
+    Linearizations
+    linearize(const State &state, const Loads &loads) const;
+
+    /** After an increment, set the multipliers along the normal of the active
+     * nodes to those of the linear system, which are linear in the motions of
+     * shell and body, and those of the other nodes to zero.
+     * @param before the contact before the increment. */
+    void
+    predict_multipliers(State                &state,
+                        const Loads          &loads,
+                        const Linearizations &before) const;
+
+    /** One iteration of the primal-dual active set method: update the active
+     * set from multipliers and clearances, decide which of its nodes stick and
+     * which slip, and compute their tangential multipliers. Nodes that enter
+     * have no multiplier yet. A node that slips sticks in the next iteration if
+     * it has passed its stick point: friction does not push.
+     * @param held nodes that remain active in any case; empty for none.
+     * @return the number of changes of the active set, and of nodes that stick
+     * only for this reason, among the nodes that belong to this rank. */
+    unsigned int
+    update_active_set(State           &state,
+                      const Loads     &loads,
+                      const ActiveSet &held = {}) const;
+
+    /** Set the multipliers to those of the displacements and update the active
+     * set, which then is that of the penetrated nodes.
+     * @return the number of changes, see update_active_set(). */
+    unsigned int
+    settle(State &state, const Loads &loads) const;
+
+    /** After tiny increments of the displacements and of the travel of the
+     * body, compute the multipliers for the active set and the slipping nodes
+     * of the state. Those along the normal are linear in the increments: the
+     * round-off of positions, which is large beside the penetration, is that
+     * before.
+     * @param before the contact before the increments.
+     * @param increment of the displacements, a vector with ghosts. */
+    void
+    compute_multipliers(State                &state,
+                        const Loads          &loads,
+                        const Linearizations &before,
+                        const LA::Vector     &increment,
+                        const double          travel) const;
+
+    /** Let all nodes stick that have a stick point, where nothing is known
+     * about the slip: too many slipping nodes have too little stiffness. */
+    void
+    let_stick(State &state) const;
+
+    /** Let the nodes remember the end of a step, see
+     * TangentialLaw::commit_step(); those that have left forget how they
+     * stuck. */
+    void
+    commit_step(State &state, const Loads &loads) const;
+
+    /** Let nodes that are glued forget their stick points, like nodes that
+     * leave the body and enter it again.
+     * @return whether there are any on this rank. */
+    bool
+    release_glue(State &state, const ActiveSet &nodes) const;
+
+    /** Number of active nodes on all ranks. */
+    unsigned int
+    count_active(const State &state) const;
+
+    /** Number of nodes that slip, on all ranks. */
+    unsigned int
+    count_slipping(const State &state, const Loads &loads) const;
+
+    /** The work of friction in a step, that is, the heat: at each node the
+     * traction at the end of the step times the motion of the stick point. */
+    double
+    friction_work(const State &before,
+                  const State &after,
+                  const Loads &loads) const;
+
+    /** The traction at a node, @f$\varepsilon c\,\mathbf n+\mathbf t@f$ with
+     * the clearance c. Without friction the stiffness is
+     * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$.
+     * @param node the position of an active node in ShellMesh::nodes. */
+    LinearizedTraction
+    traction(const State       &state,
+             const Loads       &loads,
+             const unsigned int node) const;
+
+    /** See contact_traction(). */
+    ContactTraction
+    traction_of_multipliers(const State       &state,
+                            const Loads       &loads,
+                            const unsigned int node) const
+    {
+      return contact_traction(
+        state_of(state), body(loads), node, position(state, mesh.nodes[node]));
+    }
+
+    /** The figures from the multipliers of the state. */
+    ContactSummary
+    summarize(const State &state, const Loads &loads) const;
+
+    const ShellMesh       &mesh;
+    const unsigned int     number;
+    const Resultants::Face face;
+    const ContactCondition condition;
+    /** The flow of the material through the mesh, if the shell rolls. */
+    const FlowLines flow_lines;
+
+  private:
+    double
+    minimum_travel(const State &state, const RigidBody &body) const;
+
+    /** Set the tangential multipliers of an active node to its tangential
+     * traction. */
+    void
+    set_tangential_multipliers(State               &state,
+                               const TangentialLaw &law,
+                               const NodeInContact &at) const;
+
+    const RigidBody               body_at_rest;
+    const FrictionLaw::Parameters friction_parameters;
+  };
+} // namespace Biface
+
+#endif

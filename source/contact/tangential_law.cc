@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/contact/tangential_law.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  TangentialLaw::start_stage(ContactState &state) const
+  {
+    for (Grip &grip : state.grips)
+      if (grip == Grip::glued)
+        grip = Grip::stick;
+  }
+
+
+  void
+  TangentialLaw::commit_step(ContactState &state, const NodeInContact &at) const
+  {
+    state.grips[at.node]        = Grip::stick;
+    state.stick_points[at.node] = at.body.at_rest(at.x);
+  }
+} // namespace Biface

@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/contact/friction_by_slip_velocity.h>
+#include <biface/contact/friction_with_history.h>
+#include <biface/model/contact/contact_pair.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ContactTraction
+  contact_traction(const ContactState &state,
+                   const PlacedBody   *body,
+                   const unsigned int  node,
+                   const Point<3>     &x)
+  {
+    ContactTraction result;
+    if (!body || !state.active[node])
+      return result;
+    const Tensor<1, 3> &lambda   = state.multipliers[node];
+    const Tensor<1, 3>  normal   = body->body.evaluate(x).normal;
+    const auto          tangents = body->body.tangents(normal);
+    for (unsigned int i = 0; i < 2; ++i)
+      result.friction += lambda[1 + i] * tangents[i];
+    result.total = lambda[0] * normal + result.friction;
+    return result;
+  }
+
+
+  void
+  ContactPair::Parameters::add_parameters(ParameterHandler &prm)
+  {
+    body.add_parameters(prm);
+    condition.add_parameters(prm);
+    friction.add_parameters(prm);
+  }
+
+
+  void
+  ContactPair::Parameters::check() const
+  {
+    condition.check();
+    friction.check();
+    body.check();
+  }
+
+
+  ContactPair::ContactPair(const ShellMesh   &mesh,
+                           const Parameters  &parameters,
+                           const unsigned int number)
+    : mesh(mesh)
+    , number(number)
+    , face(parameters.face)
+    , condition(parameters.condition, mesh.wall_stiffness())
+    , flow_lines(mesh)
+    , body_at_rest(parameters.body)
+    , friction_parameters(parameters.friction)
+  {}
+
+
+  std::shared_ptr<const TangentialLaw>
+  ContactPair::law(const std::string &entry,
+                   const std::string &coefficient,
+                   const bool         glued,
+                   const bool         rolls) const
+  {
+    const FrictionLaw law = friction_parameters.of_stage(
+      entry, coefficient, mesh.wall_stiffness());
+    if (law.is_zero() && !glued)
+      return std::make_shared<const TangentialLaw>();
+    if (rolls)
+      return std::make_shared<const FrictionBySlipVelocity>(law, condition);
+    return std::make_shared<const FrictionWithHistory>(law, condition, glued);
+  }
+
+
+  NodeInContact
+  ContactPair::at_node(const State       &state,
+                       const Loads       &loads,
+                       const unsigned int node) const
+  {
+    const RigidBody &body = this->body(loads)->body;
+    const Point<3>   x    = position(state, mesh.nodes[node]);
+    NodeInContact    at{node, x, body, body.evaluate(x)};
+    const auto      &stencil = flow_lines.at(node);
+    if (loads.rolling && stencil)
+      {
+        const double per_neighbor = stencil->per_neighbor();
+        at.particle               = {*loads.rolling,
+                                     per_neighbor *
+                                       (position(state, mesh.nodes[stencil->neighbors[1]]) -
+                          position(state, mesh.nodes[stencil->neighbors[0]])),
+                                     per_neighbor};
+      }
+    return at;
+  }
+
+
+  double
+  ContactPair::touching_travel(const State &state) const
+  {
+    const double travel = minimum_travel(state, body_at_rest);
+    if (travel == std::numeric_limits<double>::infinity())
+      throw InputError("the foundation of the section 'Contact' misses the "
+                       "shell; its path must meet a node.");
+
+    // the shell may not fit into a hollow body
+    const RigidBody touching = body_at(travel);
+    bool            fits     = std::isfinite(travel);
+    for (const Node &node : mesh.nodes)
+      if (node.face_is_free[face])
+        fits = fits &&
+               touching.clearance(position(state, node)) > -1e-9 * mesh.size();
+    if (Utilities::MPI::logical_or(!fits, mesh.communicator))
+      throw InputError("the shell does not fit into the hollow foundation of "
+                       "the section 'Contact'.");
+    return travel;
+  }
+
+
+  Point<3>
+  ContactPair::touched_point(const State &state,
+                             const double touching_travel) const
+  {
+    // nodes that would touch together but for round-off
+    const double tolerance = 1e-6 * mesh.thickness();
+
+    std::vector<double> sums(4);
+    for (const Node &node : mesh.nodes)
+      {
+        if (!node.face_is_free[face] || !node.locally_owned)
+          continue;
+        const Point<3> x = position(state, node);
+        if (body_at_rest.travel_to(x) > touching_travel + tolerance)
+          continue;
+        for (unsigned int i = 0; i < 3; ++i)
+          sums[i] += x[i];
+        sums[3] += 1;
+      }
+    Utilities::MPI::sum(sums, mesh.communicator, sums);
+    return Point<3>(sums[0], sums[1], sums[2]) / sums[3];
+  }
+
+
+  ActiveSet
+  ContactPair::pierced_nodes(const State &state, const Loads &loads) const
+  {
+    const double small = 1e-3 * mesh.thickness();
+    ActiveSet    pierced(mesh.nodes.size(), 0);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      pierced[n] = (!mesh.nodes[n].face_is_free[face] &&
+                    clearance(state, loads, mesh.nodes[n]) < -small);
+    return pierced;
+  }
+
+
+  double
+  ContactPair::remaining_travel(const State &state, const Loads &loads) const
+  {
+    return minimum_travel(state, body(loads)->body);
+  }
+
+
+  double
+  ContactPair::minimum_travel(const State &state, const RigidBody &body) const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (const Node &node : mesh.nodes)
+      if (node.face_is_free[face])
+        minimum = std::min(minimum, body.travel_to(position(state, node)));
+    return Utilities::MPI::min(minimum, mesh.communicator);
+  }
+
+
+  unsigned int
+  ContactPair::update_active_set(State           &state,
+                                 const Loads     &loads,
+                                 const ActiveSet &held) const
+  {
+    Assert(held.empty() || held.size() == mesh.nodes.size(),
+           ExcDimensionMismatch(held.size(), mesh.nodes.size()));
+    const PlacedBody *placed    = body(loads);
+    ContactState     &zone      = state_of(state);
+    unsigned int      n_changes = 0;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const Node        &node = mesh.nodes[n];
+        const Tensor<1, 3> last = zone.multipliers[n];
+        const bool         active =
+          placed && node.face_is_free[face] &&
+          ((!held.empty() && held[n]) ||
+           condition.should_be_active(last[0], clearance(state, loads, node)));
+        if (active != static_cast<bool>(zone.active[n]))
+          {
+            zone.active[n] = active;
+            if (node.locally_owned)
+              ++n_changes;
+          }
+        zone.multipliers[n] = 0;
+        if (!active)
+          continue;
+        zone.multipliers[n][0] = last[0];
+        if (!placed->law->acts_on(zone, n))
+          continue;
+        const NodeInContact at = at_node(state, loads, n);
+        if (placed->law->decide(zone, at, last) && node.locally_owned)
+          ++n_changes;
+        set_tangential_multipliers(state, *placed->law, at);
+      }
+    return n_changes;
+  }
+
+
+  ContactPair::Linearizations
+  ContactPair::linearize(const State &state, const Loads &loads) const
+  {
+    Linearizations result(mesh.nodes.size());
+    if (body(loads))
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (state_of(state).active[n])
+          {
+            const NodeInContact at = at_node(state, loads, n);
+            result[n]              = {
+                           at.body.at_rest(at.x), at.at_body.clearance, at.at_body.normal};
+          }
+    return result;
+  }
+
+
+  void
+  ContactPair::predict_multipliers(State                &state,
+                                   const Loads          &loads,
+                                   const Linearizations &before) const
+  {
+    AssertDimension(before.size(), mesh.nodes.size());
+    ContactState &zone = state_of(state);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (body(loads) && zone.active[n])
+        {
+          const Tensor<1, 3> motion =
+            position(state, mesh.nodes[n]) -
+            body(loads)->body.present(before[n].at_rest);
+          zone.multipliers[n][0] = condition.multiplier(
+            before[n].clearance - before[n].normal * motion);
+        }
+      else
+        zone.multipliers[n] = 0;
+  }
+
+
+  unsigned int
+  ContactPair::settle(State &state, const Loads &loads) const
+  {
+    if (body(loads))
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].face_is_free[face])
+          state_of(state).multipliers[n][0] = std::min(
+            0., condition.multiplier(clearance(state, loads, mesh.nodes[n])));
+    return update_active_set(state, loads);
+  }
+
+
+  void
+  ContactPair::compute_multipliers(State                &state,
+                                   const Loads          &loads,
+                                   const Linearizations &before,
+                                   const LA::Vector     &increment,
+                                   const double          travel) const
+  {
+    AssertDimension(before.size(), mesh.nodes.size());
+    const PlacedBody  *placed = body(loads);
+    ContactState      &zone   = state_of(state);
+    const Tensor<1, 3> of_body =
+      (placed ? -travel * placed->body.direction() : Tensor<1, 3>());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        zone.multipliers[n] = 0;
+        if (!zone.active[n])
+          continue;
+        const Node        &node = mesh.nodes[n];
+        const Tensor<1, 3> motion =
+          node.surface.from_frame(mesh.displacement(increment, node, face));
+        zone.multipliers[n][0] = condition.multiplier(
+          before[n].clearance - before[n].normal * (motion - of_body));
+        if (placed->law->acts_on(zone, n))
+          set_tangential_multipliers(
+            state, *placed->law, at_node(state, loads, n));
+      }
+  }
+
+
+  void
+  ContactPair::set_tangential_multipliers(State               &state,
+                                          const TangentialLaw &law,
+                                          const NodeInContact &at) const
+  {
+    ContactState      &zone     = state_of(state);
+    const auto         tangents = at.body.tangents(at.at_body.normal);
+    const Tensor<1, 3> traction = law.traction(zone, at);
+    for (unsigned int i = 0; i < 2; ++i)
+      zone.multipliers[at.node][1 + i] = tangents[i] * traction;
+  }
+
+
+  void
+  ContactPair::let_stick(State &state) const
+  {
+    for (Grip &grip : state_of(state).grips)
+      if (grip == Grip::slip)
+        grip = Grip::stick;
+  }
+
+
+  void
+  ContactPair::commit_step(State &state, const Loads &loads) const
+  {
+    ContactState &zone = state_of(state);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (zone.active[n])
+        body(loads)->law->commit_step(zone, at_node(state, loads, n));
+      else
+        zone.forget_stick_point(n);
+  }
+
+
+  bool
+  ContactPair::release_glue(State &state, const ActiveSet &nodes) const
+  {
+    std::vector<Grip> &grips = state_of(state).grips;
+    AssertDimension(nodes.size(), grips.size());
+    bool any = false;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      if (nodes[n] && grips[n] == Grip::glued)
+        {
+          grips[n] = Grip::none;
+          any      = true;
+        }
+    return any;
+  }
+
+
+  unsigned int
+  ContactPair::count_active(const State &state) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+      if (state_of(state).active[i] && mesh.nodes[i].locally_owned)
+        ++n;
+    return Utilities::MPI::sum(n, mesh.communicator);
+  }
+
+
+  unsigned int
+  ContactPair::count_slipping(const State &state, const Loads &loads) const
+  {
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i].locally_owned && slips(state_of(state), body(loads), i))
+        ++n;
+    return Utilities::MPI::sum(n, mesh.communicator);
+  }
+
+
+  LinearizedTraction
+  ContactPair::traction(const State       &state,
+                        const Loads       &loads,
+                        const unsigned int node) const
+  {
+    const ContactState &zone    = state_of(state);
+    const NodeInContact at      = at_node(state, loads, node);
+    const Tensor<1, 3> &n       = at.at_body.normal;
+    const double        epsilon = condition.multiplier_stiffness();
+    LinearizedTraction  result;
+    result.value = condition.multiplier(at.at_body.clearance) * n;
+    result.stiffness =
+      epsilon * outer_product(n, n) -
+      zone.multipliers[node][0] * Tensor<2, 3>(at.at_body.normal_gradient);
+    body(loads)->law->linearize(zone, at, result);
+    return result;
+  }
+
+
+  double
+  ContactPair::friction_work(const State &before,
+                             const State &after,
+                             const Loads &loads) const
+  {
+    double work = 0;
+    if (has_friction(loads))
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (state_of(after).active[n])
+            // each column of both masses adds up to a quarter
+            work -=
+              cell.geometry.weight / 4 *
+              (traction_of_multipliers(after, loads, n).friction *
+               body(loads)->law->slip_in_step(
+                 state_of(before), state_of(after), body(loads)->body, n));
+    return Utilities::MPI::sum(work, mesh.communicator);
+  }
+
+
+  namespace
+  {
+    /** The mean of a function of the nodal pressures, weighted by the forces
+     * that they carry; zero if there are none. */
+    template <typename Function>
+    double
+    mean_by_force(const ShellMesh    &mesh,
+                  const ContactState &zone,
+                  const Function     &function)
+    {
+      double force = 0, integral = 0;
+      for (const Cell &cell : mesh.cells)
+        for (const unsigned int n : cell.nodes)
+          if (zone.active[n])
+            {
+              const double pressure = zone.pressure(n);
+              const double part     = cell.geometry.weight / 4 * pressure;
+              force += part;
+              integral += part * function(pressure);
+            }
+      force    = Utilities::MPI::sum(force, mesh.communicator);
+      integral = Utilities::MPI::sum(integral, mesh.communicator);
+      return force > 0 ? integral / force : 0.;
+    }
+  } // namespace
+
+
+  ContactSummary
+  ContactPair::summarize(const State &state, const Loads &loads) const
+  {
+    const ContactState &zone = state_of(state);
+    double force = 0, area = 0, slipping_area = 0, max_pressure = 0;
+    if (body(loads))
+      {
+        const Tensor<1, 3> d = body(loads)->body.direction();
+        for (const Cell &cell : mesh.cells)
+          for (const unsigned int n : cell.nodes)
+            if (zone.active[n])
+              {
+                // each column of both masses adds up to a quarter
+                area += cell.geometry.weight / 4;
+                if (slips(zone, body(loads), n))
+                  slipping_area += cell.geometry.weight / 4;
+                force -= cell.geometry.weight / 4 *
+                         (traction_of_multipliers(state, loads, n).total * d);
+              }
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (mesh.nodes[n].locally_owned)
+            max_pressure = std::max(max_pressure, zone.pressure(n));
+      }
+
+    const MPI_Comm communicator = mesh.communicator;
+    ContactSummary summary;
+    summary.force         = Utilities::MPI::sum(force, communicator);
+    summary.area          = Utilities::MPI::sum(area, communicator);
+    summary.slipping_area = Utilities::MPI::sum(slipping_area, communicator);
+    summary.n_nodes       = count_active(state);
+    summary.n_slipping    = count_slipping(state, loads);
+    summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
+    if (summary.n_nodes > 0)
+      {
+        const double mean =
+          mean_by_force(mesh, zone, [](const double p) { return p; });
+        const double square = mean_by_force(
+          mesh, zone, [&](const double p) { return (p - mean) * (p - mean); });
+        summary.weighted_pressure = mean;
+        if (mean > 0)
+          summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;
+      }
+    return summary;
+  }
+} // namespace Biface
