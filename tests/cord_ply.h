@@ -6,14 +6,15 @@
 #include <vector>
 
 #include <biface/laminate/material.h>
+#include <biface/laminate/material_parameters.h>
 
 /** The rubber-cord ply of the bias tire (MPa), under the name "cord". */
-inline std::vector<Biface::Material::Parameters>
+inline std::vector<Biface::MaterialParameters>
 cord_ply()
 {
-  Biface::Material::Parameters cord;
+  Biface::MaterialParameters cord;
   cord.name  = "cord";
-  cord.type  = Biface::Material::Parameters::Type::transversely_isotropic;
+  cord.type  = Biface::MaterialParameters::Type::transversely_isotropic;
   cord.E_L   = 510.45;
   cord.E_T   = 6.91;
   cord.G_LT  = 2.33;

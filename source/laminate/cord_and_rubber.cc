@@ -5,7 +5,6 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/cord_and_rubber.h>
-#include <biface/laminate/material.h>
 
 namespace Biface
 {

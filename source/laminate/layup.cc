@@ -374,11 +374,11 @@ namespace Biface
 
 
   void
-  Layup::Parameters::check(const std::vector<Material::Parameters> &materials,
+  Layup::Parameters::check(const std::vector<MaterialParameters> &materials,
                            const PlyVariables &variables) const
   {
     std::string names;
-    for (const Material::Parameters &material : materials)
+    for (const MaterialParameters &material : materials)
       names += (names.empty() ? "'" : ", '") + material.name + "'";
     for (const PlyParameters &ply : plies)
       {
@@ -391,8 +391,7 @@ namespace Biface
             "Laminate/Plies", ply.text, "its material must be one of " + names);
         material->stiffness();
         if (material->has_slack_cords() &&
-            material->type ==
-              Material::Parameters::Type::transversely_isotropic)
+            material->type == MaterialParameters::Type::transversely_isotropic)
           material->compression_loss(material->E_L);
         if (material->has_slack_cords() && !initial_resultants.empty())
           throw InputError("the entry 'Laminate/Initial resultants' must be "
@@ -468,9 +467,9 @@ namespace Biface
     /** Let a ply with the thickness and angle given consist of cords in
      * rubber. */
     void
-    set_cords(const Material::Parameters &material,
-              const SurfaceOfPlies       &surface,
-              PlyDescription             &ply)
+    set_cords(const MaterialParameters &material,
+              const SurfaceOfPlies     &surface,
+              PlyDescription           &ply)
     {
       const CordAndRubber &cords = material.cord_and_rubber;
       ply.cord_pitch             = make_cord_pitch(cords, ply.angle, surface);
@@ -501,9 +500,9 @@ namespace Biface
   } // namespace
 
 
-  Layup::Layup(const Parameters                        &parameters,
-               const std::vector<Material::Parameters> &materials,
-               const SurfaceOfPlies                    &surface)
+  Layup::Layup(const Parameters                      &parameters,
+               const std::vector<MaterialParameters> &materials,
+               const SurfaceOfPlies                  &surface)
     : law(parameters.law)
     , shear_law(parameters.shear_law)
     , reference(parameters.reference)
@@ -528,13 +527,13 @@ namespace Biface
         ply.density     = material->get_density();
         ply.loss_factor = material->get_loss_factor();
         ply.has_fibers =
-          (material->type != Material::Parameters::Type::isotropic);
+          (material->type != MaterialParameters::Type::isotropic);
         ply.thickness      = tables.function(given.thickness);
         const auto degrees = tables.function(given.angle);
         ply.angle          = [degrees, angle_reference](const double alpha_1) {
           return angle_from_meridian(degrees(alpha_1), angle_reference);
         };
-        if (material->type == Material::Parameters::Type::cord_and_rubber)
+        if (material->type == MaterialParameters::Type::cord_and_rubber)
           set_cords(*material, surface, ply);
         else
           ply.stiffness = [stiffness = material->stiffness()](const double) {

@@ -82,7 +82,7 @@ namespace Biface
 
     for (const NamedPoint &point : mesh.points)
       {
-        const unsigned int  n = node_of_point(mesh, "Named points", point.name);
+        const unsigned int  n = mesh.node_of_point("Named points", point.name);
         std::vector<double> sums(all_plies.size() *
                                  (1 + n_heights * n_columns));
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)

@@ -15,7 +15,7 @@ namespace Biface
                   const ShellMesh  &mesh)
   {
     PointDisplacement  u;
-    const unsigned int n = node_of_point(mesh, "Named points", point.name);
+    const unsigned int n = mesh.node_of_point("Named points", point.name);
     // known by the rank that owns the node
     if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
       for (unsigned int face = 0; face < 2; ++face)

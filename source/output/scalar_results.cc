@@ -29,12 +29,11 @@ namespace Biface
         return column.size() >= end.size() &&
                column.compare(column.size() - end.size(), end.size(), end) == 0;
       };
-      for (const std::string counted :
-           {"iterations",
-            "seconds",
-            "contact_nodes",
-            "slipping_nodes",
-            "slack_cords"})
+      for (const std::string counted : {"iterations",
+                                        "seconds",
+                                        "contact_nodes",
+                                        "slipping_nodes",
+                                        "slack_cords"})
         if (column == counted)
           return false;
       return !ends_with("_work") && !ends_with("_alpha_1") &&

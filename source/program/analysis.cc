@@ -116,11 +116,17 @@ namespace Biface
       for (const std::string &sentence : results.warnings())
         out << sentence << std::endl;
 
-      CheckpointWriter checkpoints(parameters.checkpoint,
-                                   directory,
-                                   simulation,
-                                   results,
-                                   checkpoint != nullptr);
+      CheckpointWriter checkpoints(
+        parameters.checkpoint,
+        directory,
+        equations.mesh,
+        progress,
+        [&simulation]() {
+          return CheckpointWriter::Points{simulation.get_restore_points(),
+                                          simulation.get_neighbors()};
+        },
+        results,
+        checkpoint != nullptr);
       checkpoints.write(record);
       ResultsCheck             check(equations, simulation.get_contact());
       const StepCounter        counter(parameters.stages, progress);

@@ -4,7 +4,6 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/program/checkpoint_writer.h>
-#include <biface/program/simulation.h>
 
 namespace Biface
 {
@@ -38,28 +37,31 @@ namespace Biface
   }
 
 
-  CheckpointWriter::CheckpointWriter(const Parameters  &parameters,
-                                     const std::string &directory,
-                                     const Simulation  &simulation,
-                                     ResultsWriter     &results,
-                                     const bool         restarted)
+  CheckpointWriter::CheckpointWriter(const Parameters              &parameters,
+                                     const std::string             &directory,
+                                     const ShellMesh               &mesh,
+                                     const Progress                &progress,
+                                     const std::function<Points()> &points,
+                                     ResultsWriter                 &results,
+                                     const bool                     restarted)
     : parameters(parameters)
     , directory(directory)
-    , simulation(simulation)
+    , mesh(mesh)
+    , progress(progress)
+    , points(points)
     , results(results)
     , any_written(restarted)
-    , last_step(simulation.get_progress().n_steps)
+    , last_step(progress.n_steps)
   {}
 
 
   void
   CheckpointWriter::write_if_due(RunRecord &record)
   {
-    const unsigned int n_steps = simulation.get_progress().n_steps - last_step;
+    const unsigned int n_steps = progress.n_steps - last_step;
     // use the clock of one rank
     const double minutes =
-      Utilities::MPI::broadcast(simulation.get_equations().mesh.communicator,
-                                since_last.wall_time() / 60);
+      Utilities::MPI::broadcast(mesh.communicator, since_last.wall_time() / 60);
     if ((parameters.every_steps > 0 && n_steps >= parameters.every_steps) ||
         (parameters.every_minutes > 0 && minutes >= parameters.every_minutes))
       write(record);
@@ -69,18 +71,14 @@ namespace Biface
   void
   CheckpointWriter::write(RunRecord &record)
   {
-    const Progress &progress = simulation.get_progress();
     if (!parameters.write || (any_written && last_step == progress.n_steps))
       return;
 
     // a restart finds at least the files of the checkpoint
     results.sync();
-    record.written = results.get_written();
-    write_checkpoint(directory,
-                     record,
-                     simulation.get_equations().mesh,
-                     simulation.get_restore_points(),
-                     simulation.get_neighbors());
+    record.written   = results.get_written();
+    const Points now = points();
+    write_checkpoint(directory, record, mesh, now.run, now.neighbors);
     any_written = true;
     last_step   = progress.n_steps;
     since_last.restart();

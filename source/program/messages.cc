@@ -11,6 +11,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/program/messages.h>
+#include <biface/stepping/controls/make_control.h>
 
 namespace Biface
 {

@@ -9,6 +9,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/program/parameters.h>
+#include <biface/stepping/stage_sequence.h>
 
 namespace Biface
 {
@@ -117,9 +118,9 @@ namespace Biface
   Parameters::check() const
   {
     for (const PointSupport &support : supports.points)
-      points.check_name("Supports/Point supports", support.point);
+      find_point(points.list, "Supports/Point supports", support.point);
     for (const PointForce &force : loads.point_forces)
-      points.check_name("Loads/Point forces", force.point);
+      find_point(points.list, "Loads/Point forces", force.point);
     if (mesh.closed)
       check_edges();
 
@@ -138,7 +139,7 @@ namespace Biface
         const std::string entry =
           "Stage " + std::to_string(i + 1) + "/Control point";
         if (!stages[i].control_point.empty())
-          points.check_name(entry, stages[i].control_point);
+          find_point(points.list, entry, stages[i].control_point);
       }
     const bool revolution =
       surface.type == ReferenceSurface::Parameters::Type::revolution;
@@ -163,7 +164,7 @@ namespace Biface
     if (stage == stages.end())
       return;
     for (const PlyParameters &ply : laminate.plies)
-      for (const Material::Parameters &material : materials)
+      for (const MaterialParameters &material : materials)
         if (material.name == ply.material && material.density == 0)
           throw InputError("Material " + material.name + "/Density",
                            "0",
@@ -471,7 +472,7 @@ namespace Biface
               materials.begin(), materials.end(), [&](const auto &m) {
                 return m.name == ply.material;
               });
-            if (material->type == Material::Parameters::Type::isotropic)
+            if (material->type == MaterialParameters::Type::isotropic)
               continue;
             for (unsigned int i = 0; i + 1 < lines.size() && angled.empty();
                  ++i)

@@ -18,6 +18,7 @@
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/sensitivity_table.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_reporting.h>
 
 namespace Biface
@@ -39,10 +40,9 @@ namespace Biface
         mesh.locally_relevant == changed.locally_relevant &&
         mesh.constraints.n_constraints() == changed.constraints.n_constraints();
       for (unsigned int n = 0; same && n < mesh.nodes.size(); ++n)
-        same =
-          mesh.nodes[n].dofs == changed.nodes[n].dofs &&
-          mesh.nodes[n].number == changed.nodes[n].number &&
-          mesh.nodes[n].face_is_free == changed.nodes[n].face_is_free;
+        same = mesh.nodes[n].dofs == changed.nodes[n].dofs &&
+               mesh.nodes[n].number == changed.nodes[n].number &&
+               mesh.nodes[n].face_is_free == changed.nodes[n].face_is_free;
       if (Utilities::MPI::min(static_cast<unsigned int>(same),
                               mesh.communicator) == 0)
         throw InputError("Sensitivities/Entries",
@@ -552,7 +552,7 @@ namespace Biface
   {
     // like the balance of forces: where they were evaluated, and linearly from
     // there
-    State at         = neighbor.state;
+    State at = neighbor.state;
     take_multipliers(step.state, at);
     LA::Vector total = neighbor.balanced_displacements();
     at.displacement  = total;

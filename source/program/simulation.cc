@@ -14,8 +14,11 @@
 #include <biface/program/sensitivity_analysis.h>
 #include <biface/program/simulation.h>
 #include <biface/solver/buckling_analysis.h>
+#include <biface/solver/linear/make_linear_solver.h>
+#include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_buckling.h>
 #include <biface/stepping/stage_modes.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_warnings.h>
 
 namespace Biface

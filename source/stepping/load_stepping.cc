@@ -13,6 +13,7 @@
 #include <biface/stepping/branch_switching.h>
 #include <biface/stepping/friction_continuation.h>
 #include <biface/stepping/load_stepping.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_reporting.h>
 
 namespace Biface

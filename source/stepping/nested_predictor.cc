@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <biface/stepping/nested_predictor.h>
+#include <biface/stepping/stage_sequence.h>
 
 namespace Biface
 {

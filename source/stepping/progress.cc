@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/progress.h>
 
 namespace Biface

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
 
 namespace Biface

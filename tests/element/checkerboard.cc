@@ -25,9 +25,9 @@ namespace
   Laminate
   laminate()
   {
-    Material::Parameters material;
+    MaterialParameters material;
     material.name  = "ply";
-    material.type  = Material::Parameters::Type::transversely_isotropic;
+    material.type  = MaterialParameters::Type::transversely_isotropic;
     material.E_L   = 2068.5;
     material.E_T   = 517.125;
     material.G_LT  = 795.6;

@@ -9,6 +9,7 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material.h>
+#include <biface/laminate/material_parameters.h>
 
 #include <tests.h>
 
@@ -17,13 +18,13 @@ using namespace Biface;
 
 namespace
 {
-  Material::Parameters
+  MaterialParameters
   nylon()
   {
-    Material::Parameters material;
-    material.name = "nylon";
-    material.type = Material::Parameters::Type::cord_and_rubber;
-    material.cord_and_rubber.E_cord        = 2400;
+    MaterialParameters material;
+    material.name                   = "nylon";
+    material.type                   = MaterialParameters::Type::cord_and_rubber;
+    material.cord_and_rubber.E_cord = 2400;
     material.cord_and_rubber.E_rubber      = 6;
     material.cord_and_rubber.cord_diameter = 0.6;
     material.cord_and_rubber.cord_pitch    = 1;
@@ -34,7 +35,7 @@ namespace
   void
   check_plies(const CordAndRubber::Thickness law)
   {
-    Material::Parameters material      = nylon();
+    MaterialParameters material        = nylon();
     material.cord_and_rubber.thickness = law;
     Layup::Parameters parameters;
     parameters.plies = parse_plies("plies", "nylon: 1.1 @ +-lift(beta_c)");
@@ -81,8 +82,8 @@ namespace
 int
 main()
 {
-  Material::Parameters material = nylon();
-  CordAndRubber       &cords    = material.cord_and_rubber;
+  MaterialParameters material = nylon();
+  CordAndRubber     &cords    = material.cord_and_rubber;
 
   check_small(
     "no cords",

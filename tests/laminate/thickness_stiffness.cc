@@ -15,8 +15,8 @@ namespace
   double
   stiffness(const std::string &plies)
   {
-    auto                 materials = cord_ply();
-    Material::Parameters rubber;
+    auto               materials = cord_ply();
+    MaterialParameters rubber;
     rubber.name = "rubber";
     rubber.E    = 5;
     rubber.nu   = 0.49;

@@ -76,8 +76,8 @@ namespace
       {parse_intervals("intervals", "0:10:2"),
        parse_intervals("intervals", "0:360:" + std::to_string(n_cells))}};
     parameters.closed = true;
-    const ChartGrid                   grid(parameters, *surface);
-    std::vector<Material::Parameters> materials(2);
+    const ChartGrid                 grid(parameters, *surface);
+    std::vector<MaterialParameters> materials(2);
     for (unsigned int m = 0; m < 2; ++m)
       {
         materials[m].name        = (m == 0 ? "soft" : "stiff");

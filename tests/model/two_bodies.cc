@@ -8,6 +8,7 @@
 
 #include <biface/program/parameters.h>
 #include <biface/program/shell_model.h>
+#include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>
 
 #include <tests.h>

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include <biface/program/shell_model.h>
-#include <biface/solver/linear/linear_solver.h>
+#include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/modal_analysis.h>
 
 #include <run_analysis.h>

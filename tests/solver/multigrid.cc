@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
 #include <run_analysis.h>

@@ -10,7 +10,6 @@
 #include <string>
 
 #include <biface/model/equations/symmetry.h>
-#include <biface/solver/linear/amesos_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 #include <biface/solver/linear/mumps_solver.h>
 
@@ -72,8 +71,6 @@ main(int argc, char *argv[])
               system.rhs,
               1e-10);
       }
-    AmesosSolver amesos(timer);
-    check("Amesos", amesos, system.matrix, system.rhs, 1e-10);
   }
 
   {

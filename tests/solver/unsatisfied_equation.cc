@@ -7,6 +7,7 @@
 
 #include <iostream>
 
+#include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>
 
 #include "../model/coarse_torus.h"

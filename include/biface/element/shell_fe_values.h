@@ -3,7 +3,6 @@
 #ifndef biface_element_shell_fe_values_h
 #define biface_element_shell_fe_values_h
 
-#include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_manifold.h>
@@ -11,69 +10,12 @@
 
 #include <array>
 
-#include <biface/element/mean_vectors.h>
-#include <biface/element/strain.h>
+#include <biface/element/element_geometry.h>
 #include <biface/element/strain_sampling.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
-  /**
-   * The geometry of the shell in an element, computed once by ShellFEValues and
-   * then used in every iteration. Independent of the kind of surface.
-   *
-   * Vertices are numbered as in deal.II, lexicographically with
-   * @f$\alpha_1@f$ running fastest. The neighbor of vertex q along
-   * @f$\alpha_1@f$ is `q ^ 1`, along @f$\alpha_2@f$ is `q ^ 2`.
-   */
-  struct ElementGeometry
-  {
-    struct Vertex
-    {
-      /** @f$N_{q,a}/A_a@f$ for the shape function of this vertex; for its
-       * neighbor along @f$\alpha_a@f$ it is the negative, the others vanish.
-       * Unit: 1/length. */
-      std::array<double, 2> slope;
-
-      /** See SurfacePoint::connection(). */
-      std::array<dealii::Tensor<2, 3>, 2> connection;
-
-      ThicknessMetric metric;
-
-      /** The thickness h at this vertex. */
-      double thickness;
-
-      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: the slope of a
-       * face relative to the reference surface. Zero if the thickness is
-       * constant. */
-      std::array<std::array<double, 2>, 2> face_slope;
-
-      /** The frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ in columns: the
-       * Cartesian vector of components in the frame. */
-      dealii::Tensor<2, 3> axes;
-    };
-
-    std::array<Vertex, 4> vertices;
-
-    /**
-     * The constant weight of the element's strains and resultants,
-     * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
-     * @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center of the
-     * element.
-     */
-    double weight;
-
-    StrainSampling sampling;
-
-    /** What StrainMeans needs: @f$\varphi_a@f$, */
-    std::array<double, 2> mean_factor;
-    /** `[face][a]`, the mean of @f$\zeta_a^\pm/\bar\zeta_a@f$, */
-    std::array<std::array<double, 2>, 2> zeta_ratio;
-    /** and StrainMeans::undeformed(). */
-    MeanVectors undeformed;
-  };
-
-
   /**
    * The geometry of a shell, cell by cell, in the manner of dealii::FEValues:
    * reinit() goes to a cell, and the other functions give the geometry of the

@@ -7,9 +7,9 @@
 
 #include <array>
 
+#include <biface/element/element_geometry.h>
 #include <biface/element/mean_vectors.h>
 #include <biface/element/modes.h>
-#include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
 
 namespace Biface

@@ -7,10 +7,10 @@
 
 #include <string>
 
+#include <biface/laminate/material.h>
+
 namespace Biface
 {
-  struct Material;
-
   /** A ply of parallel cords in rubber, by what its maker knows. */
   struct CordAndRubber
   {

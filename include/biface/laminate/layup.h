@@ -16,7 +16,7 @@
 #include <biface/input/coordinate.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
-#include <biface/laminate/material.h>
+#include <biface/laminate/material_parameters.h>
 #include <biface/laminate/meridional_tables.h>
 
 namespace Biface
@@ -46,7 +46,7 @@ namespace Biface
     /** Stiffness in the axes of the ply, by @f$\alpha_1@f$. Unit:
      * force/area. */
     std::function<dealii::SymmetricTensor<4, 3>(const double)> stiffness;
-    /** Material::Parameters::compression_loss() by @f$\alpha_1@f$; empty if
+    /** MaterialParameters::compression_loss() by @f$\alpha_1@f$; empty if
      * there are no cords that can go slack. */
     std::function<double(const double)> compression_loss;
     /** The part of the meridian it covers, in the user's unit. */
@@ -157,15 +157,15 @@ namespace Biface
       /** Throws InputError where plies name a material that is not in
        * @p materials, or a formula a variable that there is not. */
       void
-      check(const std::vector<Material::Parameters> &materials,
-            const PlyVariables                      &variables) const;
+      check(const std::vector<MaterialParameters> &materials,
+            const PlyVariables                    &variables) const;
     };
 
     /** Throws InputError like Parameters::check(), if a table cannot be
      * interpolated, or if a ply covers nothing. */
-    Layup(const Parameters                        &parameters,
-          const std::vector<Material::Parameters> &materials,
-          const SurfaceOfPlies                    &surface = SurfaceOfPlies());
+    Layup(const Parameters                      &parameters,
+          const std::vector<MaterialParameters> &materials,
+          const SurfaceOfPlies                  &surface = SurfaceOfPlies());
 
     /**
      * The plies that cover @p within, with their thickness and angle at

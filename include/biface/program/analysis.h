@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <biface/program/exit_code.h>
 #include <biface/program/parameters.h>
-#include <biface/program/program.h>
 #include <biface/program/run_log.h>
 #include <biface/program/signal_watch.h>
 #include <biface/program/simulation.h>

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <string>
 
 #include <biface/output/results_writer.h>
@@ -13,9 +14,6 @@
 
 namespace Biface
 {
-  class Simulation;
-
-
   /** Decides when checkpoints are written to the directory of results. All
    * functions must be called on all ranks. */
   class CheckpointWriter
@@ -35,15 +33,26 @@ namespace Biface
       check() const;
     };
 
+    /** The state of the run after the last converged step. */
+    struct Points
+    {
+      RestorePoints  run;
+      NeighborPoints neighbors;
+    };
+
     /**
      * The objects are kept by reference.
+     * @param progress that of the run, as the last converged step leaves it.
+     * @param points returns what a checkpoint contains.
      * @param restarted whether a checkpoint of the last step exists.
      */
-    CheckpointWriter(const Parameters  &parameters,
-                     const std::string &directory,
-                     const Simulation  &simulation,
-                     ResultsWriter     &results,
-                     const bool         restarted);
+    CheckpointWriter(const Parameters              &parameters,
+                     const std::string             &directory,
+                     const ShellMesh               &mesh,
+                     const Progress                &progress,
+                     const std::function<Points()> &points,
+                     ResultsWriter                 &results,
+                     const bool                     restarted);
 
     /** Write a checkpoint if one is due. Throws OutputError. */
     void
@@ -55,10 +64,12 @@ namespace Biface
     write(RunRecord &record);
 
   private:
-    const Parameters  parameters;
-    const std::string directory;
-    const Simulation &simulation;
-    ResultsWriter    &results;
+    const Parameters              parameters;
+    const std::string             directory;
+    const ShellMesh              &mesh;
+    const Progress               &progress;
+    const std::function<Points()> points;
+    ResultsWriter                &results;
 
     bool          any_written = false;
     unsigned int  last_step   = 0;

@@ -12,7 +12,7 @@
 
 #include <biface/element/strain_sampling.h>
 #include <biface/laminate/layup.h>
-#include <biface/laminate/material.h>
+#include <biface/laminate/material_parameters.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/gas.h>
@@ -40,24 +40,24 @@ namespace Biface
    */
   struct Parameters
   {
-    ReferenceSurface::Parameters      surface;
-    ChartGrid::Parameters             mesh;
-    Layup::Parameters                 laminate;
-    ElementParameters                 element;
-    NamedPoints                       points;
-    std::vector<Material::Parameters> materials;
-    Supports                          supports;
-    DeadLoads                         loads;
-    PressureLoad                      pressure;
-    Gas::Parameters                   gas;
-    ContactPair::Parameters           contact;
-    std::vector<Stage>                stages;
-    LinearSolver::Parameters          linear_solver;
-    Newton::Parameters                newton;
-    LoadStepping::Parameters          load_stepping;
-    ResultsWriter::Parameters         output;
-    CheckpointWriter::Parameters      checkpoint;
-    SensitivityParameters             sensitivities;
+    ReferenceSurface::Parameters    surface;
+    ChartGrid::Parameters           mesh;
+    Layup::Parameters               laminate;
+    ElementParameters               element;
+    NamedPoints                     points;
+    std::vector<MaterialParameters> materials;
+    Supports                        supports;
+    DeadLoads                       loads;
+    PressureLoad                    pressure;
+    Gas::Parameters                 gas;
+    ContactPair::Parameters         contact;
+    std::vector<Stage>              stages;
+    LinearSolver::Parameters        linear_solver;
+    Newton::Parameters              newton;
+    LoadStepping::Parameters        load_stepping;
+    ResultsWriter::Parameters       output;
+    CheckpointWriter::Parameters    checkpoint;
+    SensitivityParameters           sensitivities;
 
     /** Declare all entries, with a section for each of the materials and each
      * of the stages. The object must outlive @p prm. */

@@ -9,22 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <biface/program/exit_code.h>
+
 namespace Biface
 {
-  /** The exit codes of the program `biface`. */
-  enum ExitCode : int
-  {
-    done           = 0,
-    wrong_input    = 1,
-    no_convergence = 2,
-    /** Or results cannot be written; converged steps are kept. */
-    internal_error = 3,
-    /** Stopped by SIGINT or SIGTERM; converged steps are kept. The numbers are
-     * those of shells for processes ended by these signals. */
-    interrupted = 130,
-    terminated  = 143
-  };
-
   /**
    * The program `biface`, without the set-up of MPI.
    *

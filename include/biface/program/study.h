@@ -10,7 +10,7 @@
 #include <iosfwd>
 
 #include <biface/program/command_line.h>
-#include <biface/program/program.h>
+#include <biface/program/exit_code.h>
 
 namespace Biface
 {

@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <biface/model/state/state.h>
 #include <biface/stepping/load_level.h>
@@ -117,23 +116,6 @@ namespace Biface
    * @param free_radius R, see free_rolling_radius(). */
   double
   slip_ratio(const LoadLevel &level, const double free_radius);
-
-  /** The position of the stage from whose end that at @p position starts: the
-   * previous one, or the one that it names. None for the first stage, which
-   * starts from the unloaded shell. */
-  std::optional<unsigned int>
-  stage_before(const std::vector<Stage> &stages, const unsigned int position);
-
-  /** Whether another stage than the next one starts from the end of that at
-   * @p position. */
-  bool
-  is_branched_from(const std::vector<Stage> &stages,
-                   const unsigned int        position);
-
-  /** Check all stages in order, as far as possible before the run. Throws
-   * InputError. */
-  void
-  check_stages(const std::vector<Stage> &stages);
 } // namespace Biface
 
 #endif

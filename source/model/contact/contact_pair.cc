@@ -72,8 +72,8 @@ namespace Biface
                    const bool         glued,
                    const bool         rolls) const
   {
-    const FrictionLaw law = friction_parameters.of_stage(
-      entry, coefficient, mesh.wall_stiffness());
+    const FrictionLaw law =
+      friction_parameters.of_stage(entry, coefficient, mesh.wall_stiffness());
     if (law.is_zero() && !glued)
       return std::make_shared<const TangentialLaw>();
     if (rolls)

@@ -330,7 +330,7 @@ namespace Biface
     for (const PointForce &item : point_forces)
       {
         const unsigned int n =
-          node_of_point(mesh, "Loads/Point forces", item.point);
+          mesh.node_of_point("Loads/Point forces", item.point);
         if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
           add_nodal_force(
             mesh.nodes[n], item.force, 1, nodal_forces[item.force.factor]);

@@ -14,8 +14,6 @@
 
 #include <biface/base/errors.h>
 #include <biface/model/mesh/constraints.h>
-#include <biface/model/mesh/named_points.h>
-#include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
 {
@@ -226,7 +224,7 @@ namespace Biface
     /** The nodes of cyclic edges: those on the edge alpha_2 min by those on
      * alpha_2 max with the same displacements. */
     std::map<unsigned int, unsigned int>
-    cyclic_pairs(const ShellMesh &mesh)
+    cyclic_pairs(const MeshNodes &mesh)
     {
       std::map<unsigned int, unsigned int> by_line, pairs;
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -246,7 +244,7 @@ namespace Biface
 
   void
   make_constraints(const Supports                      &supports,
-                   const ShellMesh                     &mesh,
+                   const MeshNodes                     &mesh,
                    AffineConstraints<double>           &constraints,
                    std::vector<PrescribedDisplacement> &prescribed,
                    SupportedNodes                      &supported)
@@ -285,7 +283,7 @@ namespace Biface
         check_components("Supports/Point supports", item.conditions, surface);
         supported.bodies.push_back("point " + item.point);
         const unsigned int node =
-          node_of_point(mesh, "Supports/Point supports", item.point);
+          mesh.node_of_point("Supports/Point supports", item.point);
         if (node != numbers::invalid_unsigned_int)
           add(node, item.conditions, false);
       }

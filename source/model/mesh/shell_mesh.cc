@@ -246,12 +246,9 @@ namespace Biface
                        const Supports                         &supports,
                        const std::vector<NamedPoint>          &points,
                        const StrainSampling                    sampling)
-    : communicator(communicator)
-    , grid(grid)
+    : MeshNodes(communicator, std::move(surface), grid, points)
     , layup(layup)
     , sampling(sampling)
-    , points(points)
-    , surface(std::move(surface))
   {
     strips = make_strips(layup, *this->surface, grid);
     const std::vector<std::array<double, 2>> face_heights =
@@ -278,7 +275,7 @@ namespace Biface
     for (Cell &cell : cells)
       for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
         cell.positions[i] = locally_relevant.index_within_set(cell.dofs[i]);
-    nodes_of_points = find_nodes(this->points, *this);
+    find_points();
     make_constraints(supports, *this, constraints, prescribed, supported);
 
     for (Node &node : nodes)

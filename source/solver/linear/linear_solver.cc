@@ -5,12 +5,7 @@
 #include <sstream>
 
 #include <biface/input/parameter_tools.h>
-#include <biface/solver/linear/amesos_solver.h>
 #include <biface/solver/linear/linear_solver.h>
-#include <biface/solver/linear/multigrid_solver.h>
-#ifdef BIFACE_WITH_MUMPS
-#  include <biface/solver/linear/mumps_solver.h>
-#endif
 
 namespace Biface
 {
@@ -23,13 +18,10 @@ namespace Biface
       prm,
       "Type",
       type,
-      {"direct", "Amesos", "iterative"},
-      "'direct' (MUMPS: LDL^T if the tangent is symmetric, LU otherwise), "
-      "'Amesos' (the direct solvers UMFPACK or KLU on the first rank: "
-      "slower; also used for 'direct' if the program was built without "
-      "MUMPS) or 'iterative' (GMRES with multigrid, which halves the number of "
-      "grid lines again and again: less memory, and on fine meshes less "
-      "time).");
+      {"direct", "iterative"},
+      "'direct' (MUMPS: LDL^T if the tangent is symmetric, LU otherwise) or "
+      "'iterative' (GMRES with multigrid, which halves the number of grid "
+      "lines again and again: less memory, and on fine meshes less time).");
     prm.add_parameter(
       "Single precision",
       single_precision,
@@ -39,29 +31,6 @@ namespace Biface
       "few iterations, as in very thin shells, factors are computed in double "
       "precision from then on.");
     multigrid.add_parameters(prm);
-  }
-
-
-  std::unique_ptr<LinearSolver>
-  make_linear_solver(const LinearSolver::Parameters &parameters,
-                     const ShellMesh                &mesh,
-                     TimerOutput                    &timer)
-  {
-    switch (parameters.type)
-      {
-        case LinearSolver::Parameters::Type::direct:
-#ifdef BIFACE_WITH_MUMPS
-          return std::make_unique<MumpsSolver>(
-            mesh.communicator, timer, parameters.single_precision);
-#endif
-        case LinearSolver::Parameters::Type::amesos:
-          return std::make_unique<AmesosSolver>(timer);
-        case LinearSolver::Parameters::Type::iterative:
-          return std::make_unique<MultigridSolver>(
-            parameters.multigrid, mesh, timer);
-      }
-    Assert(false, ExcInternalError());
-    return {};
   }
 
 

@@ -12,6 +12,7 @@
 
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/linear/multigrid_solver.h>
+#include <biface/solver/linear/mumps_solver.h>
 
 #include <ml_epetra_utils.h>
 
@@ -180,10 +181,8 @@ namespace Biface
         level.coarse_correction = level.coarse_residual;
       }
 
-    LinearSolver::Parameters direct;
-    direct.single_precision = false;
-    coarsest =
-      make_linear_solver(direct, mesh, levels.empty() ? timer : coarse_timer);
+    coarsest = std::make_unique<MumpsSolver>(
+      mesh.communicator, levels.empty() ? timer : coarse_timer, false);
 
     const auto motions = rigid_motions(mesh);
     for (unsigned int i = 0; i < translations.size(); ++i)

@@ -8,8 +8,31 @@
 
 namespace Biface
 {
+  using namespace dealii;
+
   namespace
   {
+    /** The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is
+     * the controlled displacement of the middle surface. */
+    LA::Vector
+    displacement_functional(const ShellMesh &mesh, const StageControl &stage)
+    {
+      LA::Vector         functional = mesh.owned_vector();
+      const unsigned int n =
+        mesh.node_of_point("Control point", stage.control_point);
+      if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
+        {
+          const Node        &node = mesh.nodes[n];
+          const Tensor<1, 3> unit = direction(
+            stage.control_component, node.surface, mesh.get_surface().axis());
+          for (unsigned int i = 0; i < 3; ++i)
+            functional(node.dof(i, MixedElement::mean)) = unit[i];
+        }
+      functional.compress(VectorOperation::insert);
+      return functional;
+    }
+
+
     /** The change of a displacement, @f$\mathbf l\cdot\mathbf V@f$, in the step
      * is prescribed. */
     class DisplacementEquation : public ControlEquation
@@ -87,7 +110,7 @@ namespace Biface
   DisplacementControl::check(const std::string &section,
                              const ShellMesh   &mesh) const
   {
-    node_of_point(mesh, section + "/Control point", stage.control_point);
+    mesh.node_of_point(section + "/Control point", stage.control_point);
     check_component(section + "/Control component",
                     stage.control_component,
                     mesh.get_surface());
@@ -104,9 +127,7 @@ namespace Biface
     const ShellMesh &mesh         = from.equations.mesh;
     LA::Vector       displacement = mesh.owned_vector();
     displacement                  = from.state.displacement;
-    start_value                   = displacement_functional(
-                    mesh, stage.control_point, stage.control_component) *
-                  displacement;
+    start_value = displacement_functional(mesh, stage) * displacement;
     check_value(start_value);
   }
 
@@ -119,8 +140,7 @@ namespace Biface
     trial.mu    = {load_fraction};
     trial.equations = std::make_shared<const DisplacementEquation>(
       load_rate(),
-      displacement_functional(
-        from.equations.mesh, stage.control_point, stage.control_component),
+      displacement_functional(from.equations.mesh, stage),
       (next() - fraction) * (stage.control_value - start_value));
     return trial;
   }

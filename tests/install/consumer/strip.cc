@@ -27,7 +27,7 @@ main(int argc, char *argv[])
     simulation.run([&](const StepReport &, const State &state) {
       const ShellMesh &shell = simulation.get_equations().mesh;
       const auto      &node =
-        shell.nodes[node_of_point(shell, "Named points", "middle")];
+        shell.nodes[shell.node_of_point("Named points", "middle")];
       for (unsigned int face = 0; face < 2; ++face)
         deflection += shell.displacement(state.displacement, node, face)[2] / 2;
     });

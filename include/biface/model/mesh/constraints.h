@@ -12,12 +12,11 @@
 #include <valarray>
 #include <vector>
 
+#include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/supports.h>
 
 namespace Biface
 {
-  class ShellMesh;
-
   /** A constrained unknown whose constraint is not homogeneous: @p values are
    * multiplied by Loads::factors, and their sum is added to the entries of the
    * constraint. */
@@ -50,7 +49,7 @@ namespace Biface
   {
     struct Item
     {
-      /** Position in ShellMesh::nodes. */
+      /** Position in MeshNodes::nodes. */
       unsigned int node;
       /** Between cyclic edges: the node with the same displacements on the
        * second edge, while @p node is on the first; invalid otherwise. */
@@ -87,7 +86,7 @@ namespace Biface
    */
   void
   make_constraints(const Supports                      &supports,
-                   const ShellMesh                     &mesh,
+                   const MeshNodes                     &mesh,
                    dealii::AffineConstraints<double>   &constraints,
                    std::vector<PrescribedDisplacement> &prescribed,
                    SupportedNodes                      &supported);

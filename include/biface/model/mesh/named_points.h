@@ -9,15 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <biface/base/linear_algebra.h>
 #include <biface/input/coordinate.h>
-#include <biface/model/mesh/component.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
-  class ShellMesh;
-
   /** A named point of the surface, used to support, load, monitor or control a
    * node. */
   struct NamedPoint
@@ -36,6 +32,14 @@ namespace Biface
   parse_points(const std::string &entry, const std::string &text);
 
 
+  /** The position of a named point in a list. Throws InputError, naming
+   * @p entry, if there is no such point. */
+  unsigned int
+  find_point(const std::vector<NamedPoint> &points,
+             const std::string             &entry,
+             const std::string             &name);
+
+
   /** The points of a shell. */
   struct NamedPoints
   {
@@ -45,42 +49,10 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Throw InputError, naming @p entry, if there is no point of this name. */
-    void
-    check_name(const std::string &entry, const std::string &name) const;
-
     /** The points in the internal unit of a surface. */
     std::vector<NamedPoint>
     on(const ReferenceSurface &surface) const;
   };
-
-
-  /**
-   * The nodes of the mesh at points: positions in ShellMesh::nodes, or invalid
-   * numbers for nodes that exist only on other ranks. The coordinates of the
-   * points are replaced by those of their nodes, which differ by a period or by
-   * round-off.
-   *
-   * Throws InputError, naming the nearest node, if a point is not a node.
-   */
-  std::vector<unsigned int>
-  find_nodes(std::vector<NamedPoint> &points, const ShellMesh &mesh);
-
-  /** The node of a named point of the mesh, see find_nodes(). Throws
-   * InputError, naming @p entry, if there is no such point. */
-  unsigned int
-  node_of_point(const ShellMesh   &mesh,
-                const std::string &entry,
-                const std::string &name);
-
-  /**
-   * The vector @f$\mathbf l@f$ for which @f$\mathbf l\cdot\mathbf V@f$ is a
-   * component of the displacement of the middle surface at a named point.
-   */
-  LA::Vector
-  displacement_functional(const ShellMesh   &mesh,
-                          const std::string &point,
-                          const Component    component);
 } // namespace Biface
 
 #endif

@@ -21,50 +21,13 @@
 #include <biface/input/formula.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/constraints.h>
-#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
-  /** A node of the mesh: a vertex with the displacements of both faces. */
-  struct Node
-  {
-    /** The lines of the grid that meet at the node. */
-    GridIndex grid_index;
-
-    /** See ChartGrid::node_number(): independent of the number of ranks. */
-    dealii::types::global_cell_index number;
-
-    /** The coordinates @f$(\alpha_1,\alpha_2)@f$, in the internal unit of the
-     * surface. */
-    dealii::Point<2> alpha;
-
-    SurfacePoint surface;
-
-    /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(): the mean of both
-     * sides if a ply ends here. Unit: length. */
-    std::array<double, 2> face_heights;
-
-    /** Global indices of the unknowns, in the order of dof(). */
-    std::array<dealii::types::global_dof_index, 6> dofs;
-
-    /** See MixedElement::dof(). */
-    dealii::types::global_dof_index
-    dof(const unsigned int component, const MixedElement::Part part) const
-    {
-      return dofs[MixedElement::dof(0, component, part)];
-    }
-
-    /** Whether the node belongs to this rank. */
-    bool locally_owned;
-
-    /** Whether any displacement of each face is free. */
-    std::array<bool, 2> face_is_free;
-  };
-
-
   /** A locally owned cell of the mesh. */
   struct Cell
   {
@@ -147,7 +110,7 @@ namespace Biface
    * iterations access memory in order. Each rank has the cells it owns and the
    * nodes of these cells and of their neighbors, also across cyclic edges.
    */
-  class ShellMesh
+  class ShellMesh : public MeshNodes
   {
   public:
     /**
@@ -169,10 +132,7 @@ namespace Biface
     std::shared_ptr<const ShellMesh>
     with_layup(const Layup &other) const;
 
-    const MPI_Comm communicator;
-
-    const ChartGrid grid;
-    Layup           layup;
+    Layup layup;
 
     const StrainSampling sampling;
 
@@ -180,7 +140,6 @@ namespace Biface
     std::vector<Strip> strips;
 
     std::vector<Cell> cells;
-    std::vector<Node> nodes;
 
     /** Nodes that share a cell with the node of the same position, including
      * itself. Complete for locally owned nodes. Not across cyclic edges. */
@@ -189,24 +148,12 @@ namespace Biface
     /** Sides of locally owned cells on the edges of the shell. */
     std::vector<BoundarySegment> boundary;
 
-    /** Named points, with the coordinates of their nodes, and these nodes: see
-     * find_nodes(). */
-    std::vector<NamedPoint>   points;
-    std::vector<unsigned int> nodes_of_points;
-
     dealii::IndexSet locally_owned;
-    dealii::IndexSet locally_relevant;
 
     /** See make_constraints(). */
     dealii::AffineConstraints<double>   constraints;
     std::vector<PrescribedDisplacement> prescribed;
     SupportedNodes                      supported;
-
-    const ReferenceSurface &
-    get_surface() const
-    {
-      return *surface;
-    }
 
     const dealii::DoFHandler<2, 3> &
     get_dof_handler() const
@@ -229,13 +176,6 @@ namespace Biface
      * pressure/length. */
     double
     wall_stiffness() const;
-
-    /** The diagonal of the box around the reference surface. Unit: length. */
-    double
-    size() const
-    {
-      return diameter;
-    }
 
     /** Whether supports prescribe displacements, on any rank. */
     bool
@@ -324,13 +264,11 @@ namespace Biface
     void
     add_cyclic_nodes(const std::vector<std::array<double, 2>> &face_heights);
 
-    std::shared_ptr<const ReferenceSurface> surface;
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;
     std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;
     dealii::types::global_dof_index                 n_free        = 0;
     double                                          max_thickness = 0;
-    double                                          diameter      = 0;
   };
 
 

@@ -4,16 +4,13 @@
 #define biface_solver_linear_linear_solver_h
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/timer.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/mesh/shell_mesh.h>
 #include <biface/solver/failure.h>
 
 namespace Biface
@@ -59,7 +56,6 @@ namespace Biface
       enum class Type
       {
         direct,
-        amesos,
         iterative
       };
 
@@ -163,15 +159,6 @@ namespace Biface
              const LA::Vector &x,
              const LA::Vector &b) const;
   };
-
-
-  /** Create the linear solver given by the parameters. The objects are kept by
-   * reference.
-   * @param timer receives the sections "Linear solver: ...". */
-  std::unique_ptr<LinearSolver>
-  make_linear_solver(const LinearSolver::Parameters &parameters,
-                     const ShellMesh                &mesh,
-                     dealii::TimerOutput            &timer);
 
 
   /**

@@ -297,12 +297,6 @@ namespace Biface
   };
 
 
-  /** Create the control of a stage. */
-  std::unique_ptr<Control>
-  make_control(const Stage               &stage,
-               const Control::Parameters &parameters = Control::Parameters());
-
-
   /** Throw InputError for a stage with unknown loads, none of which changes, or
    * in which the foundation or the ground under a wheel moves differently,
    * too. */

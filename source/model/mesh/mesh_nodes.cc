@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/model/mesh/mesh_nodes.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    unsigned int
+    nearest_line(const std::vector<double> &lines, const double alpha)
+    {
+      const auto above =
+        std::lower_bound(lines.begin() + 1, lines.end() - 1, alpha);
+      const bool below = alpha - above[-1] < above[0] - alpha;
+      return above - lines.begin() - (below ? 1 : 0);
+    }
+
+
+    /** The node at a point. Throws InputError if there is none. */
+    GridIndex
+    find_node(const NamedPoint &point, const MeshNodes &mesh)
+    {
+      const ReferenceSurface &surface = mesh.get_surface();
+      const auto             &lines   = mesh.grid.lines;
+
+      // in a periodic coordinate, a point outside the grid may mean one inside
+      Point<2>     alpha  = point.alpha;
+      const double period = surface.get_periodicity()[1];
+      const double start = lines[1].front(), end = lines[1].back();
+      if (period > 0 &&
+          (alpha[1] < start - 1e-9 * period || alpha[1] > end + 1e-9 * period))
+        alpha[1] = (start + end) / 2 +
+                   std::remainder(alpha[1] - (start + end) / 2, period);
+
+      GridIndex node;
+      Point<2>  nearest;
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          node[a]    = nearest_line(lines[a], alpha[a]);
+          nearest[a] = lines[a][node[a]];
+        }
+      const SurfacePoint at_node = surface.evaluate(nearest);
+      for (unsigned int a = 0; a < 2; ++a)
+        if (!(std::abs(alpha[a] - nearest[a]) * at_node.lame[a] <
+              1e-8 * mesh.size()))
+          {
+            const auto text = [&](const Point<2> &place) {
+              std::string numbers;
+              for (unsigned int b = 0; b < 2; ++b)
+                {
+                  const double unit = surface.coordinate_unit(b);
+                  numbers +=
+                    (b == 0 ? "" : " ") + number_to_string(place[b] / unit);
+                }
+              return numbers;
+            };
+            throw InputError("Named points",
+                             point.name + ": " + text(point.alpha),
+                             "a point must be a node of the mesh; the nearest "
+                             "node is at " +
+                               text(nearest));
+          }
+      node[1] %= mesh.grid.n_nodes(1);
+      return node;
+    }
+  } // namespace
+
+
+  void
+  MeshNodes::find_points()
+  {
+    std::unordered_map<types::global_cell_index, unsigned int> by_number;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      by_number[nodes[n].number] = n;
+
+    nodes_of_points.clear();
+    for (NamedPoint &point : points)
+      {
+        const GridIndex grid_index = find_node(point, *this);
+        point.alpha                = grid.alpha(grid_index);
+        const auto node = by_number.find(grid.node_number(grid_index));
+        nodes_of_points.push_back(node != by_number.end()
+                                    ? node->second
+                                    : numbers::invalid_unsigned_int);
+      }
+  }
+
+
+  unsigned int
+  MeshNodes::node_of_point(const std::string &entry,
+                           const std::string &name) const
+  {
+    return nodes_of_points[find_point(points, entry, name)];
+  }
+} // namespace Biface
