@@ -144,7 +144,8 @@ namespace Biface
               continue;
             given.push_back(name);
             *item.factor = position->second;
-            // the same name for a point 'a b' and for component b of a point 'a'
+            // the same name for a point 'a b' and for component b of a point
+            // 'a'
             if (!names[position->second].empty() &&
                 names[position->second] != given)
               for (unsigned int i = 0; i < stages.size(); ++i)

@@ -558,12 +558,7 @@ namespace Biface
     at.displacement  = total;
     total -= owned_part(neighbor.before.displacement);
     return neighbor.trial.equations->parameter_changes(
-      {neighbor.model.equations,
-       neighbor.model.contact,
-       at,
-       neighbor.loads,
-       total,
-       {}},
+      {neighbor.model.contact, at, neighbor.loads, total, {}},
       neighbor.since_balanced(),
       per_parameter);
   }
@@ -604,7 +599,7 @@ namespace Biface
         LA::Vector total = owned_part(step.state.displacement);
         total -= owned_part(step.run.state.displacement);
         balance.missing_loads = step.trial.equations->parameter_changes(
-          {model.equations, model.contact, step.state, step.loads, total, {}},
+          {model.contact, step.state, step.loads, total, {}},
           model.mesh->owned_vector(),
           tangent.per_parameter);
       }

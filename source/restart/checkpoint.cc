@@ -106,6 +106,8 @@ namespace Biface
         tables.emplace_back(prefix + name, rows_of(values, mesh));
       };
       add("displacement", state.displacement);
+      if (state.velocity.size() > 0)
+        add("velocity", state.velocity);
       add("resultants", state.resultants);
       for (unsigned int i = 0; i < state.contacts.size(); ++i)
         {
@@ -282,7 +284,9 @@ namespace Biface
 
     State state(mesh);
     state.displacement = ghosted("displacement");
-    state.resultants   = modes("resultants");
+    if (has("velocity"))
+      state.velocity = ghosted("velocity");
+    state.resultants = modes("resultants");
     state.contacts.clear();
     for (unsigned int i = 0; has(names_of_contact(i)[0]); ++i)
       {

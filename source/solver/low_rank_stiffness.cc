@@ -10,7 +10,7 @@ namespace Biface
 {
   using namespace dealii;
 
-  LowRankStiffness::LowRankStiffness(const ShellEquations &equations,
+  LowRankStiffness::LowRankStiffness(const EquationSystem &equations,
                                      const State          &state,
                                      const Loads          &loads)
   {

@@ -59,7 +59,7 @@ namespace Biface
 
 
   Newton::Newton(const Parameters         &parameters,
-                 ShellEquations           &equations,
+                 EquationSystem           &equations,
                  const ContactInteraction &contact,
                  LinearSolver             &linear_solver,
                  ConditionalOStream       &out,
@@ -109,7 +109,7 @@ namespace Biface
             LoadParameters           &mu,
             const NewtonIteration     iteration,
             const bool                zone_given,
-            const ShellEquations     &equations,
+            const EquationSystem     &equations,
             const ContactInteraction &contact,
             ConditionalOStream       &out)
       : contact(contact)
@@ -161,11 +161,9 @@ namespace Biface
     }
 
     ControlEquations::Iteration
-    here(const ShellEquations     &equations,
-         const ContactInteraction &contact) const
+    here() const
     {
-      return {
-        equations, contact, state, loads, total, result.n_negative_pivots};
+      return {contact, state, loads, total, result.n_negative_pivots};
     }
   };
 
@@ -209,7 +207,7 @@ namespace Biface
                 continue;
               }
             TimerOutput::Scope scope(timer, "Update of the state");
-            equations.internal_forces().settle_resultants(state);
+            equations.settle(state);
             result.converged = true;
             return result;
           }
@@ -335,7 +333,7 @@ namespace Biface
 
     const ControlEquations *control = iterate.parametrized.equations;
     return control == nullptr ||
-           control->violation(iterate.here(equations, contact)) <=
+           control->violation(iterate.here()) <=
              std::max(parameters.residual_tolerance, minimum_tolerance);
   }
 
@@ -398,9 +396,8 @@ namespace Biface
 
     if (const ControlEquations *control = iterate.parametrized.equations)
       {
-        const ControlEquations::Iteration here =
-          iterate.here(equations, contact);
-        std::vector<LA::Vector> per_parameter(control->rates.size(),
+        const ControlEquations::Iteration here = iterate.here();
+        std::vector<LA::Vector>           per_parameter(control->rates.size(),
                                               equations.mesh.owned_vector());
         for (unsigned int i = 0; i < per_parameter.size(); ++i)
           {

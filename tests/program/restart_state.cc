@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A checkpoint gives back the whole state: displacements, resultants, the
-// active set and all components of the multipliers, at all nodes of each rank,
-// and what earlier stages have left in the internal forces; also those at the
-// end of an earlier stage from which others start, and those of neighbors.
+// A checkpoint gives back the whole state: displacements, velocities,
+// resultants, the active set and all components of the multipliers, at all
+// nodes of each rank, and what earlier stages have left in the internal forces;
+// also those at the end of an earlier stage from which others start, and those
+// of neighbors.
 
 #include <filesystem>
 
@@ -40,6 +41,9 @@ main(int argc, char *argv[])
         state.contacts[0].multipliers[n][i] =
           std::sin(3 * alpha[0] + 7 * alpha[1] + i);
     }
+  state.velocity = mesh->ghosted_vector();
+  state.velocity = some_displacement(*mesh, 2, 6);
+
   state.terms["term"] = {
     {1, 2}, {mesh->nodes.size(), 2}, {mesh->cells.size(), 3}};
   for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
@@ -74,7 +78,8 @@ main(int argc, char *argv[])
 
   bool same = true;
   for (const auto dof : mesh->locally_relevant)
-    same = same && other.displacement(dof) == state.displacement(dof);
+    same = same && other.displacement(dof) == state.displacement(dof) &&
+           other.velocity(dof) == state.velocity(dof);
   bool same_end = ends.size() == 1 && ends.count(1) == 1;
   for (const auto dof : mesh->locally_relevant)
     same_end =
@@ -112,7 +117,7 @@ main(int argc, char *argv[])
         term.at_cells == same_term.at_cells)};
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
-  check_true("displacements", found[0]);
+  check_true("displacements and velocities", found[0]);
   check_true("resultants", found[1]);
   check_true("active set", found[2]);
   check_true("multipliers", found[3]);

@@ -8,7 +8,6 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact/contact_interaction.h>
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -49,8 +48,6 @@ namespace Biface
     /** The current iterate of Newton's method. */
     struct Iteration
     {
-      /** As last assembled, for this state and these loads. */
-      const ShellEquations     &equations;
       const ContactInteraction &contact;
       const State              &state;
       const Loads              &loads;

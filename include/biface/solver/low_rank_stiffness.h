@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/equations/shell_equations.h>
+#include <biface/model/equations/equation_system.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -19,7 +19,7 @@ namespace Biface
    * The part of low rank that loads depending on the displacements of the whole
    * shell add to a tangent @f$\mathbf K@f$, such as the pressure of a sealed
    * gas: @f$-\mathbf F\mathbf G^T@f$ with a column of @f$\mathbf F@f$ and
-   * @f$\mathbf G@f$ for each ShellEquations::RankOne. Systems with the sum are
+   * @f$\mathbf G@f$ for each EquationSystem::RankOne. Systems with the sum are
    * solved with those of @f$\mathbf K@f$ by the Woodbury formula
    * @cite GolubVanLoan2013. Mostly, the rank is 0, and nothing is done.
    */
@@ -30,7 +30,7 @@ namespace Biface
     LowRankStiffness() = default;
 
     /** @param state, loads an equilibrium; its foundation does not matter. */
-    LowRankStiffness(const ShellEquations &equations,
+    LowRankStiffness(const EquationSystem &equations,
                      const State          &state,
                      const Loads          &loads);
 

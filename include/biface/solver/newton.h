@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <biface/model/contact/contact_interaction.h>
-#include <biface/model/equations/shell_equations.h>
+#include <biface/model/equations/equation_system.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 #include <biface/solver/failure.h>
@@ -109,7 +109,7 @@ namespace Biface
     /** The objects are kept by reference.
      * @param stop called before each iteration. */
     Newton(const Parameters           &parameters,
-           ShellEquations             &equations,
+           EquationSystem             &equations,
            const ContactInteraction   &contact,
            LinearSolver               &linear_solver,
            dealii::ConditionalOStream &out,
@@ -183,7 +183,7 @@ namespace Biface
     std::optional<Failure>
     move(Iterate &iterate, const Increment &increment);
 
-    ShellEquations             &equations;
+    EquationSystem             &equations;
     const ContactInteraction   &contact;
     LinearSolver               &linear_solver;
     dealii::ConditionalOStream &out;

@@ -39,7 +39,7 @@ namespace Biface
 
 
   ShellEquations::ShellEquations(const ShellMesh &mesh, ForceTerms other_terms)
-    : mesh(mesh)
+    : EquationSystem(mesh)
     , internal(mesh)
     , other_terms(std::move(other_terms))
     , terms{&internal}
@@ -292,7 +292,7 @@ namespace Biface
   }
 
 
-  std::vector<ShellEquations::RankOne>
+  std::vector<EquationSystem::RankOne>
   ShellEquations::low_rank_part(const State &state, const Loads &loads) const
   {
     std::vector<DependentLoads> dependent;

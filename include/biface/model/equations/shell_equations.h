@@ -10,6 +10,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/equation_system.h>
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/force_term.h>
@@ -36,10 +37,9 @@ namespace Biface
 
   /**
    * The discrete equilibrium equations of the shell: the sum of its forces,
-   * each kind a ForceTerm, the tangent, and the update of the state by an
-   * increment.
+   * each kind a ForceTerm.
    */
-  class ShellEquations
+  class ShellEquations : public EquationSystem
   {
   public:
     /** The mesh is kept by reference.
@@ -52,36 +52,27 @@ namespace Biface
       return internal;
     }
 
-    /** Compute residual() and tangent() for a state. */
     void
-    assemble(const State &state, const Loads &loads);
+    assemble(const State &state, const Loads &loads) override;
 
-    /** Compute residual() alone, in a fraction of the time; tangent() remains
-     * that of an earlier state. Prescribed displacements must be those of the
-     * supports. */
     void
-    assemble_residual(const State &state, const Loads &loads);
+    assemble_residual(const State &state, const Loads &loads) override;
 
-    /** The sum of all forces on the nodes, which depends only on the
-     * displacements, not on the resultants of the state. */
     const LA::Vector &
-    residual() const
+    residual() const override
     {
       return rhs;
     }
 
-    /** Minus the derivative of residual() for a fixed active set. */
     const LA::SparseMatrix &
-    tangent() const
+    tangent() const override
     {
       Assert(matrix, dealii::ExcNotInitialized());
       return matrix->get();
     }
 
-    /** Whether the tangent is symmetric for these loads whatever the
-     * supports. */
     bool
-    is_symmetric(const Loads &loads) const;
+    is_symmetric(const Loads &loads) const override;
 
     /** Whether contact makes the tangent unsymmetric for these loads. */
     bool
@@ -111,22 +102,11 @@ namespace Biface
                 const TimeInterval &time,
                 State              &after) const;
 
-    /** The given loads, with those that follow from the displacements of the
-     * whole shell. */
     Loads
-    with_dependent_loads(const State &state, const Loads &loads) const;
-
-    /** Minus a part of the derivative of residual() that tangent() does not
-     * contain, @f$-\sum\mathbf f\otimes\mathbf g@f$: forces @f$\mathbf f@f$
-     * per unit of a quantity with the gradient @f$\mathbf g@f$, see
-     * DependentLoads. */
-    struct RankOne
-    {
-      LA::Vector forces, gradient;
-    };
+    with_dependent_loads(const State &state, const Loads &loads) const override;
 
     std::vector<RankOne>
-    low_rank_part(const State &state, const Loads &loads) const;
+    low_rank_part(const State &state, const Loads &loads) const override;
 
     /** The same as residual() for any state. The displacements at the supports
      * are those of the state. */
@@ -138,12 +118,10 @@ namespace Biface
     void
     move_supports(State &state, const Loads &loads) const;
 
-    /** The derivative of residual() for the given rates of the loads and a
-     * fixed active set; not for linear strain theory. */
     LA::Vector
     load_direction(const State     &state,
                    const Loads     &loads,
-                   const LoadRates &rates) const;
+                   const LoadRates &rates) const override;
 
     /** What is out of balance in a shape with given resultants and loads: norms
      * of nodal forces. Unit: force. */
@@ -173,45 +151,35 @@ namespace Biface
       return terms;
     }
 
-    /** The norm of residual() relative to that of the forces that cancel in it:
-     * a pure number. */
     double
-    relative_residual() const;
+    relative_residual() const override;
 
-    /** The level of round-off in relative_residual(): products of the
-     * displacements with stiff entries of the tangent, such as those across a
-     * thin shell, cancel only up to round-off. */
     double
-    relative_roundoff(const State &state) const;
+    relative_roundoff(const State &state) const override;
 
-    /** The maximum deviation from the prescribed displacements at the last
-     * assembly. Unit: length. */
     double
-    support_violation() const
+    support_violation() const override
     {
       return largest_violation;
     }
 
-    /** Set the entries of the increment at the supports. */
     void
-    distribute(LA::Vector &increment) const
+    distribute(LA::Vector &increment) const override
     {
       constraints.distribute(increment);
     }
 
-    /**
-     * Add an increment to the displacements of a state, and update the
-     * resultants: to
-     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$ in the mixed
-     * iteration, to @f$\mathbf D\mathbf E(\mathbf V+d\mathbf V)@f$ in the
-     * substituted one.
-     */
     void
     update(State                &state,
            const LA::Vector     &increment,
-           const NewtonIteration iteration) const;
+           const NewtonIteration iteration) const override;
 
-    const ShellMesh &mesh;
+    /** See InternalForces::settle_resultants(). */
+    void
+    settle(State &state) const override
+    {
+      internal.settle_resultants(state);
+    }
 
   private:
     /** Add the forces of the terms in a range, which linear theory linearizes

@@ -66,6 +66,10 @@ namespace Biface
      * this rank. */
     LA::Vector displacement;
 
+    /** The velocities of the unknowns, likewise, if the state moves; empty
+     * otherwise. Unit: length/time. */
+    LA::Vector velocity;
+
     /** The resultants @f$\mathbf H@f$ of each locally owned cell, an unknown
      * of the mixed iteration. Initial resultants are not included. */
     std::vector<Modes::Vector> resultants;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_equations_equation_system_h
+#define biface_model_equations_equation_system_h
+
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The equations that Newton's method solves for the state at the end of a
+   * step: residual and tangent at any state, and the update of a state by an
+   * increment of the displacements. In statics they are ShellEquations; a
+   * method for steps in time adds its forces of inertia to these.
+   */
+  class EquationSystem
+  {
+  public:
+    /** The mesh is kept by reference. */
+    explicit EquationSystem(const ShellMesh &mesh) : mesh(mesh)
+    {}
+
+    virtual ~EquationSystem() = default;
+
+    /** Compute residual() and tangent() for a state. */
+    virtual void
+    assemble(const State &state, const Loads &loads) = 0;
+
+    /** Compute residual() alone, in a fraction of the time; tangent() remains
+     * that of an earlier state. Prescribed displacements must be those of the
+     * supports. */
+    virtual void
+    assemble_residual(const State &state, const Loads &loads) = 0;
+
+    /** The sum of all forces on the nodes, which depends only on the
+     * displacements, not on the resultants of the state. */
+    virtual const LA::Vector &
+    residual() const = 0;
+
+    /** Minus the derivative of residual() for a fixed active set. */
+    virtual const LA::SparseMatrix &
+    tangent() const = 0;
+
+    /** Whether the tangent is symmetric for these loads whatever the
+     * supports. */
+    virtual bool
+    is_symmetric(const Loads &loads) const = 0;
+
+    /** Minus a part of the derivative of residual() that tangent() does not
+     * contain, @f$-\sum\mathbf f\otimes\mathbf g@f$: forces @f$\mathbf f@f$
+     * per unit of a quantity with the gradient @f$\mathbf g@f$, see
+     * DependentLoads. */
+    struct RankOne
+    {
+      LA::Vector forces, gradient;
+    };
+
+    virtual std::vector<RankOne>
+    low_rank_part(const State &state, const Loads &loads) const = 0;
+
+    /** The given loads, with those that follow from the displacements of the
+     * whole shell. */
+    virtual Loads
+    with_dependent_loads(const State &state, const Loads &loads) const = 0;
+
+    /** The derivative of residual() for the given rates of the loads and a
+     * fixed active set; not for linear strain theory. */
+    virtual LA::Vector
+    load_direction(const State     &state,
+                   const Loads     &loads,
+                   const LoadRates &rates) const = 0;
+
+    /** The norm of residual() relative to that of the forces that cancel in it:
+     * a pure number. */
+    virtual double
+    relative_residual() const = 0;
+
+    /** The level of round-off in relative_residual(): products of the
+     * displacements with stiff entries of the tangent, such as those across a
+     * thin shell, cancel only up to round-off. */
+    virtual double
+    relative_roundoff(const State &state) const = 0;
+
+    /** The maximum deviation from the prescribed displacements at the last
+     * assembly. Unit: length. */
+    virtual double
+    support_violation() const = 0;
+
+    /** Set the entries of the increment at the supports. */
+    virtual void
+    distribute(LA::Vector &increment) const = 0;
+
+    /**
+     * Add an increment to the displacements of a state, and update the
+     * resultants: to
+     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$ in the mixed
+     * iteration, to @f$\mathbf D\mathbf E(\mathbf V+d\mathbf V)@f$ in the
+     * substituted one.
+     */
+    virtual void
+    update(State                &state,
+           const LA::Vector     &increment,
+           const NewtonIteration iteration) const = 0;
+
+    /** After the last increment, set what follows from the displacements. */
+    virtual void
+    settle(State &state) const = 0;
+
+    const ShellMesh &mesh;
+  };
+} // namespace Biface
+
+#endif
