@@ -74,6 +74,12 @@ check_folders()
 check_folders "" may_include
 check_folders model/ may_include_in_model
 
+# units, headers with their sources, do not include each other in circles
+circles=$(grep -rHo '^# *include *<biface/[^>]*>' include/biface source |
+  sed 's,^include/biface/,,; s,^source/,,; s,\.[a-z]*:.*<biface/\(.*\)\.h>, \1,' |
+  sort -u | tsort 2>&1 >/dev/null | grep -v 'contains a loop' || true)
+[ -z "$circles" ] || complain "These include each other in circles: $circles"
+
 # main.cc uses the folder program only
 if grep -H '#include <biface/' source/main.cc | grep -v '<biface/program/'; then
   complain "source/main.cc may include headers of program only."
