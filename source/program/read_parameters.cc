@@ -208,6 +208,7 @@ namespace Biface
         {"Points", "Named points"},
         {"Surface/Meridian=points", "Surface/Meridian=spline"},
         {"Surface/Points/", "Surface/Spline/"},
+        {"Surface/Straight line/Begin", "Surface/Straight line/Start"},
         {"Supports/Points", "Supports/Point supports"},
         {"Supports/*=mean", "Supports/*=middle"},
         {"Loads/Pressure", "Loads/Pressure type"},

@@ -11,8 +11,8 @@ namespace Biface
   void
   StraightLine::Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Begin",
-                      begin,
+    prm.add_parameter("Start",
+                      start,
                       "Start point of the line: radius, axial coordinate. "
                       "Unit: length.");
     prm.add_parameter("End",
@@ -28,13 +28,13 @@ namespace Biface
     Tensor<1, 2>
     unit_direction(const StraightLine::Parameters &parameters)
     {
-      for (const Point<2> &point : {parameters.begin, parameters.end})
+      for (const Point<2> &point : {parameters.start, parameters.end})
         if (!(point[0] >= 0))
           throw InputError("an end of the line 'Surface/Straight line' has "
                            "the radius " +
                            number_to_string(point[0]) +
                            ", but a meridian must not cross the axis.");
-      const Tensor<1, 2> line = parameters.end - parameters.begin;
+      const Tensor<1, 2> line = parameters.end - parameters.start;
       if (!(line.norm() > 0))
         throw InputError("the ends of the line 'Surface/Straight line' "
                          "coincide, but a meridian must have a positive "
@@ -45,23 +45,23 @@ namespace Biface
 
 
   StraightLine::StraightLine(const Parameters &parameters)
-    : begin(parameters.begin)
+    : start(parameters.start)
     , direction(unit_direction(parameters))
-    , length(parameters.begin.distance(parameters.end))
+    , length(parameters.start.distance(parameters.end))
   {}
 
 
   Meridian::PointOfCurve
   StraightLine::evaluate(const double s) const
   {
-    return {begin + s * direction, direction, Tensor<1, 2>()};
+    return {start + s * direction, direction, Tensor<1, 2>()};
   }
 
 
   double
   StraightLine::parameter_of(const Point<2> &point) const
   {
-    return (point - begin) * direction;
+    return (point - start) * direction;
   }
 
 

@@ -91,7 +91,7 @@ namespace
 subsection Surface
   set Meridian = straight line
   subsection Straight line
-    set Begin = 10, 0
+    set Start = 10, 0
     set End   = 10, 20
   end
 end

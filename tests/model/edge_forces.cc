@@ -61,7 +61,7 @@ main(int argc, char *argv[])
 
   // a circle of radius 10 about the y axis; e_1 is along the axis
   StraightLine::Parameters line;
-  line.begin      = Point<2>(10, 0);
+  line.start      = Point<2>(10, 0);
   line.end        = Point<2>(10, 6);
   const auto tube = free_shell(
     std::make_unique<SurfaceOfRevolution>(std::make_shared<StraightLine>(line)),

@@ -67,7 +67,7 @@ namespace
   {
     constexpr unsigned int   n = 3;
     StraightLine::Parameters line;
-    line.begin   = Point<2>(100, 0);
+    line.start   = Point<2>(100, 0);
     line.end     = Point<2>(100, 10);
     auto surface = std::make_unique<SurfaceOfRevolution>(
       std::make_shared<StraightLine>(line));

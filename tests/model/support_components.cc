@@ -17,7 +17,7 @@ namespace
 subsection Surface
   set Meridian = straight line
   subsection Straight line
-    set Begin = 20, 0
+    set Start = 20, 0
     set End   = 10, 10
   end
 end

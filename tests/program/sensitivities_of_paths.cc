@@ -110,7 +110,7 @@ main(int argc, char **argv)
      "Stage 2/Steps=1",
      "Stage 2/Buckling=4"},
     "Material carbon/E_L; Material carbon/G_LT; Laminate/Plies[1]; "
-    "radius: Surface/Straight line/Begin[1], Surface/Straight line/End[1]; "
+    "radius: Surface/Straight line/Start[1], Surface/Straight line/End[1]; "
     "Supports/alpha_1 max",
     "buckling factor 1, buckling factor 2, buckling factor 3, buckling "
     "factor 4");
@@ -128,7 +128,7 @@ main(int argc, char **argv)
     DATA_DIR "/gas_tube.prm",
     {"Named points=middle: 25 0", "Mesh/Intervals alpha_1=0:25:2, 25:50:2"},
     "Gas/Ambient pressure; Stage 1/Pressure; Material wall/E; "
-    "Supports/alpha_1 max; Surface/Straight line/Begin[1]",
+    "Supports/alpha_1 max; Surface/Straight line/Start[1]",
     "pressure, volume, middle u_x");
   check_sensitivities(
     "modes with gas",

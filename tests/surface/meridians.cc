@@ -88,7 +88,7 @@ main()
     "parameter on the spline", inverse_error(spline_of_arc(24)), 1e-12);
 
   StraightLine::Parameters parameters;
-  parameters.begin = Point<2>(3, 1);
+  parameters.start = Point<2>(3, 1);
   parameters.end   = Point<2>(6, 5);
   const auto line  = std::make_shared<StraightLine>(parameters);
   check_small("parameter on the line", inverse_error(*line), 1e-14);

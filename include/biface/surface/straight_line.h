@@ -19,7 +19,7 @@ namespace Biface
     struct Parameters
     {
       /** (r, y) */
-      dealii::Point<2> begin = dealii::Point<2>(1, 0);
+      dealii::Point<2> start = dealii::Point<2>(1, 0);
       dealii::Point<2> end   = dealii::Point<2>(1, 1);
 
       void
@@ -42,7 +42,7 @@ namespace Biface
     coordinate_unit() const override;
 
   private:
-    const dealii::Point<2>     begin;
+    const dealii::Point<2>     start;
     const dealii::Tensor<1, 2> direction;
     const double               length;
   };

@@ -44,7 +44,7 @@ namespace Biface
    * pressure pushes the face toward the shell. */
   struct PressureLoad
   {
-    PressureKind     kind = PressureKind::dead;
+    PressureKind     kind = PressureKind::follower;
     Resultants::Face face = Resultants::inner;
     AreaMeasure      area = AreaMeasure::middle;
     /** Formula of the position that multiplies the pressure. */
