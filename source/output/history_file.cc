@@ -50,7 +50,7 @@ namespace Biface
        [](const Step &step) -> Values {
          const StepReport     &report  = step.report;
          const ContactSummary &contact = report.contact;
-         return {report.approach,
+         return {report.level.travel,
                  contact.force,
                  contact.n_nodes,
                  contact.area,
@@ -77,10 +77,10 @@ namespace Biface
          return {report.work.loads,
                  report.work.foundation,
                  report.work.friction,
-                 report.slide[0],
-                 report.slide[1],
-                 report.slide[2],
-                 report.turn,
+                 report.level.slide[0],
+                 report.level.slide[1],
+                 report.level.slide[2],
+                 report.level.turn,
                  report.contact.n_slipping};
        }}};
     if (with_volume)

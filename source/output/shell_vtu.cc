@@ -126,11 +126,7 @@ namespace Biface
   void
   ShellVtu::write(const StepReport &report, const State &state)
   {
-    FacePatches patches(equations,
-                        state,
-                        report.loads,
-                        report.rolling ? report.rolling->slip_velocities
-                                       : std::vector<Tensor<1, 3>>());
+    FacePatches patches(equations, state, report.loads, report.slip_velocities);
     write_patches(patches, report.step);
   }
 } // namespace Biface

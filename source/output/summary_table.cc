@@ -23,7 +23,7 @@ namespace Biface
     Line line{report.step,
               report.loads.factors[0],
               report.loads.pressure,
-              report.approach,
+              report.level.travel,
               report.in_contact,
               report.contact,
               {},

@@ -108,7 +108,7 @@ namespace Biface
                       sizeof(part),
                       " approach %.6g, force %.6g, contact nodes %u, "
                       "area %.6g, max contact pressure %.4g,",
-                      report.approach,
+                      report.level.travel,
                       report.contact.force,
                       report.contact.n_nodes,
                       report.contact.area,

@@ -16,6 +16,7 @@
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/stepping/controls/make_control.h>
+#include <biface/stepping/rolling_report.h>
 #include <biface/stepping/stage_buckling.h>
 #include <biface/stepping/stage_modes.h>
 #include <biface/stepping/stage_sequence.h>
@@ -248,7 +249,8 @@ namespace Biface
     const auto with_left = [this](const unsigned int stage) {
       return sensitivities && sensitivities->reads_left_eigenvectors(stage);
     };
-    StageAnalyses analyses{std::make_shared<StepWarnings>(out)};
+    StageAnalyses analyses{std::make_shared<RollingReport>(out),
+                           std::make_shared<StepWarnings>(out)};
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.n_modes > 0; }))

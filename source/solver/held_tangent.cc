@@ -27,6 +27,16 @@ namespace Biface
     }
 
 
+    /** The loads of the tangent: a body on which the shell rolls with friction
+     * acts with its own derivatives; the others hold the nodes in contact. */
+    Loads
+    with_bodies_that_stay(const Loads &loads)
+    {
+      return rolls_with_friction(loads) ? loads
+                                        : HeldTangent::without_bodies(loads);
+    }
+
+
     /** The stiffness by which the bodies hold the nodes in contact. */
     std::unique_ptr<const TangentMatrix>
     stiffness_of_contact(const ContactInteraction &contact,
@@ -119,8 +129,7 @@ namespace Biface
   {
     TimerOutput::Scope scope(timer, "Assembly");
     equations.assemble(with_stresses_in_tangent(state),
-                       rolls_with_friction(loads) ? loads
-                                                  : without_bodies(loads));
+                       with_bodies_that_stay(loads));
     K.copy_from(equations.tangent());
   }
 
@@ -130,7 +139,7 @@ namespace Biface
                     const Loads      &loads,
                     LA::SparseMatrix &K) const
   {
-    if (loads.bodies.empty() || rolls_with_friction(loads))
+    if (with_bodies_that_stay(loads).bodies.size() == loads.bodies.size())
       return;
     K.add(1., stiffness_of_contact(contact, state, loads)->get());
   }
@@ -194,16 +203,14 @@ namespace Biface
   bool
   HeldTangent::is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const
   {
-    return equations.is_symmetric(
-      rolls_with_friction(loads) ? loads : without_bodies(loads), K);
+    return equations.is_symmetric(with_bodies_that_stay(loads), K);
   }
 
 
   bool
   HeldTangent::is_symmetric_but_for_loads(const Loads &loads) const
   {
-    return equations.is_symmetric_but_for_loads(
-      rolls_with_friction(loads) ? loads : without_bodies(loads));
+    return equations.is_symmetric_but_for_loads(with_bodies_that_stay(loads));
   }
 
 

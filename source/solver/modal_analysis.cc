@@ -213,9 +213,7 @@ namespace Biface
       LowRankStiffness(equations, state, HeldTangent::without_bodies(loads));
     problem.symmetric =
       problem.symmetric_matrix && problem.low_rank.is_symmetric();
-    if (loads.rolling)
-      problem.velocity =
-        std::make_unique<const VelocityMatrix>(contact, state, loads);
+    problem.velocity     = make_velocity_matrix(contact, state, loads);
     problem.conservative = problem.symmetric && !contact.has_friction(loads);
     problem.neutral      = tangent.neutral_motions(state, loads, problem.K);
     if (!problem.neutral.empty())
@@ -475,12 +473,9 @@ namespace Biface
         neighbors.right.push_back(right);
         neighbors.left.push_back(mode.left);
       }
-    if (loads.rolling)
-      {
-        const VelocityMatrix velocity(contact, state, loads);
-        return rayleigh_roots(
-          multiply_k, multiply_by(velocity), multiply_by(mass), neighbors);
-      }
+    if (const auto velocity = make_velocity_matrix(contact, state, loads))
+      return rayleigh_roots(
+        multiply_k, multiply_by(*velocity), multiply_by(mass), neighbors);
     std::vector<std::complex<double>> omegas =
       rayleigh_quotients(multiply_k, multiply_by(mass), neighbors);
     for (std::complex<double> &omega : omegas)

@@ -10,13 +10,6 @@ namespace Biface
 {
   using namespace dealii;
 
-  bool
-  can_increase_critical_velocity(const StageRun &run)
-  {
-    return run.stage.contact && run.law->critical_velocity();
-  }
-
-
   Attempt
   attempt_with_larger_critical_velocities(Newton               &newton,
                                           const StageRun       &run,
@@ -28,6 +21,10 @@ namespace Biface
     constexpr double       first        = 0.25;
     constexpr unsigned int max_attempts = 16;
 
+    // another branch may be found, so that halving comes first
+    if (!run.stage.contact || !run.law->critical_velocity() ||
+        run.control->can_cut())
+      return failed;
     out << "  not converged: " << failed.result.failure.message
         << "; trying larger critical velocities" << std::endl;
     InitialGuess guess{run.state, trial.mu};

@@ -329,9 +329,7 @@ namespace Biface
                                NewtonIteration::substituted);
         attempt.result.iterations += spent;
       }
-    // another branch may be found, so that halving comes first
-    if (attempt.result.failed() && can_increase_critical_velocity(run) &&
-        !run.control->can_cut())
+    if (attempt.result.failed())
       return attempt_with_larger_critical_velocities(
         newton, run, trial, attempt, out);
     return attempt;

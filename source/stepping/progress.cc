@@ -2,14 +2,23 @@
 
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/progress.h>
+#include <biface/stepping/wheel_motion.h>
 
 namespace Biface
 {
+  Stage
+  Progress::complete(const Stage &given) const
+  {
+    return with_angular_velocity(
+      given, stage_begun ? control.start : reached, free_rolling_radius);
+  }
+
+
   void
   Progress::end_stage(const Stage &ended)
   {
-    if (ended.ends_rolling_freely())
-      free_rolling_radius = Biface::free_rolling_radius(reached);
+    free_rolling_radius =
+      free_radius_after(ended, reached, free_rolling_radius);
   }
 
 
@@ -30,14 +39,13 @@ namespace Biface
   {
     if (!stage_begun)
       return;
-    const std::unique_ptr<Control> changed =
-      make_control(with_angular_velocity(before));
+    const std::unique_ptr<Control> changed = make_control(complete(before));
     changed->restore(control);
     LoadLevel level = reached;
     // the pressure of a sealed gas is on no path
     if (before.sealed)
       level.pressure = control.start.pressure;
-    if (changed->change_stage(with_angular_velocity(now), level))
+    if (changed->change_stage(complete(now), level))
       predictor.reset();
     control = changed->get_memory();
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/numbers.h>
 
 #include <cmath>
 #include <limits>
@@ -95,22 +94,10 @@ namespace Biface
     StageLoads::check(section);
     StageControl::check(section);
     StageResults::check(section);
-    if (slip_ratio && prescribes_axle_moment())
-      throw InputError(section + "/Slip ratio",
-                       number_to_string(*slip_ratio),
-                       "it must be 'none' with 'Control = " + control_name() +
-                         "'");
-    if (theory == StrainTheory::linear)
-      {
-        if (sealed)
-          throw InputError(section + "/Strain theory",
-                           "linear",
-                           "a stage with 'Gas = sealed' must be nonlinear");
-        if (control != ControlKind::load)
-          throw InputError(section + "/Strain theory",
-                           "linear",
-                           "a linear stage must have 'Control = load'");
-      }
+    if (theory == StrainTheory::linear && control != ControlKind::load)
+      throw InputError(section + "/Strain theory",
+                       "linear",
+                       "a linear stage must have 'Control = load'");
     check_critical_points(section);
   }
 
@@ -135,49 +122,5 @@ namespace Biface
     refuse(control != ControlKind::load && control != ControlKind::arc_length,
            "it needs 'Control = load' or 'arc length'");
     refuse(moves_foundation(), "the foundation must not move");
-  }
-
-
-  namespace
-  {
-    /** The component of the velocity of a wheel in its plane. */
-    double
-    forward_velocity(const LoadLevel &level)
-    {
-      return level.ground_velocity *
-             std::cos(level.slip_angle * numbers::PI / 180);
-    }
-  } // namespace
-
-
-  Stage
-  Stage::with_angular_velocity(const LoadLevel             &start,
-                               const std::optional<double> &free_radius) const
-  {
-    Stage result = *this;
-    if (slip_ratio)
-      {
-        Assert(free_radius, ExcNotInitialized());
-        const LoadLevel last = end(start);
-        result.angular_velocity =
-          (1 + *slip_ratio) * forward_velocity(last) / *free_radius;
-      }
-    return result;
-  }
-
-
-  double
-  free_rolling_radius(const LoadLevel &level)
-  {
-    return forward_velocity(level) / level.angular_velocity;
-  }
-
-
-  double
-  slip_ratio(const LoadLevel &level, const double free_radius)
-  {
-    const double forward = forward_velocity(level);
-    return forward != 0 ? level.angular_velocity * free_radius / forward - 1
-                        : std::numeric_limits<double>::quiet_NaN();
   }
 } // namespace Biface

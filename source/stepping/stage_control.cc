@@ -101,10 +101,5 @@ namespace Biface
                        number_to_string(force),
                        "it needs 'Control = foundation force' or "
                        "'foundation force and axle moment'");
-    if (!prescribes_axle_moment() && axle_moment != 0)
-      throw InputError(section + "/Axle moment",
-                       number_to_string(axle_moment),
-                       "it needs 'Control = axle moment' or 'foundation "
-                       "force and axle moment'");
   }
 } // namespace Biface

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
-#include <biface/contact/friction.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_loads.h>
 
@@ -246,17 +245,6 @@ namespace Biface
     check_load("Slip ratio", slip_ratio);
     if (slide)
       check_finite(section + "/Slide", *slide);
-    if (!friction.empty())
-      check_friction(section + "/Friction", friction);
-    if (slip_ratio && angular_velocity)
-      throw InputError(section + "/Slip ratio",
-                       number_to_string(*slip_ratio),
-                       "it must be 'none' with a given 'Angular velocity'");
-    if (sealed && pressure)
-      throw InputError(section + "/Pressure",
-                       number_to_string(*pressure),
-                       "it must be 'unchanged' in a stage with 'Gas = sealed', "
-                       "where the pressure follows from the volume");
     if (!contact)
       check_without_contact(section);
   }
@@ -265,10 +253,6 @@ namespace Biface
   void
   StageLoads::check_without_contact(const std::string &section) const
   {
-    if (slip_ratio)
-      throw InputError(section + "/Slip ratio",
-                       number_to_string(*slip_ratio),
-                       "it needs 'Contact = true'");
     const auto refuse_motion = [&](const std::string           &entry,
                                    const std::optional<double> &motion) {
       if (motion.value_or(0) != 0)
@@ -283,11 +267,6 @@ namespace Biface
                        "it must be 0 unless 'Contact = true'");
     refuse_motion("Turn", turn);
     refuse_motion("Wheel turn", wheel_turn);
-    if (!friction.empty())
-      throw InputError(
-        section + "/Friction", friction, "it needs 'Contact = true'");
-    if (glued)
-      throw InputError(section + "/Glued", "true", "it needs 'Contact = true'");
   }
 
 

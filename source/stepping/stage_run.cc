@@ -21,7 +21,7 @@ namespace Biface
     , contact(contact)
     , progress(progress)
     , state(state)
-    , stage(progress.with_angular_velocity(stages[progress.stage]))
+    , stage(progress.complete(stages[progress.stage]))
     , control(make_control(stage, parameters))
     , rolls(stage.rolls(progress.stage_begun ? progress.control.start
                                              : progress.reached))

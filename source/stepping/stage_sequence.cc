@@ -41,26 +41,6 @@ namespace Biface
         const std::string section = "Stage " + std::to_string(i + 1);
         const auto        before  = stage_before(stages, i);
         stage.check(section);
-        if (stage.glued &&
-            (!before || !stages[*before].contact || stage.from_prestress))
-          throw InputError(section + "/Glued",
-                           "true",
-                           "the stage from which it starts must have 'Contact "
-                           "= true', since the nodes in contact at its end "
-                           "are glued");
-        if (stage.slip_ratio)
-          {
-            std::optional<unsigned int> free = before;
-            while (free && !stages[*free].ends_rolling_freely())
-              free = stage_before(stages, *free);
-            if (!free)
-              throw InputError(section + "/Slip ratio",
-                               number_to_string(*stage.slip_ratio),
-                               "an earlier stage must end in free rolling, "
-                               "with 'Control = axle moment' and 'Axle "
-                               "moment = 0', since it gives the rolling "
-                               "radius");
-          }
         Control::KnownStart start =
           (before ? ends[*before] : Control::KnownStart::undeformed());
         if (stage.from_prestress)

@@ -14,12 +14,10 @@ namespace Biface
     const LoadLevel &level = run.progress.reached;
     report.loads           = loads;
     report.level           = level;
-    report.approach        = (run.stage.contact ? level.travel : 0.);
-    if (run.stage.contact)
-      {
-        report.slide = level.slide;
-        report.turn  = level.turn;
-      }
+    if (!run.stage.contact)
+      for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
+                      report.level,
+                      LoadLevel());
     report.contact   = run.contact.ground().summarize(run.state, loads);
     report.footprint = find_footprint(run.contact.ground(), run.state, loads);
   }
@@ -81,14 +79,6 @@ namespace Biface
       force_of_foundation(run.equations, run.state, *forces, Point<3>());
     progress.reaction = {progress.reached, now.force, now.moment};
     report.stiffness  = stiffness(run, before);
-    if (loads.rolling)
-      {
-        report.rolling = summarize_rolling(
-          run.equations, run.contact.ground(), run.state, loads, *forces);
-        if (progress.free_rolling_radius)
-          report.slip_ratio =
-            slip_ratio(progress.reached, *progress.free_rolling_radius);
-      }
     return report;
   }
 } // namespace Biface

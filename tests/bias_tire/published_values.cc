@@ -87,7 +87,7 @@ main(int argc, char *argv[])
           if (report.step == 1 && place == Place(0, 0))
             equator =
               mesh.displacement(state.displacement, node, Resultants::outer)[2];
-          if (report.approach == 20 && state.contacts[0].active[n])
+          if (report.level.travel == 20 && state.contacts[0].active[n])
             pressures[place] = state.contact_pressure(n);
         }
     });
@@ -104,11 +104,11 @@ main(int argc, char *argv[])
 
   const std::map<double, double> forces{{4, 236}, {12, 975}, {20, 1951}};
   for (const auto &report : reports)
-    if (forces.count(report.approach))
+    if (forces.count(report.level.travel))
       {
-        const double      force = forces.at(report.approach);
+        const double      force = forces.at(report.level.travel);
         const std::string name =
-          "P(" + std::to_string(static_cast<int>(report.approach)) + ")";
+          "P(" + std::to_string(static_cast<int>(report.level.travel)) + ")";
         print((name + " (N)").c_str(), report.contact.force, "%.1f");
         check_small(name + " against the independent one",
                     report.contact.force - force,

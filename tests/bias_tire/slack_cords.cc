@@ -52,9 +52,9 @@ namespace
     for (const StepReport &report : reports)
       {
         n_iterations += report.iterations;
-        const auto force = reference.forces.find(report.approach);
+        const auto force = reference.forces.find(report.level.travel);
         if (force != reference.forces.end())
-          check_small("  P(" + Utilities::to_string(report.approach) + ")",
+          check_small("  P(" + Utilities::to_string(report.level.travel) + ")",
                       report.contact.force - force->second,
                       1e-5,
                       force->second);

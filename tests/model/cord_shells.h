@@ -76,7 +76,7 @@ cylinder(const std::string &intervals_around, const bool closed)
   using namespace Biface;
 
   StraightLine::Parameters line;
-  line.begin = dealii::Point<2>(10, 0);
+  line.start = dealii::Point<2>(10, 0);
   line.end   = dealii::Point<2>(10, 6);
   return free_shell(
     std::make_unique<SurfaceOfRevolution>(std::make_shared<StraightLine>(line)),

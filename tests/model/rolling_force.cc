@@ -36,7 +36,7 @@ namespace
                 found.rolling->axle_moment - given.rolling->axle_moment,
                 2e-6,
                 250 * force);
-    check_small("  travel", found.approach - given.approach, 1e-5, 12);
+    check_small("  travel", found.level.travel - given.level.travel, 1e-5, 12);
     check_small("  angular velocity",
                 found.level.angular_velocity - given.level.angular_velocity,
                 1e-6,

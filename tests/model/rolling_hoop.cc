@@ -18,7 +18,7 @@ main(int argc, char *argv[])
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
 
-  check_small("approach", report.approach - 4, 1e-9);
+  check_small("approach", report.level.travel - 4, 1e-9);
   check_small(
     "rolling radius", report.rolling->rolling_radius - 100, 1e-3, 100);
   std::cout << "rolling radius: " << report.rolling->rolling_radius

@@ -41,7 +41,7 @@ main(int argc, char *argv[])
       check_small(
         "force", nested[i].contact.force - alone[i].contact.force, 1e-6, 1000.);
       check_small(
-        "approach", nested[i].approach - alone[i].approach, 1e-6, 10.);
+        "approach", nested[i].level.travel - alone[i].level.travel, 1e-6, 10.);
     }
   check_true("fewer iterations to the given travel",
              nested[1].iterations < alone[1].iterations);

@@ -27,7 +27,7 @@ main(int argc, char *argv[])
       double last = 0, last_length = 0;
       for (const StepReport &report : reports)
         {
-          const double     length    = numbers::PI * report.approach;
+          const double     length    = numbers::PI * report.level.travel;
           const Footprint &footprint = report.footprint;
           error = std::max(error, std::abs(footprint.length - length));
           jump  = std::max(
@@ -43,7 +43,7 @@ main(int argc, char *argv[])
           force = std::max(
             force, std::abs(report.contact.force - pressure * width * length));
         }
-      const double whole = numbers::PI * reports.back().approach;
+      const double whole = numbers::PI * reports.back().level.travel;
       std::cout << n_cells << " cells" << std::endl;
       check_true("  steps", reports.size() == 81);
       check_small("  length", error, 0.5, cell);

@@ -45,7 +45,7 @@ main(int argc, char *argv[])
   auto overrides = by_force;
   overrides.push_back("Stage 2/Steps=4");
   const auto fixed = run(overrides);
-  check_small("travel", fixed.back().approach - travel, 1e-6, travel);
+  check_small("travel", fixed.back().level.travel - travel, 1e-6, travel);
   check_true("four steps after inflation", fixed.size() == 5);
   double deviation = 0;
   for (unsigned int step = 1; step < fixed.size(); ++step)
@@ -59,7 +59,7 @@ main(int argc, char *argv[])
   overrides.push_back("Step control/Maximum growth=4");
   const auto adaptive = run(overrides);
   check_small("travel, steps that adapt",
-              adaptive.back().approach - travel,
+              adaptive.back().level.travel - travel,
               1e-6,
               travel);
   check_small("force", adaptive.back().contact.force - force, 1e-6, force);

@@ -19,7 +19,7 @@ main(int argc, char *argv[])
   Analysis analysis(DATA_DIR "/sagging_strip.prm");
   analysis.simulation.run([&](const StepReport &report, const State &) {
     if (report.in_contact)
-      check_true("a force at the travel " + std::to_string(report.approach),
+      check_true("a force at the travel " + std::to_string(report.level.travel),
                  report.contact.force > 0);
   });
 

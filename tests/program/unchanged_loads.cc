@@ -23,7 +23,7 @@ main(int argc, char *argv[])
   check_true("three steps", steps.size() == 3);
   for (const StepReport &step : steps)
     std::cout << step.loads.pressure << ' ' << step.loads.factors[0] << ' '
-              << step.approach << std::endl;
+              << step.level.travel << std::endl;
   check_small("force",
               steps.back().contact.force - steps[1].contact.force,
               1e-6,

@@ -21,7 +21,7 @@ namespace Biface
   class FacePatches : public VertexPatches<2>
   {
   public:
-    /** @param slip_velocities see RollingSummary; empty unless the shell
+    /** @param slip_velocities see StepReport; empty unless the shell
      * rolls. */
     FacePatches(const ShellEquations                    &equations,
                 const State                             &state,

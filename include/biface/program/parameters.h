@@ -92,10 +92,18 @@ namespace Biface
     void
     check_gas() const;
 
+    /** Check the coefficients of friction, and where nodes are glued. */
+    void
+    check_friction() const;
+
     /** Throws InputError if a stage asks for modes and a ply has no
      * density. */
     void
     check_densities() const;
+
+    /** Whether the shell rolls in each of the stages. */
+    std::vector<bool>
+    rolling_stages() const;
 
     /** Check the stages in which the shell rolls. */
     void

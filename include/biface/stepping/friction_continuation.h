@@ -9,16 +9,12 @@
 
 namespace Biface
 {
-  /** Whether the critical velocity of friction can be increased: the wheel
-   * rolls with friction. */
-  bool
-  can_increase_critical_velocity(const StageRun &run);
-
-  /** An attempt at a step of a wheel that rolls with friction, from the last
-   * converged state: with larger critical velocities, for which friction is
-   * nearly viscous, down to the given one.
+  /** The last attempt at a step of a wheel that rolls with friction, from the
+   * last converged state: with larger critical velocities, for which friction
+   * is nearly viscous, down to the given one.
    * @param failed the attempt with the given one, which is returned if this
-   * fails, too. */
+   * fails, too, if the wheel does not roll with friction, or if the step can
+   * still be cut. */
   Attempt
   attempt_with_larger_critical_velocities(Newton                     &newton,
                                           const StageRun             &run,

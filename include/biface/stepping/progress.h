@@ -74,14 +74,10 @@ namespace Biface
       return stage_begun && stage + 1 == stages.size() && control.done >= 1;
     }
 
-    /** The current stage with its angular velocity, see
-     * Stage::with_angular_velocity(). */
+    /** The current stage with what follows from the stages before, see
+     * with_angular_velocity(). */
     Stage
-    with_angular_velocity(const Stage &given) const
-    {
-      return given.with_angular_velocity(stage_begun ? control.start : reached,
-                                         free_rolling_radius);
-    }
+    complete(const Stage &given) const;
 
     /** Record what later stages need of the end of the current one. */
     void

@@ -61,16 +61,6 @@ namespace Biface
       return start.rolls() || end(start).rolls() || prescribes_axle_moment();
     }
 
-    /** The same stage with the angular velocity at its end that belongs to the
-     * slip ratio S, if one is given,
-     * @f$\Omega=(1+S)\,V\cos\alpha/R@f$ with the ground velocity V and the slip
-     * angle @f$\alpha@f$ at its end.
-     * @param start the loads at its start.
-     * @param free_radius R, see free_rolling_radius(). */
-    Stage
-    with_angular_velocity(const LoadLevel             &start,
-                          const std::optional<double> &free_radius) const;
-
     /** Whether the foundation may move while it is there. */
     bool
     moves_foundation() const
@@ -105,17 +95,6 @@ namespace Biface
     void
     check_critical_points(const std::string &section) const;
   };
-
-
-  /** The rolling radius in free rolling, @f$V\cos\alpha/\Omega@f$. */
-  double
-  free_rolling_radius(const LoadLevel &level);
-
-  /** The slip ratio of ISO 8855, @f$(\Omega R-V\cos\alpha)/(V\cos\alpha)@f$;
-   * not a number if the wheel does not move forward.
-   * @param free_radius R, see free_rolling_radius(). */
-  double
-  slip_ratio(const LoadLevel &level, const double free_radius);
 } // namespace Biface
 
 #endif

@@ -66,7 +66,7 @@ namespace Biface
     bool sealed = false;
     /** Whether there is a foundation. */
     bool contact = false;
-    /** Instead of the angular velocity, see Stage::with_angular_velocity(). */
+    /** Instead of the angular velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
     /** The coefficient of friction, see FrictionLaw; empty for that of the
      * section 'Contact'. */

@@ -79,7 +79,7 @@ namespace Biface
     Progress                 &progress;
     State                    &state;
 
-    /** The description, see Stage::with_angular_velocity(). */
+    /** The description, see Progress::complete(). */
     const Stage                    stage;
     const std::unique_ptr<Control> control;
     /** See Stage::rolls(). */

@@ -39,15 +39,13 @@ namespace Biface
     Loads       loads;
     /** The controlled quantity, if not a load, in words, and its value. */
     std::optional<std::pair<std::string, double>> controlled;
-    /** Travel of the foundation since it first touched the shell. */
-    double approach = 0;
-    /** Its motion sideways and turn, in degrees. */
-    dealii::Tensor<1, 3> slide;
-    double               turn = 0;
-    /** All loads and motions reached. */
+    /** All loads and motions reached; motions of the foundation are zero
+     * without one. */
     LoadLevel level;
     /** If the wheel rolls over the ground. */
     std::optional<RollingSummary> rolling;
+    /** Then, by node, see Biface::slip_velocities(); otherwise empty. */
+    std::vector<dealii::Tensor<1, 3>> slip_velocities;
     /** Then, if free rolling has come before, see Biface::slip_ratio(). */
     std::optional<double> slip_ratio;
     /** See Progress. */

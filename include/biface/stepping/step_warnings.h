@@ -25,14 +25,8 @@ namespace Biface
     void
     warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
 
-    /** Warn of negative pivots of a wheel with inertia, and of its largest
-     * cells. */
-    void
-    warn_of_fast_wheel(const StageRun &run, const StepReport &report);
-
     dealii::ConditionalOStream &out;
     bool                        warned_of_pierced_nodes = false;
-    bool                        warned_of_fast_wheel    = false;
   };
 } // namespace Biface
 

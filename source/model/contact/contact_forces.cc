@@ -106,7 +106,7 @@ namespace Biface
                                      const LoadRates           &rates,
                                      MixedElement::NodalVector &force) const
   {
-    if (rates.travel == 0 && rates.angular_velocity == 0)
+    if (!rates.change_contact())
       return;
     const ShellMesh &mesh = contact.mesh;
     const auto       M =

@@ -117,4 +117,15 @@ namespace Biface
     matrix.get().Tvmult(product, v);
     mesh.constraints.set_zero(product);
   }
+
+
+  std::unique_ptr<const VelocityMatrix>
+  make_velocity_matrix(const ContactInteraction &contact,
+                       const State              &state,
+                       const Loads              &loads)
+  {
+    return loads.rolling
+             ? std::make_unique<const VelocityMatrix>(contact, state, loads)
+             : nullptr;
+  }
 } // namespace Biface

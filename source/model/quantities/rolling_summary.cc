@@ -40,6 +40,19 @@ namespace Biface
   } // namespace
 
 
+  std::vector<Tensor<1, 3>>
+  slip_velocities(const ContactPair &contact,
+                  const State       &state,
+                  const Loads       &loads)
+  {
+    std::vector<Tensor<1, 3>> velocities(contact.mesh.nodes.size());
+    for (unsigned int n = 0; n < velocities.size(); ++n)
+      if (contact.state_of(state).active[n])
+        velocities[n] = contact.at_node(state, loads, n).slip_velocity();
+    return velocities;
+  }
+
+
   RollingSummary
   summarize_rolling(const ShellEquations &equations,
                     const ContactPair    &contact,
@@ -82,9 +95,7 @@ namespace Biface
     result.axle_moment = axle_moment(contact, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
-         ? std::copysign(motion.velocity.norm(),
-                         -(motion.velocity * axes.forward)) /
-             rolling.angular_velocity
+         ? -(motion.velocity * axes.forward) / rolling.angular_velocity
          : std::numeric_limits<double>::quiet_NaN());
     result.axle_power = result.axle_moment * rolling.angular_velocity;
     result.ground_power =
@@ -94,11 +105,6 @@ namespace Biface
         motion.spin;
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
-    result.slip_velocities.resize(mesh.nodes.size());
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      if (contact.state_of(state).active[n])
-        result.slip_velocities[n] =
-          contact.at_node(state, loads, n).slip_velocity();
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())

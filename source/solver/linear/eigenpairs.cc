@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/parpack_solver.h>
 #include <deal.II/lac/solver_control.h>
@@ -21,26 +22,91 @@ namespace Biface
     struct NotSolved
     {};
 
+    /** The vectors of ARPACK, which fails on ranks without entries: if there
+     * are such ranks, all have about the same number of entries. */
+    class ArpackLayout
+    {
+    public:
+      /** @param like a vector of the problem, kept by reference. */
+      explicit ArpackLayout(const LA::Vector &like)
+        : like(like)
+        , differs(Utilities::MPI::min(like.locally_owned_size(),
+                                      like.get_mpi_communicator()) == 0)
+      {}
+
+      /** A vector of ARPACK. */
+      LA::Vector
+      spread(const LA::Vector &x) const
+      {
+        if (!differs)
+          return x;
+        const MPI_Comm communicator = like.get_mpi_communicator();
+        const auto parts = Utilities::create_evenly_distributed_partitioning(
+          Utilities::MPI::this_mpi_process(communicator),
+          Utilities::MPI::n_mpi_processes(communicator),
+          like.size());
+        LA::Vector result(parts, communicator);
+        result.reinit(x, false, true);
+        return result;
+      }
+
+      /** A vector of the problem. */
+      LA::Vector
+      gathered(const LA::Vector &x) const
+      {
+        if (!differs)
+          return x;
+        LA::Vector result(like);
+        result.reinit(x, false, true);
+        return result;
+      }
+
+      /** Let a function of vectors of the problem act on those of ARPACK. */
+      template <typename Function>
+      void
+      apply(const Function   &function,
+            LA::Vector       &result,
+            const LA::Vector &x) const
+      {
+        if (!differs)
+          return function(result, x);
+        LA::Vector own(like);
+        function(own, gathered(x));
+        result.reinit(own, false, true);
+      }
+
+    private:
+      const LA::Vector &like;
+      const bool        differs;
+    };
+
     struct Product
     {
-      const Multiply &multiply;
+      const ArpackLayout &layout;
+      const Multiply     &multiply;
 
       void
       vmult(LA::Vector &product, const LA::Vector &x) const
       {
-        multiply(product, x);
+        layout.apply(multiply, product, x);
       }
     };
 
     struct Inverse
     {
+      const ArpackLayout                                            &layout;
       const std::function<bool(LA::Vector &x, const LA::Vector &b)> &solve;
 
       void
       vmult(LA::Vector &x, const LA::Vector &b) const
       {
-        if (!solve(x, b))
-          throw NotSolved();
+        layout.apply(
+          [this](LA::Vector &result, const LA::Vector &rhs) {
+            if (!solve(result, rhs))
+              throw NotSolved();
+          },
+          x,
+          b);
       }
     };
 
@@ -61,19 +127,25 @@ namespace Biface
 
     /** The eigenvalues found by ARPACK, both of a complex pair. */
     Eigenpairs
-    run_arpack(const Task        &task,
-               const Product     &product,
-               const Inverse     &inverse,
-               const unsigned int n,
-               const LA::Vector  &start)
+    run_arpack(
+      const Task                                                    &task,
+      const Multiply                                                &multiply,
+      const std::function<bool(LA::Vector &x, const LA::Vector &b)> &solve,
+      const unsigned int                                             n,
+      const LA::Vector                                              &start)
     {
       constexpr unsigned int max_restarts = 300;
+      const ArpackLayout     layout(start);
+      const Product          product{layout, multiply};
+      const Inverse          inverse{layout, solve};
+      const LA::Vector       first = layout.spread(start);
 
       Eigenpairs result;
       // more basis vectors make restarts rare
       const unsigned int n_basis = std::min<unsigned int>(
         std::max(2 * n + 2, std::min(2 * n + 10, 3 * n + 6)), start.size() - 1);
-      if (n_basis < 2 * n + 2)
+      if (n_basis < 2 * n + 2 || start.size() < Utilities::MPI::n_mpi_processes(
+                                                  start.get_mpi_communicator()))
         {
           result.message = "the mesh has too few unknowns for this number of "
                            "modes";
@@ -81,7 +153,7 @@ namespace Biface
         }
 
       std::vector<std::complex<double>> values(n);
-      std::vector<LA::Vector>           vectors(n + 1, start);
+      std::vector<LA::Vector>           vectors(n + 1, first);
       try
         {
           SolverControl control(max_restarts, task.tolerance, false, false);
@@ -89,8 +161,8 @@ namespace Biface
                         start.get_mpi_communicator(),
                         Arpack::AdditionalData(
                           n_basis, task.which, task.symmetric, task.mode));
-          solver.reinit(start);
-          solver.set_initial_vector(start);
+          solver.reinit(first);
+          solver.set_initial_vector(first);
           solver.set_shift(task.shift);
           solver.solve(product, product, inverse, values, vectors, n);
         }
@@ -109,13 +181,13 @@ namespace Biface
         {
           Eigenpair pair;
           pair.value  = values[i];
-          pair.vector = vectors[i];
+          pair.vector = layout.gathered(vectors[i]);
           if (values[i].imag() == 0)
             result.pairs.push_back(pair);
           else if (i + 1 < n)
             {
               // the pair shares the two vectors
-              pair.imaginary = vectors[i + 1];
+              pair.imaginary = layout.gathered(vectors[i + 1]);
               result.pairs.push_back(pair);
               pair.value = std::conj(pair.value);
               pair.imaginary *= -1;
@@ -167,8 +239,8 @@ namespace Biface
                        shift_and_invert,
                        problem.shift,
                        problem.tolerance},
-                      Product{problem.multiply},
-                      Inverse{problem.solve},
+                      problem.multiply,
+                      problem.solve,
                       n,
                       start);
   }
@@ -252,8 +324,8 @@ namespace Biface
     constexpr int as_it_is = 1;
     Eigenpairs    found    = run_arpack(
       {Arpack::largest_magnitude, false, as_it_is, 0, problem.tolerance},
-      Product{multiply},
-      Inverse{problem.solve},
+      multiply,
+      problem.solve,
       2 * n,
       stacked(start, start));
     result.success = found.success;

@@ -3,6 +3,8 @@
 #ifndef biface_model_equations_velocity_matrix_h
 #define biface_model_equations_velocity_matrix_h
 
+#include <memory>
+
 #include <biface/base/linear_algebra.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/tangent_matrix.h>
@@ -56,6 +58,13 @@ namespace Biface
     const ShellMesh &mesh;
     TangentMatrix    matrix;
   };
+
+
+  /** The matrix if the shell rolls; null otherwise. */
+  std::unique_ptr<const VelocityMatrix>
+  make_velocity_matrix(const ContactInteraction &contact,
+                       const State              &state,
+                       const Loads              &loads);
 } // namespace Biface
 
 #endif

@@ -26,8 +26,8 @@ namespace Biface
     /** See axle_moment(). */
     double axle_moment = 0;
 
-    /** The speed over the ground, see GroundMotion::under_wheel(), per angular
-     * velocity; not a number without one. Unit: length. */
+    /** The component of the velocity over the ground in the plane of the wheel,
+     * per angular velocity; not a number without one. Unit: length. */
     double rolling_radius = 0;
 
     /** Powers: of the axle on the wheel, of the ground on the wheel, and what
@@ -39,11 +39,6 @@ namespace Biface
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
 
-    /** The slip velocity at each node of this rank, see
-     * RollingKinematics::slip_velocity(); zero at nodes that are not in
-     * contact. Unit: length/time. */
-    std::vector<dealii::Tensor<1, 3>> slip_velocities;
-
     /** If any ply has a loss factor. */
     std::optional<Hysteresis> hysteresis;
 
@@ -53,6 +48,14 @@ namespace Biface
     double hysteresis_power = 0, rolling_resistance = 0;
   };
 
+
+  /** The slip velocity at each node of this rank, see
+   * NodeInContact::slip_velocity(); zero at nodes that are not in contact.
+   * Unit: length/time. */
+  std::vector<dealii::Tensor<1, 3>>
+  slip_velocities(const ContactPair &contact,
+                  const State       &state,
+                  const Loads       &loads);
 
   /** The figures of a converged state. Must be called on all ranks.
    * @param forces on the nodes in this state. */

@@ -183,6 +183,13 @@ namespace Biface
     double travel = 0;
     /** See Rolling. */
     double angular_velocity = 0;
+
+    /** Whether tractions of contact change. */
+    bool
+    change_contact() const
+    {
+      return travel != 0 || angular_velocity != 0;
+    }
   };
 
 

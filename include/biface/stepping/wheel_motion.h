@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_wheel_motion_h
+#define biface_stepping_wheel_motion_h
+
+#include <optional>
+
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /** The rolling radius in free rolling, @f$V\cos\alpha/\Omega@f$. */
+  double
+  free_rolling_radius(const LoadLevel &level);
+
+  /** The slip ratio of ISO 8855, @f$(\Omega R-V\cos\alpha)/(V\cos\alpha)@f$;
+   * not a number if the wheel does not move forward.
+   * @param free_radius R, see free_rolling_radius(). */
+  double
+  slip_ratio(const LoadLevel &level, const double free_radius);
+
+  /** A stage with the angular velocity at its end that belongs to its slip
+   * ratio S, if one is given, @f$\Omega=(1+S)\,V\cos\alpha/R@f$ with the
+   * ground velocity V and the slip angle @f$\alpha@f$ at its end.
+   * @param start the loads at its start.
+   * @param free_radius R, see free_rolling_radius(). */
+  Stage
+  with_angular_velocity(const Stage                 &stage,
+                        const LoadLevel             &start,
+                        const std::optional<double> &free_radius);
+
+  /** The free rolling radius at the end of a stage that ends in free rolling;
+   * that before, if it does not. */
+  std::optional<double>
+  free_radius_after(const Stage                 &ended,
+                    const LoadLevel             &end,
+                    const std::optional<double> &before);
+} // namespace Biface
+
+#endif

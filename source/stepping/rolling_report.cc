@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/rolling_report.h>
+#include <biface/stepping/wheel_motion.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  RollingReport::end_step(const StageRun &run, StepReport &report)
+  {
+    if (!report.loads.rolling)
+      return;
+    warn_of_fast_wheel(run, report);
+    if (!run.stage.contact)
+      return;
+    report.rolling = summarize_rolling(run.equations,
+                                       run.contact.ground(),
+                                       run.state,
+                                       report.loads,
+                                       *report.forces);
+    report.slip_velocities =
+      slip_velocities(run.contact.ground(), run.state, report.loads);
+    if (const auto &free_radius = run.progress.free_rolling_radius)
+      report.slip_ratio = slip_ratio(report.level, *free_radius);
+  }
+
+
+  void
+  RollingReport::warn_of_fast_wheel(const StageRun   &run,
+                                    const StepReport &report)
+  {
+    const auto &strips = run.contact.mesh.strips;
+    if (warned || report.n_negative_pivots.value_or(0) == 0 ||
+        report.loads.rolling->angular_velocity == 0 ||
+        std::none_of(strips.begin(), strips.end(), [](const Strip &strip) {
+          return strip.laminate.mass_moments()[0][0] > 0;
+        }))
+      return;
+    const std::vector<double> &lines = run.contact.mesh.grid.lines[1];
+    double                     angle = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      angle = std::max(angle, lines[i] - lines[i - 1]);
+    out << "  Warning: the tangent has negative pivots at the angular velocity "
+        << number_to_string(report.loads.rolling->angular_velocity)
+        << ". Either it is above the critical velocity at which standing "
+           "waves form, or the cells, of up to "
+        << number_to_string(std::round(angle * 180 / numbers::PI))
+        << " degrees around the axle, are too large to resolve the inertia: "
+           "compare with cells of half the angle."
+        << std::endl;
+    warned = true;
+  }
+} // namespace Biface
