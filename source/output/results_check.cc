@@ -8,6 +8,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/quantities/worst_strains.h>
 #include <biface/output/results_check.h>
 
 namespace Biface
@@ -34,6 +35,17 @@ namespace Biface
     as_percent(const double part)
     {
       return in_digits(100 * part, "%.2g") + " %";
+    }
+
+
+    /** "275.4 or 2 % of the largest reaction". */
+    std::string
+    beside_reaction(const double force, const double reaction)
+    {
+      return in_digits(force) + (reaction > 0
+                                   ? " or " + as_percent(force / reaction) +
+                                       " of the largest reaction"
+                                   : ", without any reaction");
     }
 
 
@@ -160,10 +172,16 @@ namespace Biface
         warned_of_interpolation.insert(stage).second)
       warnings.push_back(
         "Warning: an error of the interpolation of rigid motions, " +
-        in_digits(forces.interpolation) + " or " +
-        as_percent(part_of(forces.interpolation, forces.largest_reaction)) +
-        " of the largest reaction, is part of the balance of forces (line "
-        "'interpolation' of forces.csv); smaller cells reduce it.");
+        beside_reaction(forces.interpolation, forces.largest_reaction) +
+        ", is part of the balance of forces (line 'interpolation' of "
+        "forces.csv); smaller cells reduce it.");
+    const WorstStrains worst =
+      worst_strains(equations.mesh, equations.internal_forces(), state);
+    if (std::min(worst.compression.value, -worst.shear.value / 3) <
+          least_stable_strain &&
+        warned_of_strains.insert(stage).second)
+      warnings.push_back("Warning: " + describe(worst) +
+                         " Such a state is no result of an elastic shell.");
     return warnings;
   }
 
@@ -192,8 +210,7 @@ namespace Biface
               in_digits(forces.largest_reaction) + "\n       ";
     return text + "forces and moments balance to " +
            in_digits(forces.error, "%.0e") + ", interpolation " +
-           in_digits(forces.interpolation) + " or " +
-           as_percent(part_of(forces.interpolation, forces.largest_reaction)) +
-           " of the largest reaction\n";
+           beside_reaction(forces.interpolation, forces.largest_reaction) +
+           "\n";
   }
 } // namespace Biface

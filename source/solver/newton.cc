@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
@@ -213,6 +215,8 @@ namespace Biface
           }
         if (result.iterations == parameters.max_iterations)
           return fail(too_many_iterations(iterate));
+        if (const auto failure = stagnation(iterate))
+          return fail(*failure);
 
         complete(iterate);
         if (const auto failure = compute_increment(iterate, increment))
@@ -235,6 +239,30 @@ namespace Biface
                 "reached in " +
                   n + " iterations"
               : "no convergence in " + n + " iterations"};
+  }
+
+
+  std::optional<Failure>
+  Newton::stagnation(const Iterate &iterate) const
+  {
+    // iterations without progress, which an active set that settles may need
+    constexpr unsigned int patience = 10;
+    constexpr double       progress = 0.5;
+
+    const std::vector<double> &residuals = iterate.result.residuals;
+    if (residuals.size() <= patience)
+      return {};
+    const auto   recent = residuals.end() - patience;
+    const double before = *std::min_element(residuals.begin(), recent);
+    const double now    = *std::min_element(recent, residuals.end());
+    if (now < progress * before)
+      return {};
+    std::ostringstream message;
+    message << std::setprecision(2) << "the residual stalls at "
+            << std::min(before, now);
+    if (const auto n = iterate.result.n_negative_pivots; n && *n > 0)
+      message << ", and the tangent has " << *n << " negative pivots";
+    return Failure{FailureCause::too_many_iterations, message.str()};
   }
 
 

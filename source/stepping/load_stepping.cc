@@ -2,9 +2,7 @@
 
 #include <deal.II/base/timer.h>
 
-#include <iomanip>
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include <biface/input/parameter_tools.h>
@@ -14,6 +12,7 @@
 #include <biface/stepping/friction_continuation.h>
 #include <biface/stepping/load_stepping.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/stepping/step_messages.h>
 #include <biface/stepping/step_reporting.h>
 
 namespace Biface
@@ -30,6 +29,12 @@ namespace Biface
                       "displacements extrapolated from the last step, which "
                       "saves iterations.",
                       Patterns::Bool());
+    prm.add_parameter("Maximum iterations",
+                      max_iterations,
+                      "Number of iterations in all attempts at a step after "
+                      "which it is not halved again, so that a step that "
+                      "cannot converge ends in bounded time.",
+                      Patterns::Integer(1));
   }
 
 
@@ -123,40 +128,23 @@ namespace Biface
                             const std::optional<unsigned int> &before)
   {
     if (const auto unbalance = run.start())
-      print(run, *unbalance);
+      print(run, *unbalance, out);
     for (const auto &analysis : analyses)
       analysis->start_stage(run, before);
   }
 
 
-  void
-  LoadStepping::print(const StageRun                  &run,
-                      const ShellEquations::Unbalance &unbalance)
-  {
-    const bool   loaded = unbalance.loads > 0;
-    const double whole  = (loaded ? unbalance.loads : unbalance.with_supports);
-    double       part   = (whole > 0 ? unbalance.forces / whole : 0.);
-    // round-off
-    if (part < 1e-10)
-      part = 0;
-    std::ostringstream number;
-    number << std::setprecision(3) << part;
-    out << "Start of " << run.stage.name << " from prestress: " << number.str()
-        << (loaded ? " of the loads" : " of the forces of the supports")
-        << " is out of balance in the undeformed shape" << std::endl;
-  }
-
-
   namespace
   {
-    /** " after 2 bisections"; empty for none. */
+    /** " after 2 bisections and 84 iterations"; empty for none. */
     std::string
-    bisections(const unsigned int n)
+    bisections(const unsigned int n, const unsigned int n_iterations)
     {
       if (n == 0)
         return {};
       return " after " + std::to_string(n) +
-             (n == 1 ? " bisection" : " bisections");
+             (n == 1 ? " bisection and " : " bisections and ") +
+             std::to_string(n_iterations) + " iterations";
     }
   } // namespace
 
@@ -168,7 +156,7 @@ namespace Biface
     if (run.progress.branch.size() > 0)
       {
         Control::Trial to_branch = trial;
-        announce(run, trial);
+        announce(run, trial, out);
         const auto attempt = attempt_other_branch(newton, run, to_branch, out);
         // a run that was stopped continues with it
         if (attempt && attempt->result.stopped)
@@ -208,11 +196,13 @@ namespace Biface
         failure.cause              = FailureCause::too_many_steps;
         return failure;
       }
+    unsigned int n_cuts = 0, n_iterations = 0;
     while (true)
       {
         Timer          timer;
         Control::Trial trial;
         Attempt        attempt = try_proposed_step(run, trial);
+        n_iterations += attempt.result.iterations;
         if (attempt.result.converged)
           {
             StepReport report = accept_to_critical_point(run, trial, attempt);
@@ -227,13 +217,14 @@ namespace Biface
         if (!attempt.result.stopped)
           {
             out << "  not converged: " << why.message << std::endl;
-            if (run.control->cut())
+            if (n_iterations < parameters.max_iterations && run.control->cut())
               {
                 out << "  halving the step" << std::endl;
+                ++n_cuts;
                 continue;
               }
           }
-        return failure_of(run, trial, attempt.result);
+        return failure_of(run, trial, attempt.result, n_cuts, n_iterations);
       }
   }
 
@@ -253,7 +244,9 @@ namespace Biface
   LoadSteppingResult
   LoadStepping::failure_of(const StageRun       &run,
                            const Control::Trial &trial,
-                           const NewtonResult   &result) const
+                           const NewtonResult   &result,
+                           const unsigned int    n_cuts,
+                           const unsigned int    n_iterations) const
   {
     LoadSteppingResult failure = failure_at(run, trial.level(trial.mu));
     failure.stopped            = result.stopped;
@@ -267,52 +260,15 @@ namespace Biface
         worst_strains(equations.mesh, equations.internal_forces(), run.state);
     failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
                       " (" + run.stage.name + ") did not converge" +
-                      bisections(parameters.control.max_cuts) + ": " +
-                      failure.message;
+                      bisections(n_cuts, n_iterations) + ": " + failure.message;
     return failure;
-  }
-
-
-  void
-  LoadStepping::announce(const StageRun &run, const Control::Trial &trial) const
-  {
-    const LoadLevel first = trial.level(trial.mu);
-    out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
-        << ": pressure ";
-    if (run.stage.sealed)
-      out << run.progress.reached.pressure << " at its start";
-    else
-      out << first.pressure;
-    out << ", load factor " << first.factors[0];
-    for (unsigned int i = 1; i < first.factors.size(); ++i)
-      out << ", that of " << run.stage.names_of_factors[i].back() << ' '
-          << first.factors[i];
-    if (run.stage.contact)
-      {
-        out << ", approach " << first.travel;
-        if (first.slide.norm() > 0)
-          out << ", slide " << vector_to_string(first.slide);
-        if (first.turn != 0)
-          out << ", turn " << first.turn;
-        if (first.wheel_turn != 0)
-          out << ", wheel turned by " << first.wheel_turn;
-      }
-    if (run.rolls)
-      {
-        out << ", angular velocity " << first.angular_velocity;
-        if (first.ground_velocity != 0)
-          out << ", ground velocity " << first.ground_velocity;
-        if (first.slip_angle != 0)
-          out << ", slip angle " << first.slip_angle;
-      }
-    out << (trial.equations ? " at its start" : "") << std::endl;
   }
 
 
   Attempt
   LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
   {
-    announce(run, trial);
+    announce(run, trial, out);
     const NewtonIteration iteration = newton.parameters.iteration;
     Attempt               attempt =
       attempt_step(newton, run, trial, predict(run, trial, true), iteration);

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
-#include "../program/restart.h"
+#include "../restart.h"
 
 using namespace dealii;
 

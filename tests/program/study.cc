@@ -5,7 +5,7 @@
 // samples that are missing.
 
 #include "../read_csv.h"
-#include "restart.h"
+#include "../restart.h"
 
 using namespace dealii;
 

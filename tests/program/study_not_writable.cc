@@ -7,8 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "../restart.h"
 #include "../tests.h"
-#include "restart.h"
 
 using namespace dealii;
 
@@ -22,7 +22,7 @@ main(int argc, char *argv[])
       std::filesystem::remove_all("study");
       std::ofstream("study.prm") << "subsection Study\n"
                                     "  set Base file = " DATA_DIR
-                                    "/../program/displacement_control.prm\n"
+                                    "/../stepping/displacement_control.prm\n"
                                     "  set Variables = E: Material roof/E\n"
                                     "  set Values = E: 3000, 3100, 3200\n"
                                     "  set Outputs = load_factor\n"

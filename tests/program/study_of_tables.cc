@@ -3,7 +3,7 @@
 // A study whose base file names a table continues with the same table, and is
 // refused when the numbers of the table have changed.
 
-#include "restart.h"
+#include "../restart.h"
 
 using namespace dealii;
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "../read_csv.h"
-#include "restart.h"
+#include "../restart.h"
 
 using namespace dealii;
 

@@ -5,8 +5,8 @@
 // a contact zone.
 
 #include "../read_csv.h"
+#include "../restart.h"
 #include "../tests.h"
-#include "restart.h"
 
 using namespace dealii;
 

@@ -7,7 +7,7 @@
 
 namespace Biface
 {
-  /** The version of the library, such as "0.1.0". */
+  /** The version of the library, such as "0.2.0". */
   std::string
   version();
 

@@ -32,8 +32,9 @@ namespace Biface
      * Look at a converged step. Must be called on all ranks.
      *
      * @return warnings, each at most once a stage: of a penetration of more
-     * than 1 % of the thickness, and of an error of the interpolation of rigid
-     * motions, see forces_on_shell(), of more than 1 % of the largest reaction.
+     * than 1 % of the thickness, of an error of the interpolation of rigid
+     * motions, see forces_on_shell(), of more than 1 % of the largest reaction,
+     * and of strains below @p least_stable_strain or shear strains above 1.
      */
     std::vector<std::string>
     add(const StepReport &report, const State &state);
@@ -93,7 +94,8 @@ namespace Biface
     const ContactInteraction &contact;
     std::optional<Figures>    last;
     /** The stages in which each of the warnings was given. */
-    std::set<unsigned int> warned_of_penetration, warned_of_interpolation;
+    std::set<unsigned int> warned_of_penetration, warned_of_interpolation,
+      warned_of_strains;
   };
 } // namespace Biface
 

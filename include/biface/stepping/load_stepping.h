@@ -68,6 +68,8 @@ namespace Biface
     {
       Control::Parameters control;
       bool                predict = true;
+      /** In all attempts at a step, after which it is not halved again. */
+      unsigned int max_iterations = 150;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -117,10 +119,6 @@ namespace Biface
     void
     start_stage(StageRun &run, const std::optional<unsigned int> &before);
 
-    /** Print what is out of balance in a start from a prestress. */
-    void
-    print(const StageRun &run, const ShellEquations::Unbalance &unbalance);
-
     /** A converged step, halved as often as needed.
      * @return its report or the failure. */
     std::variant<StepReport, LoadSteppingResult>
@@ -135,10 +133,6 @@ namespace Biface
     /** An attempt from the last converged state, and others if it fails. */
     Attempt
     try_step(const StageRun &run, const Control::Trial &trial);
-
-    /** Print the number and the loads of a step. */
-    void
-    announce(const StageRun &run, const Control::Trial &trial) const;
 
     /** @param secant whether to use the secant predictor if a coarser mesh does
      * not help. */
@@ -165,11 +159,14 @@ namespace Biface
     LoadSteppingResult
     failure_at(const StageRun &run, const LoadLevel &tried) const;
 
-    /** A failure of a step with its reason. */
+    /** A failure of a step with its reason.
+     * @param n_cuts, n_iterations in all attempts. */
     LoadSteppingResult
     failure_of(const StageRun       &run,
                const Control::Trial &trial,
-               const NewtonResult   &result) const;
+               const NewtonResult   &result,
+               const unsigned int    n_cuts,
+               const unsigned int    n_iterations) const;
 
     const Parameters            parameters;
     const ShellEquations       &equations;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A restart refuses parameters that change the shell or completed stages, and
+// accepts all others.
+
+#include "../restart.h"
+#include "../tests.h"
+
+using namespace dealii;
+
+namespace
+{
+  void
+  check(const std::string &setting, const std::string &other = no_vtu)
+  {
+    std::filesystem::remove_all("changed");
+    std::filesystem::copy("cut", "changed");
+    const std::string before = text_of("changed/history.csv");
+    const Ended       ended =
+      restart(with(coarse_tire, {setting, other}), "changed", MPI_COMM_WORLD);
+    std::cout << setting << ": " << ended.code << '\n' << said(ended);
+    if (ended.code != 0)
+      check_true("the history is as it was",
+                 text_of("changed/history.csv") == before);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  std::filesystem::remove_all("cut");
+  run(with(coarse_tire, {"Output/Write VTU=false"}),
+      "cut",
+      MPI_COMM_WORLD,
+      "Step 4,");
+
+  check("Surface/Circular arc/Radius=51");
+  check("Mesh/Intervals alpha_1=-120:120:16");
+  check("Material cord/E_L=500");
+  check("Laminate/Plies=cord: 1.2 @ 52");
+  check("Supports/alpha_1 min=hinged");
+  check("Contact/Regularization=1e5");
+  check("Named points=equator: 0 0");
+  check("Stage 1/Pressure=0.16");
+  check("Stage 2/Strain theory=linear");
+  check("Output/Failure criteria=Tsai-Wu");
+  check("Number of stages=1");
+
+  // the same, written otherwise
+  check("Contact/Regularization=10000.0");
+  check("Contact/Direction=1,0,0");
+  check("Newton/Residual tolerance=1e-9");
+  check("Linear solver/Type=iterative");
+  check("Output/Profile alpha_2=90");
+  check("Checkpoint/Every steps=2");
+  check("Number of stages=3", "Stage 3/Pressure=0");
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A run that is stopped while its step size is being adapted, and continued on
+// another number of ranks, has the history of an uninterrupted run.
+
+#include "../restart.h"
+
+using namespace dealii;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  check_restart(
+    "loads in steps that are cut",
+    with(soft_tire, {"Newton/Maximum iterations=4", "Stage 2/Steps=1", no_vtu}),
+    4);
+  check_restart("loads in steps that adapt",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:10:8",
+                 "--set",
+                 "Stage 1/Adaptive steps=true",
+                 "--set",
+                 "Step control/Maximum growth=4",
+                 DATA_DIR "/../verification/cantilever_end_shear.prm"},
+                5);
+  check_restart("force on the foundation",
+                with(soft_tire,
+                     {"Stage 2/Control=foundation force",
+                      "Stage 2/Travel=0",
+                      "Stage 2/Force=1500",
+                      no_vtu}),
+                4);
+  check_restart(
+    "sealed gas", {"--set", "Stage 2/Steps=4", DATA_DIR "/gas_tube.prm"}, 3);
+  check_restart("arc length",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:254:4",
+                 "--set",
+                 "Mesh/Intervals alpha_2=0:5.729577951308232:4",
+                 PRM_DIR "/snap_through_roof.prm"},
+                20);
+  check_restart("arc length beyond a limit point",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:254:4",
+                 "--set",
+                 "Mesh/Intervals alpha_2=0:5.729577951308232:4",
+                 DATA_DIR "/../verification/hinged_roof_two_stages.prm"},
+                8);
+}
