@@ -29,6 +29,8 @@ namespace Biface
     /** Keeps the shapes free of the motions that nothing holds, for the last
      * matrix that was factorized and for the transposed one. */
     std::optional<Deflation> deflation, deflation_transposed;
+    /** Those of these motions that the matrices do not resist at all. */
+    NullSpace null_space;
     /** Whether the matrices are symmetric, and with the parts of low rank. */
     bool symmetric_matrices = true, symmetric = true;
     /** Whether @f$\mathbf K_0@f$ is symmetric positive definite. */
@@ -39,6 +41,17 @@ namespace Biface
     {
       K_0.vmult(product, x);
       low_rank_0.vmult_add(product, x);
+    }
+
+    /** The product in which shapes are orthogonal: with @f$\mathbf K_0@f$,
+     * and positive for the null space, too, so that it does not grow from
+     * round-off. */
+    void
+    multiply_metric(LA::Vector &product, const LA::Vector &x) const
+    {
+      multiply_K_0(product, x);
+      for (const LA::Vector &vector : null_space.get_vectors())
+        product.add((vector * x) * K_0.linfty_norm(), vector);
     }
 
     void
@@ -121,9 +134,23 @@ namespace Biface
     pencil.low_rank_1 = low_rank(now.loads);
     pencil.symmetric =
       pencil.symmetric_matrices && pencil.low_rank_0.is_symmetric();
-    std::vector<LA::Vector> motions;
+    // interpolation in a curved shell resists some
+    std::vector<LA::Vector> motions, unresisted;
+    const auto              resists = [&](const LA::SparseMatrix &K,
+                             const LA::Vector       &motion) {
+      LA::Vector forces(motion);
+      K.vmult(forces, motion);
+      return std::abs(forces * motion) > roundoff(equations.mesh, K, motion);
+    };
     for (const RigidMotion &motion : tangent.free_motions(now.state, now.loads))
-      motions.push_back(motion.displacement);
+      (pencil.symmetric_matrices && !resists(pencil.K_0, motion.displacement) &&
+           !resists(pencil.K_1, motion.displacement)
+         ? unresisted
+         : motions)
+        .push_back(motion.displacement);
+    pencil.null_space = NullSpace(unresisted);
+    for (LA::Vector &motion : motions)
+      pencil.null_space.remove_from(motion);
     if (!motions.empty())
       pencil.deflation.emplace(
         motions, [](LA::Vector &product, const LA::Vector &x) { product = x; });
@@ -143,6 +170,7 @@ namespace Biface
     pencil.shift = shift;
     pencil.shifted.copy_from(pencil.K_0);
     pencil.shifted.add(-shift, pencil.G);
+    pencil.null_space.pin(pencil.shifted);
     LinearSolverResult result = linear_solver.factorize_for_many(
       pencil.shifted, pencil.symmetric_matrices);
     if (!result.success)
@@ -155,7 +183,7 @@ namespace Biface
       return last;
     };
     const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
-      last = linear_solver.solve(x, b, exactness);
+      last = solve_pinned(pencil, x, b, System::original);
       return last.success;
     };
     pencil.low_rank_shifted = pencil.low_rank_0;
@@ -182,6 +210,21 @@ namespace Biface
   }
 
 
+  LinearSolverResult
+  BucklingAnalysis::solve_pinned(const Pencil     &pencil,
+                                 LA::Vector       &x,
+                                 const LA::Vector &b,
+                                 const System      system)
+  {
+    LA::Vector rhs(b);
+    pencil.null_space.remove_from(rhs);
+    const LinearSolverResult result =
+      linear_solver.solve_system(system, x, rhs, exactness);
+    pencil.null_space.remove_from(x);
+    return result;
+  }
+
+
   bool
   BucklingAnalysis::solve(const Pencil     &pencil,
                           LA::Vector       &x,
@@ -194,7 +237,7 @@ namespace Biface
     const auto &deflation =
       (original ? pencil.deflation : pencil.deflation_transposed);
     const auto solve = [&](LA::Vector &x, const LA::Vector &b) {
-      if (!linear_solver.solve_system(system, x, b, exactness).success)
+      if (!solve_pinned(pencil, x, b, system).success)
         return false;
       low_rank.correct(x);
       return true;
@@ -222,7 +265,7 @@ namespace Biface
     LA::Vector between(start);
     problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
       if (pencil.definite)
-        pencil.multiply_K_0(product, x);
+        pencil.multiply_metric(product, x);
       else
         product = x;
     };
@@ -264,7 +307,7 @@ namespace Biface
       {
         // (K_0 - sigma G)^-1 K_0 has the eigenvalues s/(s - sigma)
         problem.multiply = [&](LA::Vector &product, const LA::Vector &x) {
-          pencil.multiply_K_0(product, x);
+          pencil.multiply_metric(product, x);
         };
         problem.solve = [&](LA::Vector &x, const LA::Vector &b) {
           return solve(pencil, x, b);
@@ -298,7 +341,7 @@ namespace Biface
     pencil.low_rank_transposed = pencil.low_rank_shifted.transposed();
     if (!pencil.low_rank_transposed.prepare(
           [&](LA::Vector &x, const LA::Vector &b) {
-            return linear_solver.solve_transposed(x, b, exactness).success;
+            return solve_pinned(pencil, x, b, System::transposed).success;
           }))
       return std::vector<Eigenpair>(right.size());
     if (pencil.deflation)

@@ -88,7 +88,7 @@ main(int argc, char *argv[])
             equator =
               mesh.displacement(state.displacement, node, Resultants::outer)[2];
           if (report.level.travel == 20 && state.contacts[0].active[n])
-            pressures[place] = state.contact_pressure(n);
+            pressures[place] = state.ground().pressure(n);
         }
     });
 

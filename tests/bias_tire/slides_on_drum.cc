@@ -45,7 +45,7 @@ namespace
         pressure = 0;
         for (const Cell &cell : equations.mesh.cells)
           for (const unsigned int n : cell.nodes)
-            pressure += cell.geometry.weight / 4 * state.contact_pressure(n);
+            pressure += cell.geometry.weight / 4 * state.ground().pressure(n);
         const Point<3> on_axis =
           report.loads.ground()->present(Point<3>(radius, 0, 0));
         foundation =

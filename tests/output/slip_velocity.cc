@@ -115,10 +115,8 @@ main(int argc, char *argv[])
                    const State          &state) {
                  if (!report.rolling)
                    return;
-                 const FacePatches patches(equations,
-                                           state,
-                                           report.loads,
-                                           report.rolling->slip_velocities);
+                 const FacePatches patches(
+                   equations, state, report.loads, report.slip_velocities);
                  if (report.step == 4)
                    check("free", patches, false);
                  else if (report.step == 7)

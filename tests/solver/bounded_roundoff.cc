@@ -7,6 +7,7 @@
 
 #include <iostream>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/solver/newton.h>
 
 #include "../model/cord_shells.h"

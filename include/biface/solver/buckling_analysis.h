@@ -195,6 +195,14 @@ namespace Biface
     LinearSolverResult
     factorize(Pencil &pencil, const double shift);
 
+    /** Solve such a system without the part of low rank and free motions that
+     * interpolation resists. */
+    LinearSolverResult
+    solve_pinned(const Pencil     &pencil,
+                 LA::Vector       &x,
+                 const LA::Vector &b,
+                 const System      system);
+
     /** Solve such a system, or the transposed one. */
     bool
     solve(const Pencil     &pencil,

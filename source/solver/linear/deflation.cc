@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -90,5 +91,65 @@ namespace Biface
       if (symmetric.eigenvalue(i).real() < 0)
         ++n;
     return of_matrix - std::min(of_matrix, n);
+  }
+
+
+  NullSpace::NullSpace(const std::vector<LA::Vector> &given) : vectors(given)
+  {
+    if (vectors.empty())
+      return;
+    const MPI_Comm communicator = vectors[0].get_mpi_communicator();
+
+    // by Gaussian elimination, each vector for its largest entry
+    std::vector<LA::Vector> rows = vectors;
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        double                  largest = -1;
+        types::global_dof_index index   = 0;
+        for (const auto k : rows[i].locally_owned_elements())
+          if (const double entry = rows[i](k); std::abs(entry) > largest)
+            {
+              largest = std::abs(entry);
+              index   = k;
+            }
+        const unsigned int owner =
+          Utilities::MPI::min_max_avg(largest, communicator).max_index;
+        index = Utilities::MPI::broadcast(communicator, index, owner);
+        pinned.push_back(index);
+        std::vector<double> entries(rows.size());
+        if (rows[i].in_local_range(index))
+          for (unsigned int j = i; j < rows.size(); ++j)
+            entries[j] = rows[j](index);
+        entries = Utilities::MPI::broadcast(communicator, entries, owner);
+        for (unsigned int j = i + 1; j < rows.size(); ++j)
+          rows[j].add(-entries[j] / entries[i], rows[i]);
+      }
+
+    for (unsigned int i = 0; i < vectors.size(); ++i)
+      {
+        // twice is enough
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          for (unsigned int j = 0; j < i; ++j)
+            vectors[i].add(-(vectors[j] * vectors[i]), vectors[j]);
+        vectors[i] /= vectors[i].l2_norm();
+      }
+  }
+
+
+  void
+  NullSpace::pin(LA::SparseMatrix &A) const
+  {
+    for (const auto index : pinned)
+      if (A.in_local_range(index))
+        A.add(index, index, A.diag_element(index));
+    A.compress(VectorOperation::add);
+  }
+
+
+  void
+  NullSpace::remove_from(LA::Vector &x) const
+  {
+    for (const LA::Vector &vector : vectors)
+      x.add(-(vector * x), vector);
   }
 } // namespace Biface

@@ -3,6 +3,7 @@
 #ifndef biface_solver_linear_deflation_h
 #define biface_solver_linear_deflation_h
 
+#include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <functional>
@@ -64,6 +65,45 @@ namespace Biface
     std::vector<LA::Vector> vectors, products, solutions;
     /** The products of the last two, and the inverse of this matrix. */
     dealii::FullMatrix<double> matrix, inverse;
+  };
+
+
+  /**
+   * The null space of a symmetric matrix @f$\mathbf A@f$, spanned by given
+   * vectors. The solution of a system whose right hand side is orthogonal to
+   * them is determined but for its part in the null space. It is found with a
+   * regular matrix, @f$\mathbf A@f$ plus a stiffness of as many single
+   * unknowns, which stay at zero in the solution.
+   */
+  class NullSpace
+  {
+  public:
+    /** The null space of dimension 0. */
+    NullSpace() = default;
+
+    /** @param vectors linearly independent. Must be called on all ranks. */
+    explicit NullSpace(const std::vector<LA::Vector> &vectors);
+
+    /** An orthonormal basis. */
+    const std::vector<LA::Vector> &
+    get_vectors() const
+    {
+      return vectors;
+    }
+
+    /** Make a matrix with this null space regular. */
+    void
+    pin(LA::SparseMatrix &A) const;
+
+    /** Remove the part of a vector in the null space: of a right hand side, and
+     * of the solution with the matrix that pin() has changed. */
+    void
+    remove_from(LA::Vector &x) const;
+
+  private:
+    std::vector<LA::Vector> vectors;
+    /** One for each vector, on all ranks. */
+    std::vector<dealii::types::global_dof_index> pinned;
   };
 } // namespace Biface
 
