@@ -21,7 +21,8 @@ PAGE = """<!-- Written by doc/design/design.py: cmake --build build --target des
 The bias tire of [bias_tire.md](bias_tire.md) carries its load. A designer asks next:
 how does it vibrate, when does it buckle, what matters most, what if everything varies a
 little, and what should change? Each answer below is one command; the target `design`
-runs them all and writes this page.
+runs them all and writes this page. In all of them the pressure follows the wall, as in
+[bias_tire_true_pressure.prm](../prm/bias_tire_true_pressure.prm).
 
 ## How does it vibrate?
 
@@ -47,7 +48,7 @@ of it the tire buckles:
 
 {buckling}
 
-The first shape has no wave around the tire.
+The first two shapes have no waves around the tire.
 
 [laminated_cylinder.prm](../prm/laminated_cylinder.prm) shows the two ways together: a
 prediction from a small load, and `Critical points = locate` on the path.
@@ -65,10 +66,11 @@ prediction from a small load, and `Critical points = locate` on the path.
       set Outputs = force, mean_pressure, footprint_length, max_fiber_tension
     end
 
-This section, appended to `bias_tire.prm`, lists numbers of the same file and results. The
-program adds the derivative of each result by each number, for one linear system per
-number with the factors at hand, see section 11 of [theory.md](theory.md). The whole
-loading follows: the plane touches the inflated tire elsewhere if the profile changes.
+This section, appended to `bias_tire_true_pressure.prm`, lists numbers of the same file and
+results. The program adds the derivative of each result by each number, for one linear
+system per number with the factors at hand, see section 11 of [theory.md](theory.md). The
+whole loading follows: the plane touches the inflated tire elsewhere if the profile
+changes.
 
 Each number has its own linear system, the direct way. The adjoint way, one transposed
 system per result, would not pay: with twenty numbers and two results of the bias tire the
@@ -76,7 +78,7 @@ forty solutions of both stages take 6 % of the time of the derivatives, and the 
 way would save at most those of the last stage, since the stage before must be followed in
 any case. The rest goes to the residuals of the perturbed runs, to their models, and to the
 factorization that both ways need. For ten numbers and six results with six steps of the
-loading, the derivatives take about a fifth of the run.
+loading, the derivatives take about a sixth of the run.
 
     build/biface my_tire.prm
     build/biface-report output
@@ -233,7 +235,7 @@ class Pages:
 
     def buckling(self):
         """The table of buckling loads under a vacuum."""
-        text = (self.prm / "bias_tire.prm").read_text(encoding="utf-8")
+        text = (self.prm / "bias_tire_true_pressure.prm").read_text(encoding="utf-8")
         # the inflation only
         text = re.sub(r"^subsection Stage 2$.*?^end$", "", text,
                       flags=re.MULTILINE | re.DOTALL)
@@ -255,7 +257,7 @@ class Pages:
         from biface_report import sensitivities as report
         from biface_report.results import Run
         directory = self.run(
-            "sensitivities", self.prm / "bias_tire.prm",
+            "sensitivities", self.prm / "bias_tire_true_pressure.prm",
             "Contact/Multiplier mass=lumped", "Stage 2/Steps=2",
             "Newton/Residual tolerance=1e-11", "Output/Write VTU=false",
             "Sensitivities/Entries=pressure: Stage 1/Pressure, Stage 2/Pressure; "
@@ -312,7 +314,7 @@ class Pages:
     def even(self, plt, ranks):
         """The map of the objective with the path of the optimizer; returns the
         tables of derivatives and of designs."""
-        base = self.prm / "bias_tire.prm"
+        base = self.prm / "bias_tire_true_pressure.prm"
         tires = {derivatives: even.Tire(
             self.program, base, self.scratch / f"even_{derivatives}",
             derivatives) for derivatives in (True, False)}
@@ -345,8 +347,8 @@ class Pages:
         apart = np.max(np.abs(points[True] - points[False])
                        / np.diff(list(even.RANGES.values()))[:, 0])
         text = (
-            f"The optimizer needs {runs[True]} runs ({seconds[True]:.0f} s on one "
-            f"rank) with derivatives by the program, and {runs[False]} runs "
+            f"The optimizer needs {runs[True]} runs ({seconds[True]:.0f} s of CPU time) "
+            f"with derivatives by the program, and {runs[False]} runs "
             f"({seconds[False]:.0f} s) with those by differences of whole runs; the "
             f"designs differ by {apart:.0e} of the ranges.",
             f"The weighted pressure falls by {gains[0]:.1f} %, and the variation of "

@@ -218,7 +218,7 @@ def draw_load_deflection(runs, output):
     mark_ratio(axes, runs, 20)
     paper = NodalAreas(runs.nonlinear, 20).integrate(read_table(runs.table))
     axes.plot(20, paper, "D", color="black", markersize=6,
-              label="paper: pressures of Table 1 times areas")
+              label="paper, Table 1 (pressures times areas)")
     axes.set(xlabel="approach of the foundation Δ (mm)",
              ylabel="force on the foundation P (N)",
              xlim=(0, 22.5), ylim=(0, 4000), xticks=range(0, 21, 4))

@@ -63,7 +63,7 @@ def show_footprint(view, faces):
 
 
 def show_plies(view, plies):
-    """The plies cut open, and the cords of the first of them, as lines."""
+    """The plies cut open, and on them the cords of the first ply, as lines."""
     half = pv.Clip(registrationName="plies, clipped", Input=plies)
     half.ClipType = "Plane"
     half.ClipType.Origin = [0, 0, 0]
@@ -75,7 +75,7 @@ def show_plies(view, plies):
     pv.GetScalarBar(pv.GetColorTransferFunction("s_L"),
                     view).Title = "stress along fibers"
 
-    ply = threshold("ply (choose one)", plies, "POINTS", "ply", 0.5, 1.5)
+    ply = threshold("ply (choose one)", half, "POINTS", "ply", 0.5, 1.5)
     pv.Hide(ply, view)
     cords = pv.Glyph(registrationName="cords", Input=ply, GlyphType="Line")
     cords.OrientationArray = ["POINTS", "fiber"]
@@ -83,8 +83,10 @@ def show_plies(view, plies):
     cords.ScaleFactor = 0.02 * max(
         high - low for low, high in zip(plies.GetDataInformation().GetBounds()[::2],
                                         plies.GetDataInformation().GetBounds()[1::2]))
-    cords.GlyphMode = "Every Nth Point"
-    cords.Stride = 3
+    # evenly over the surface, however large the cells
+    cords.GlyphMode = "Uniform Spatial Distribution (Surface Sampling)"
+    cords.MaximumNumberOfSamplePoints = 5000
+    cords.Seed = 1
     display = pv.Show(cords, view)
     display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = [0.1, 0.1, 0.1]
@@ -142,7 +144,7 @@ def main():
     view.CameraPosition = [2, 0.9, 1.2]
     view.CameraFocalPoint = [0, 0, 0]
     view.ResetCamera()
-    pv.GetActiveCamera().Dolly(1.5)
+    pv.GetActiveCamera().Dolly(1.2 if arguments.plies else 1.5)
     pv.Render(view)
     if arguments.picture:
         pv.SaveScreenshot(str(arguments.picture), view,
