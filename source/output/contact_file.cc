@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/quantities/face_stretch.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 
@@ -21,6 +22,8 @@ namespace Biface
     const ReferenceSurface &surface = mesh.get_surface();
     const ContactState     &zone    = state.ground();
 
+    const LA::Vector stretch =
+      area_stretch(mesh, state.displacement, Resultants::outer);
     Rows rows;
     if (const PlacedBody *ground = report.loads.body(0))
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -39,23 +42,28 @@ namespace Biface
             contact_traction(zone, ground, n, x).friction;
           const ThicknessMetric metric(node.surface.curvature,
                                        node.face_heights);
-          rows.push_back({chart_coordinate(surface, node, 0),
-                          chart_coordinate(surface, node, 1),
-                          x[0],
-                          x[1],
-                          x[2],
-                          ground->body.clearance(x),
-                          pressure,
-                          static_cast<double>(zone.active[n]),
-                          pressure * metric.area_ratio(Resultants::outer),
-                          slips(zone, ground, n) ? 1. : 0.,
-                          friction[0],
-                          friction[1],
-                          friction[2]});
+          const double          face_pressure =
+            pressure * metric.area_ratio(Resultants::outer);
+          rows.push_back(
+            {chart_coordinate(surface, node, 0),
+             chart_coordinate(surface, node, 1),
+             x[0],
+             x[1],
+             x[2],
+             ground->body.clearance(x),
+             pressure,
+             static_cast<double>(zone.active[n]),
+             face_pressure,
+             slips(zone, ground, n) ? 1. : 0.,
+             friction[0],
+             friction[1],
+             friction[2],
+             face_pressure / stretch(node.dof(2, MixedElement::mean))});
         }
     write_csv(path(report.step),
               "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure,"
-              "slipping,friction_x,friction_y,friction_z",
+              "slipping,friction_x,friction_y,friction_z,"
+              "true_pressure",
               rows,
               communicator);
   }
