@@ -95,13 +95,13 @@ namespace Biface
 
 
   RigidBody
-  RigidBody::around(const double angle) const
+  RigidBody::around(const Tensor<1, 3> &axis, const double angle) const
   {
     if (angle == 0)
       return *this;
     return after({{},
                   Physics::Transformations::Rotations::rotation_matrix_3d(
-                    Point<3>(0, 1, 0), angle),
+                    Point<3>(axis), angle),
                   {}});
   }
 

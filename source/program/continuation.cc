@@ -106,29 +106,9 @@ namespace Biface
       const unsigned int stage = std::stoul(match[1]) - 1;
       if (stage != progress.stage)
         return stage > progress.stage;
-      const std::set<std::string> free_entries{"Pressure",
-                                               "Travel",
-                                               "Slide",
-                                               "Turn",
-                                               "Wheel turn",
-                                               "Load factor",
-                                               "Load factors",
-                                               "Angular velocity",
-                                               "Ground velocity",
-                                               "Slip angle",
-                                               "Slip ratio",
-                                               "Axle moment",
-                                               "Control value",
-                                               "Force",
-                                               "Steps",
-                                               "Modes",
-                                               "Buckling",
-                                               "Critical points",
-                                               "Branch amplitude",
-                                               "Adaptive steps"};
       // a restart does not know the settings of the perturbed runs
       return !progress.stage_begun ||
-             (!with_derivatives && free_entries.count(match[2]) > 0);
+             (!with_derivatives && Stage::may_change(match[2]));
     }
 
 

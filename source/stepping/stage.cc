@@ -2,7 +2,7 @@
 
 
 #include <cmath>
-#include <limits>
+#include <set>
 
 #include <biface/base/errors.h>
 #include <biface/contact/friction.h>
@@ -80,6 +80,24 @@ namespace Biface
                       "start from 0 again.",
                       Patterns::Bool());
     StageResults::add_parameters(prm);
+  }
+
+
+  bool
+  Stage::may_change(const std::string &entry)
+  {
+    const std::set<std::string> fixed{"Name",
+                                      "Start from",
+                                      "Start from prestress",
+                                      "Strain theory",
+                                      "Gas",
+                                      "Contact",
+                                      "Friction",
+                                      "Glued",
+                                      "Control",
+                                      "Control point",
+                                      "Control component"};
+    return fixed.count(entry) == 0;
   }
 
 

@@ -59,15 +59,16 @@ namespace Biface
     Loads loads = loads_without_contact(level);
     if (stage.contact)
       {
-        const double    slip_angle = level.slip_angle * numbers::PI / 180;
-        const RigidBody ground =
+        const Tensor<1, 3> axle({0., 1., 0.});
+        const double       slip_angle = level.slip_angle * numbers::PI / 180;
+        const RigidBody    ground =
           on_steered(
             contact.ground().body_at(*progress.touching_travel + level.travel),
             slip_angle)
             .displaced(level.slide,
                        level.turn * numbers::PI / 180,
                        progress.touched_point)
-            .around(-level.wheel_turn * numbers::PI / 180);
+            .around(axle, -level.wheel_turn * numbers::PI / 180);
         loads.place(0, {ground, law});
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(

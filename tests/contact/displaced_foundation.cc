@@ -27,11 +27,13 @@ namespace
     const Tensor<1, 3> d     = shape->direction;
     const Tensor<1, 3> slide = cross_product_3d(d, Tensor<1, 3>({1, 2, 3}));
     const Point<3>     pivot(1, 0.5, -0.3);
+    const Tensor<1, 3> axle({0., 1., 0.});
     const Tensor<2, 3> R_y    = rotation_matrix_3d(Point<3>(0, 1, 0), around);
     const Tensor<2, 3> R_d    = rotation_matrix_3d(Point<3>(d), turn);
     const Tensor<2, 3> R      = R_y * R_d;
     const RigidBody    before = RigidBody(shape).moved(0.3);
-    const RigidBody after = before.displaced(slide, turn, pivot).around(around);
+    const RigidBody    after =
+      before.displaced(slide, turn, pivot).around(axle, around);
 
     std::cout << name << (around == 0 ? "" : ", around the axle") << std::endl;
     double carried = 0, clearance = 0, normal = 0, tangents = 0, unit = 0,

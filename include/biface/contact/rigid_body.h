@@ -74,9 +74,9 @@ namespace Biface
               const dealii::Point<3>     &pivot) const;
 
     /** The same foundation after a further turn by an angle in radians,
-     * right-handed about the y axis, the axle of a wheel. */
+     * right-handed about an axis of unit length through the origin. */
     RigidBody
-    around(const double angle) const;
+    around(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
     BodyPoint
     evaluate(const dealii::Point<3> &x) const;

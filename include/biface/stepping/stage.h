@@ -75,6 +75,12 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
 
+    /** Whether an entry may change at a restart in the stage: final loads and
+     * motions, the number of steps, and results; not what is there and how the
+     * stage goes. */
+    static bool
+    may_change(const std::string &entry);
+
     /** Throws InputError if a value is invalid. */
     void
     check(const std::string &section) const;
