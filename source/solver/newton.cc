@@ -137,8 +137,10 @@ namespace Biface
     const bool                zone_given;
     Loads                     loads;
     ActiveSetIteration        zone;
-    /** Changes of the active set in the last update. */
+    /** Changes of the active set in the last update, and the number of
+     * successive updates without any. */
     unsigned int n_changes;
+    unsigned int n_quiet = 0;
     /** Change of the displacements since the start, and the largest entry of
      * the last increment. */
     LA::Vector total;
@@ -245,17 +247,19 @@ namespace Biface
   std::optional<Failure>
   Newton::stagnation(const Iterate &iterate) const
   {
-    // iterations without progress, which an active set that settles may need
-    constexpr unsigned int patience = 10;
+    // close to a solution, Newton's method converges fast
+    constexpr double       close    = 1e-3;
+    constexpr unsigned int patience = 8;
     constexpr double       progress = 0.5;
 
     const std::vector<double> &residuals = iterate.result.residuals;
-    if (residuals.size() <= patience)
+    if (iterate.n_quiet < patience || residuals.size() <= patience)
       return {};
     const auto   recent = residuals.end() - patience;
     const double before = *std::min_element(residuals.begin(), recent);
     const double now    = *std::min_element(recent, residuals.end());
-    if (now < progress * before)
+    if (now < progress * before || before > close ||
+        now <= parameters.residual_tolerance)
       return {};
     std::ostringstream message;
     message << std::setprecision(2) << "the residual stalls at "
@@ -463,6 +467,7 @@ namespace Biface
       iterate.state, iterate.parametrized.at(iterate.mu));
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
+    iterate.n_quiet     = (iterate.n_changes == 0 ? iterate.n_quiet + 1 : 0);
     iterate.last_update = increment.displacement.linfty_norm();
     ++iterate.result.iterations;
 

@@ -30,7 +30,10 @@ namespace
     const auto  mesh = coarse_torus(layup, sampling);
 
     const ContactInteraction contact(*mesh, ContactPair::Parameters());
-    ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+    PressureLoad             pressure;
+    pressure.kind = PressureKind::dead;
+    ShellEquations equations(
+      *mesh, make_force_terms(*mesh, contact, DeadLoads(), pressure));
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     equations.internal_forces().take_as_prestress(state);
     state = at(equations, state, some_displacement(*mesh, 0.2, 2));

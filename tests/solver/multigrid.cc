@@ -33,7 +33,10 @@ namespace
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
     const ContactInteraction contact(mesh, ContactPair::Parameters());
-    ShellEquations           equations(mesh, make_force_terms(mesh, contact));
+    PressureLoad             pressure;
+    pressure.kind = PressureKind::dead;
+    ShellEquations equations(
+      mesh, make_force_terms(mesh, contact, DeadLoads(), pressure));
 
     Loads loads;
     loads.pressure = 0.15;
