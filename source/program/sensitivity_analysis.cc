@@ -505,7 +505,11 @@ namespace Biface
     State &state = neighbor.state;
     // the very positions for which the forces were evaluated: contact is so
     // stiff that the last digit matters
-    state.displacement         = neighbor.balanced_displacements();
+    // named, since a temporary would be moved together with its partition,
+    // which has no ghosts
+    const LA::Vector balanced  = neighbor.balanced_displacements(),
+                     since     = neighbor.since_balanced();
+    state.displacement         = balanced;
     LoadParameters balanced_mu = step.mu;
     add(balanced_mu, 1, neighbor.balanced.mu);
     const auto contact_before = neighbor.model.contact.linearize(
@@ -519,7 +523,7 @@ namespace Biface
     moved += neighbor.deviation.displacements;
     state.displacement           = moved;
     LA::Vector ghosted_increment = model.mesh->ghosted_vector();
-    ghosted_increment            = neighbor.since_balanced();
+    ghosted_increment            = since;
     neighbor.loads =
       neighbor.model.equations.with_dependent_loads(state, neighbor.loads);
     neighbor.level.pressure = neighbor.loads.pressure;

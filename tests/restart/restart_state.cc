@@ -41,8 +41,9 @@ main(int argc, char *argv[])
         state.contacts[0].multipliers[n][i] =
           std::sin(3 * alpha[0] + 7 * alpha[1] + i);
     }
-  state.velocity = mesh->ghosted_vector();
-  state.velocity = some_displacement(*mesh, 2, 6);
+  state.velocity            = mesh->ghosted_vector();
+  const LA::Vector velocity = some_displacement(*mesh, 2, 6);
+  state.velocity            = velocity;
 
   state.terms["term"] = {
     {1, 2}, {mesh->nodes.size(), 2}, {mesh->cells.size(), 3}};
