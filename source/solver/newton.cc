@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
@@ -137,10 +135,8 @@ namespace Biface
     const bool                zone_given;
     Loads                     loads;
     ActiveSetIteration        zone;
-    /** Changes of the active set in the last update, and the number of
-     * successive updates without any. */
+    /** Changes of the active set in the last update. */
     unsigned int n_changes;
-    unsigned int n_quiet = 0;
     /** Change of the displacements since the start, and the largest entry of
      * the last increment. */
     LA::Vector total;
@@ -217,8 +213,6 @@ namespace Biface
           }
         if (result.iterations == parameters.max_iterations)
           return fail(too_many_iterations(iterate));
-        if (const auto failure = stagnation(iterate))
-          return fail(*failure);
 
         complete(iterate);
         if (const auto failure = compute_increment(iterate, increment))
@@ -241,32 +235,6 @@ namespace Biface
                 "reached in " +
                   n + " iterations"
               : "no convergence in " + n + " iterations"};
-  }
-
-
-  std::optional<Failure>
-  Newton::stagnation(const Iterate &iterate) const
-  {
-    // close to a solution, Newton's method converges fast
-    constexpr double       close    = 1e-3;
-    constexpr unsigned int patience = 8;
-    constexpr double       progress = 0.5;
-
-    const std::vector<double> &residuals = iterate.result.residuals;
-    if (iterate.n_quiet < patience || residuals.size() <= patience)
-      return {};
-    const auto   recent = residuals.end() - patience;
-    const double before = *std::min_element(residuals.begin(), recent);
-    const double now    = *std::min_element(recent, residuals.end());
-    if (now < progress * before || before > close ||
-        now <= parameters.residual_tolerance)
-      return {};
-    std::ostringstream message;
-    message << std::setprecision(2) << "the residual stalls at "
-            << std::min(before, now);
-    if (const auto n = iterate.result.n_negative_pivots; n && *n > 0)
-      message << ", and the tangent has " << *n << " negative pivots";
-    return Failure{FailureCause::too_many_iterations, message.str()};
   }
 
 
@@ -467,7 +435,6 @@ namespace Biface
       iterate.state, iterate.parametrized.at(iterate.mu));
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
-    iterate.n_quiet     = (iterate.n_changes == 0 ? iterate.n_quiet + 1 : 0);
     iterate.last_update = increment.displacement.linfty_norm();
     ++iterate.result.iterations;
 

@@ -19,6 +19,8 @@ namespace Biface
     for (const std::string &item : split_list(entry, text, ',', 1000))
       {
         const auto  named = split_named(entry, item, form);
+        if (named.second.empty())
+          throw InputError(entry, item, form);
         std::string name;
         for (const std::string &word : split_words(named.first))
           name += (name.empty() ? "" : " ") + word;

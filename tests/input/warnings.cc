@@ -63,9 +63,9 @@ main(int argc, char *argv[])
   say("a displacement of a point",
       {"Supports/Point supports=equator: v_1 both = 1"});
   say("a kind of pressure",
-      {"Loads/Pressure type=follower", "Loads/Pressure distribution=x"});
+      {"Loads/Pressure type=dead", "Loads/Pressure distribution=x"});
   say("pressure of a stage",
-      {"Loads/Pressure type=follower", "Stage 1/Pressure=1"});
+      {"Loads/Pressure type=dead", "Stage 1/Pressure=1"});
 
   const std::vector<std::string> symmetry{"Supports/alpha_2 min=symmetry",
                                           "Supports/alpha_2 max=v_2 both"};

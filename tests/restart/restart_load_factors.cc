@@ -24,7 +24,7 @@ main(int argc, char *argv[])
                      {"Sensitivities/Entries=Stage 1/Load factors; a: Stage "
                       "2/Load factors[1]; b: Stage 2/Load factors[2]",
                       "Sensitivities/Outputs=alpha_1 max F_z, middle u_z",
-                      "Sensitivities/Relative step=0.01"}),
+                      "Sensitivities/Relative step=0.03"}),
                 5);
   const std::vector<std::string> longer =
     with(strip,

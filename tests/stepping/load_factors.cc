@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // In linear theory loads of all kinds superpose, each with its own factor, in a
-// stage and in the next one, and the work that they do is the strain energy.
+// stage and in the next one, which is linearized about another state, and the
+// work that they do is the strain energy.
 
 #include <deal.II/base/mpi.h>
 
@@ -48,10 +49,10 @@ end
 subsection Loads
   set Point forces   = the tip: 0 0 1, the tip: 1 0 0
   set Edge forces    = alpha_1 max: 0 0 2, alpha_2 max: 0 1 1 outer
-  set Edge moments   = alpha_1 max: 3 dead, alpha_2 max: 2 follower
+  set Edge moments   = alpha_1 max: 3 dead, alpha_2 max: 2 dead
   set Inner traction = 0; 0.1; 0.01
   set Outer traction = 0; 0; x/100
-  set Area force     = 0 0 -0.02
+  set Area force     = 0, 0, -0.02
 end
 set Number of stages = 2
 subsection Stage 1
@@ -83,7 +84,8 @@ end
         for (const auto dof : equations.mesh.locally_owned)
           end.push_back(state.displacement(dof));
         const double energy = equations.internal_forces().strain_energy(state);
-        if (report.step == 2)
+        // a support alone moves the plate as a whole, without energy
+        if (report.step == 2 && first.rfind("supports alpha_1", 0) != 0)
           check_small("work of " + first, report.work.loads / energy - 1, 1e-7);
       });
     return at_ends;
@@ -159,12 +161,12 @@ main(int argc, char *argv[])
       next += (next.empty() ? "" : ", ") + item(name, 2 * factor + 0.1);
       add_multiple(
         increments, 1, displacements(all, item(name, 2 * factor + 0.1))[1]);
-      add_multiple(increments, -1, together[0]);
+      add_multiple(increments, -1, together[1]);
     }
   const std::vector<Numbers> after = displacements(all, next);
   deviation                        = increments;
   add_multiple(deviation, -1, after[1]);
-  add_multiple(deviation, 1, after[0]);
+  add_multiple(deviation, 1, together[1]);
   check_small("second stage", norm(deviation), 1e-9, norm(increments));
 
   // names that include others

@@ -173,12 +173,6 @@ namespace Biface
     Failure
     too_many_iterations(const Iterate &iterate) const;
 
-    /** The failure of an iteration whose residual no longer decreases, though
-     * the active set does not change, with the number of negative pivots; none
-     * as long as it does. */
-    std::optional<Failure>
-    stagnation(const Iterate &iterate) const;
-
     /** Solve the linear systems of an iteration.
      * @return the failure, if any. */
     std::optional<Failure>
