@@ -18,7 +18,7 @@ namespace Biface
     NamedFactors factors;
     for (const std::string &item : split_list(entry, text, ',', 1000))
       {
-        const auto  named = split_named(entry, item, form);
+        const auto named = split_named(entry, item, form);
         if (named.second.empty())
           throw InputError(entry, item, form);
         std::string name;
