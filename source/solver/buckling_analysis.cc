@@ -31,6 +31,8 @@ namespace Biface
     std::optional<Deflation> deflation, deflation_transposed;
     /** Those of these motions that the matrices do not resist at all. */
     NullSpace null_space;
+    /** The stiffness that multiply_metric() gives them. */
+    double null_stiffness = 0;
     /** Whether the matrices are symmetric, and with the parts of low rank. */
     bool symmetric_matrices = true, symmetric = true;
     /** Whether @f$\mathbf K_0@f$ is symmetric positive definite. */
@@ -51,7 +53,7 @@ namespace Biface
     {
       multiply_K_0(product, x);
       for (const LA::Vector &vector : null_space.get_vectors())
-        product.add((vector * x) * K_0.linfty_norm(), vector);
+        product.add((vector * x) * null_stiffness, vector);
     }
 
     void
@@ -148,7 +150,8 @@ namespace Biface
          ? unresisted
          : motions)
         .push_back(motion.displacement);
-    pencil.null_space = NullSpace(unresisted);
+    pencil.null_space     = NullSpace(unresisted);
+    pencil.null_stiffness = pencil.K_0.linfty_norm();
     for (LA::Vector &motion : motions)
       pencil.null_space.remove_from(motion);
     if (!motions.empty())

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include <biface/input/parameter_tools.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/stepping/branch_switching.h>

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <biface/base/errors.h>
-#include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_sequence.h>
 

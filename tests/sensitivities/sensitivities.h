@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_tests_program_sensitivities_h
-#define biface_tests_program_sensitivities_h
+#ifndef biface_tests_sensitivities_h
+#define biface_tests_sensitivities_h
 
 #include <deal.II/base/mpi.h>
 
