@@ -18,7 +18,7 @@ status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
 case ${1-} in
   "") ;;
   report) packages="$packages $report" ;;
-  tests) packages="$packages $report numdiff clang clang-format-14 doxygen
+  tests) packages="$packages $report numdiff clang clang-format-14 doxygen lld
     texlive-binaries" ;;
   *)
     echo "Usage: doc/install.sh [report | tests]" >&2

@@ -10,7 +10,7 @@ namespace Biface
   void
   FrictionBySlipVelocity::start_stage(ContactState &state) const
   {
-    for (unsigned int n = 0; n < state.grips.size(); ++n)
+    for (unsigned int n = 0; n < state.statuses.size(); ++n)
       state.forget_stick_point(n);
   }
 
@@ -20,8 +20,9 @@ namespace Biface
                                  const NodeInContact &at,
                                  const Tensor<1, 3> & /*last*/) const
   {
-    const bool slips     = SlipVelocityLaw(law).slips(at.slip_velocity());
-    state.grips[at.node] = (slips ? Grip::slip : Grip::stick);
+    const bool slips = SlipVelocityLaw(law).slips(at.slip_velocity());
+    state.statuses[at.node] =
+      (slips ? ContactStatus::slip : ContactStatus::stick);
     return false;
   }
 

@@ -18,9 +18,9 @@ namespace Biface
   void
   FrictionWithHistory::hold(ContactState &state) const
   {
-    for (Grip &grip : state.grips)
-      if (grip != Grip::none)
-        grip = Grip::glued;
+    for (ContactStatus &status : state.statuses)
+      if (status != ContactStatus::none)
+        status = ContactStatus::glued;
   }
 
 
@@ -39,8 +39,8 @@ namespace Biface
                               const NodeInContact &at,
                               const Tensor<1, 3>  &last) const
   {
-    Grip &grip = state.grips[at.node];
-    if (grip == Grip::glued)
+    ContactStatus &status = state.statuses[at.node];
+    if (status == ContactStatus::glued)
       return false;
     const auto         tangents = at.body.tangents(at.at_body.normal);
     const Tensor<1, 3> trial    = law.trial(slip(state, at).tangential);
@@ -48,10 +48,10 @@ namespace Biface
     // far. Where it has passed its stick point, the reversed traction would
     // throw it back, and so forth.
     const bool reversed =
-      grip == Grip::slip &&
+      status == ContactStatus::slip &&
       trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
     const bool beyond = law.should_slip(trial, -last[0]);
-    grip              = (beyond && !reversed ? Grip::slip : Grip::stick);
+    status = (beyond && !reversed ? ContactStatus::slip : ContactStatus::stick);
     return beyond && reversed;
   }
 
@@ -61,7 +61,7 @@ namespace Biface
                                 const NodeInContact &at) const
   {
     const Tensor<1, 3> trial = law.trial(slip(state, at).tangential);
-    return state.grips[at.node] == Grip::slip
+    return state.statuses[at.node] == ContactStatus::slip
              ? law.slip(trial, -state.multipliers[at.node][0]).traction
              : trial;
   }
@@ -86,7 +86,7 @@ namespace Biface
       (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
        (n * slip.total) * normal_gradient -
        outer_product(n, normal_gradient * slip.total));
-    if (state.grips[at.node] == Grip::slip)
+    if (state.statuses[at.node] == ContactStatus::slip)
       {
         const FrictionLaw::Slip limited = law.slip(t, -lambda);
         t          = limited.traction + (lambda - exact) * limited.per_pressure;
@@ -105,7 +105,7 @@ namespace Biface
   {
     if (!acts_on(state, at.node))
       TangentialLaw::commit_step(state, at);
-    else if (state.grips[at.node] == Grip::slip)
+    else if (state.statuses[at.node] == ContactStatus::slip)
       // without slip there is no direction for the traction of a node that
       // slips
       state.stick_points[at.node] =
@@ -119,7 +119,8 @@ namespace Biface
                                     const RigidBody    &body,
                                     const unsigned int  node) const
   {
-    if (after.grips[node] != Grip::slip || before.grips[node] == Grip::none)
+    if (after.statuses[node] != ContactStatus::slip ||
+        before.statuses[node] == ContactStatus::none)
       return {};
     return body.present(after.stick_points[node]) -
            body.present(before.stick_points[node]);

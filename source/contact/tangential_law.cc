@@ -9,16 +9,16 @@ namespace Biface
   void
   TangentialLaw::start_stage(ContactState &state) const
   {
-    for (Grip &grip : state.grips)
-      if (grip == Grip::glued)
-        grip = Grip::stick;
+    for (ContactStatus &status : state.statuses)
+      if (status == ContactStatus::glued)
+        status = ContactStatus::stick;
   }
 
 
   void
   TangentialLaw::commit_step(ContactState &state, const NodeInContact &at) const
   {
-    state.grips[at.node]        = Grip::stick;
+    state.statuses[at.node]     = ContactStatus::stick;
     state.stick_points[at.node] = at.body.at_rest(at.x);
   }
 } // namespace Biface

@@ -123,7 +123,7 @@ namespace Biface
         progress,
         [&simulation]() {
           return CheckpointWriter::Points{simulation.get_restore_points(),
-                                          simulation.get_neighbors()};
+                                          simulation.get_perturbed_points()};
         },
         results,
         checkpoint != nullptr);

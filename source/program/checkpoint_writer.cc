@@ -78,7 +78,7 @@ namespace Biface
     results.sync();
     record.written   = results.get_written();
     const Points now = points();
-    write_checkpoint(directory, record, mesh, now.run, now.neighbors);
+    write_checkpoint(directory, record, mesh, now.run, now.perturbed);
     any_written = true;
     last_step   = progress.n_steps;
     since_last.restart();

@@ -144,10 +144,10 @@ namespace Biface
 
 
   /** A run with a changed entry. */
-  struct SensitivityAnalysis::Neighbor
+  struct SensitivityAnalysis::PerturbedRun
   {
-    Neighbor(std::shared_ptr<const Parameters> given,
-             std::shared_ptr<const ShellMesh>  mesh)
+    PerturbedRun(std::shared_ptr<const Parameters> given,
+                 std::shared_ptr<const ShellMesh>  mesh)
       : parameters(std::move(given))
       , model(*parameters, std::move(mesh))
       , results(asked_results(*parameters, model))
@@ -253,7 +253,8 @@ namespace Biface
                         : make_shell_mesh(*changed, mesh->communicator));
               check_mesh(*model.mesh, *mesh, change.name);
             }
-          neighbors.push_back(std::make_unique<Neighbor>(changed, mesh));
+          perturbed_runs.push_back(
+            std::make_unique<PerturbedRun>(changed, mesh));
         }
   }
 
@@ -261,13 +262,13 @@ namespace Biface
   SensitivityAnalysis::~SensitivityAnalysis() = default;
 
 
-  NeighborPoints
+  PerturbedPoints
   SensitivityAnalysis::get_restore_points() const
   {
-    NeighborPoints points{{}, lost_stages, unsettled};
-    for (const auto &neighbor : neighbors)
+    PerturbedPoints points{{}, lost_stages, unsettled};
+    for (const auto &perturbed : perturbed_runs)
       {
-        points.runs.push_back({neighbor->restore_point(), neighbor->ends});
+        points.runs.push_back({perturbed->restore_point(), perturbed->ends});
         // zeros are not written; they follow from the displacements
         for (Modes::Vector &resultants :
              points.runs.back().last.state.resultants)
@@ -278,20 +279,20 @@ namespace Biface
 
 
   void
-  SensitivityAnalysis::restore(const NeighborPoints &points)
+  SensitivityAnalysis::restore(const PerturbedPoints &points)
   {
-    AssertDimension(points.runs.size(), neighbors.size());
+    AssertDimension(points.runs.size(), perturbed_runs.size());
     lost_stages = points.lost_stages;
     unsettled   = points.unsettled;
-    for (unsigned int i = 0; i < neighbors.size(); ++i)
+    for (unsigned int i = 0; i < perturbed_runs.size(); ++i)
       {
-        Neighbor &neighbor = *neighbors[i];
-        neighbor.restore(points.runs[i].last);
-        neighbor.model.equations.internal_forces().settle_resultants(
-          neighbor.state);
-        neighbor.ends = points.runs[i].ends;
-        if (neighbor.progress.stage_begun)
-          neighbor.enter_stage();
+        PerturbedRun &perturbed = *perturbed_runs[i];
+        perturbed.restore(points.runs[i].last);
+        perturbed.model.equations.internal_forces().settle_resultants(
+          perturbed.state);
+        perturbed.ends = points.runs[i].ends;
+        if (perturbed.progress.stage_begun)
+          perturbed.enter_stage();
       }
   }
 
@@ -307,11 +308,11 @@ namespace Biface
         const unsigned int last = stage - 1;
         if (is_branched_from(parameters.stages, last) &&
             lost_stages.count(last) == 0)
-          for (const auto &neighbor : followers(last))
+          for (const auto &perturbed : followers(last))
             {
-              RestorePoint end     = neighbor->restore_point();
+              RestorePoint end     = perturbed->restore_point();
               end.progress.control = Control::Memory();
-              neighbor->ends.insert_or_assign(last, std::move(end));
+              perturbed->ends.insert_or_assign(last, std::move(end));
             }
         if (lost_stages.count(*before) > 0)
           {
@@ -323,26 +324,26 @@ namespace Biface
           if (unsettled.count({*before, e}) > 0)
             unsettled.insert({stage, e});
         if (*before != last)
-          for (const auto &neighbor : followers(stage))
-            neighbor->restore(neighbor->ends.at(*before));
+          for (const auto &perturbed : followers(stage))
+            perturbed->restore(perturbed->ends.at(*before));
       }
-    for (const auto &neighbor : followers(stage))
+    for (const auto &perturbed : followers(stage))
       {
-        neighbor->progress.stage       = stage;
-        neighbor->progress.stage_begun = false;
-        neighbor->enter_stage();
-        neighbor->run->start();
+        perturbed->progress.stage       = stage;
+        perturbed->progress.stage_begun = false;
+        perturbed->enter_stage();
+        perturbed->run->start();
       }
   }
 
 
-  std::vector<SensitivityAnalysis::Neighbor *>
+  std::vector<SensitivityAnalysis::PerturbedRun *>
   SensitivityAnalysis::followers(const unsigned int stage) const
   {
-    std::vector<Neighbor *> result;
-    for (unsigned int i = 0; i < neighbors.size(); ++i)
+    std::vector<PerturbedRun *> result;
+    for (unsigned int i = 0; i < perturbed_runs.size(); ++i)
       if (follows(i / 2, stage))
-        result.push_back(neighbors[i].get());
+        result.push_back(perturbed_runs[i].get());
     return result;
   }
 
@@ -461,88 +462,88 @@ namespace Biface
 
 
   void
-  SensitivityAnalysis::start(const Step &step, Neighbor &neighbor) const
+  SensitivityAnalysis::start(const Step &step, PerturbedRun &perturbed) const
   {
-    // the proposal of the run, from the start of the neighbor
+    // the proposal of the run, from the start of the perturbed run
     Control::Memory        memory = step.memory;
-    const Control::Memory &own    = neighbor.progress.control;
+    const Control::Memory &own    = perturbed.progress.control;
     memory.start                  = own.start;
     for (const auto &number : own.numbers)
       if (number.first.rfind("start", 0) == 0)
         memory.numbers[number.first] = number.second;
-    neighbor.run->control->restore(memory);
-    neighbor.trial =
-      neighbor.run->control->propose(neighbor.run->last_converged());
+    perturbed.run->control->restore(memory);
+    perturbed.trial =
+      perturbed.run->control->propose(perturbed.run->last_converged());
     // the run may have replaced a step beyond the end of the stage
     if (!step.trial.equations)
-      neighbor.trial.equations = nullptr;
+      perturbed.trial.equations = nullptr;
 
-    State &state       = neighbor.state;
+    State &state       = perturbed.state;
     state.displacement = step.state.displacement;
     for (unsigned int i = 0; i < state.contacts.size(); ++i)
       {
-        state.contacts[i].active = step.state.contacts[i].active;
-        state.contacts[i].grips  = step.state.contacts[i].grips;
+        state.contacts[i].active   = step.state.contacts[i].active;
+        state.contacts[i].statuses = step.state.contacts[i].statuses;
       }
-    neighbor.model.equations.move_supports(
-      state, neighbor.run->loads_at(neighbor.trial.level(step.mu)));
-    neighbor.fixed     = owned_part(state.displacement);
-    neighbor.deviation = {model.mesh->owned_vector(),
-                          LoadParameters(step.mu.size())};
-    neighbor.balanced  = neighbor.deviation;
-    move(step, neighbor);
+    perturbed.model.equations.move_supports(
+      state, perturbed.run->loads_at(perturbed.trial.level(step.mu)));
+    perturbed.fixed     = owned_part(state.displacement);
+    perturbed.deviation = {model.mesh->owned_vector(),
+                           LoadParameters(step.mu.size())};
+    perturbed.balanced  = perturbed.deviation;
+    move(step, perturbed);
   }
 
 
   void
-  SensitivityAnalysis::move(const Step &step, Neighbor &neighbor) const
+  SensitivityAnalysis::move(const Step &step, PerturbedRun &perturbed) const
   {
     LoadParameters mu = step.mu;
-    add(mu, 1, neighbor.deviation.mu);
-    neighbor.level = neighbor.trial.level(mu);
-    neighbor.loads = neighbor.run->loads_at(neighbor.level);
+    add(mu, 1, perturbed.deviation.mu);
+    perturbed.level = perturbed.trial.level(mu);
+    perturbed.loads = perturbed.run->loads_at(perturbed.level);
 
-    State &state = neighbor.state;
+    State &state = perturbed.state;
     // the very positions for which the forces were evaluated: contact is so
     // stiff that the last digit matters
     // named, since a temporary would be moved together with its partition,
     // which has no ghosts
-    const LA::Vector balanced  = neighbor.balanced_displacements(),
-                     since     = neighbor.since_balanced();
+    const LA::Vector balanced  = perturbed.balanced_displacements(),
+                     since     = perturbed.since_balanced();
     state.displacement         = balanced;
     LoadParameters balanced_mu = step.mu;
-    add(balanced_mu, 1, neighbor.balanced.mu);
-    const auto contact_before = neighbor.model.contact.linearize(
-      state, neighbor.run->loads_at(neighbor.trial.level(balanced_mu)));
+    add(balanced_mu, 1, perturbed.balanced.mu);
+    const auto contact_before = perturbed.model.contact.linearize(
+      state, perturbed.run->loads_at(perturbed.trial.level(balanced_mu)));
     double travel = 0;
-    if (neighbor.trial.equations)
+    if (perturbed.trial.equations)
       for (unsigned int i = 0; i < mu.size(); ++i)
-        travel += (neighbor.deviation.mu[i] - neighbor.balanced.mu[i]) *
-                  neighbor.trial.equations->rates[i].travel;
-    LA::Vector moved = neighbor.fixed;
-    moved += neighbor.deviation.displacements;
+        travel += (perturbed.deviation.mu[i] - perturbed.balanced.mu[i]) *
+                  perturbed.trial.equations->rates[i].travel;
+    LA::Vector moved = perturbed.fixed;
+    moved += perturbed.deviation.displacements;
     state.displacement           = moved;
     LA::Vector ghosted_increment = model.mesh->ghosted_vector();
     ghosted_increment            = since;
-    neighbor.loads =
-      neighbor.model.equations.with_dependent_loads(state, neighbor.loads);
-    neighbor.level.pressure = neighbor.loads.pressure;
-    neighbor.model.contact.compute_multipliers(
-      state, neighbor.loads, contact_before, ghosted_increment, travel);
+    perturbed.loads =
+      perturbed.model.equations.with_dependent_loads(state, perturbed.loads);
+    perturbed.level.pressure = perturbed.loads.pressure;
+    perturbed.model.contact.compute_multipliers(
+      state, perturbed.loads, contact_before, ghosted_increment, travel);
   }
 
 
   LA::Vector
   SensitivityAnalysis::unbalance(const Step       &step,
                                  const LA::Vector &here,
-                                 Neighbor         &neighbor) const
+                                 PerturbedRun     &perturbed) const
   {
     // Friction is linearized at these pressures. A small motion of the
     // foundation at fixed displacements changes the pressure, which limits it,
     // by a multiple of itself.
-    take_multipliers(step.state, neighbor.state);
-    LA::Vector forces =
-      neighbor.model.equations.out_of_balance(neighbor.state, neighbor.loads);
+    take_multipliers(step.state, perturbed.state);
+    LA::Vector forces = perturbed.model.equations.out_of_balance(
+      perturbed.state, perturbed.loads);
     forces -= here;
     return forces;
   }
@@ -552,18 +553,18 @@ namespace Biface
   SensitivityAnalysis::missing_loads(
     const Step                    &step,
     const std::vector<LA::Vector> &per_parameter,
-    const Neighbor                &neighbor) const
+    const PerturbedRun            &perturbed) const
   {
     // like the balance of forces: where they were evaluated, and linearly from
     // there
-    State at = neighbor.state;
+    State at = perturbed.state;
     take_multipliers(step.state, at);
-    LA::Vector total = neighbor.balanced_displacements();
+    LA::Vector total = perturbed.balanced_displacements();
     at.displacement  = total;
-    total -= owned_part(neighbor.before.displacement);
-    return neighbor.trial.equations->parameter_changes(
-      {neighbor.model.contact, at, neighbor.loads, total, {}},
-      neighbor.since_balanced(),
+    total -= owned_part(perturbed.before.displacement);
+    return perturbed.trial.equations->parameter_changes(
+      {perturbed.model.contact, at, perturbed.loads, total, {}},
+      perturbed.since_balanced(),
       per_parameter);
   }
 
@@ -575,10 +576,10 @@ namespace Biface
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
 
-    for (const auto &neighbor : neighbors)
+    for (const auto &perturbed : perturbed_runs)
       {
-        neighbor->before       = neighbor->state;
-        neighbor->level_before = neighbor->progress.reached;
+        perturbed->before       = perturbed->state;
+        perturbed->level_before = perturbed->progress.reached;
       }
     Linearization tangent(model, linear_solver, step);
     if (!tangent.failure)
@@ -616,20 +617,20 @@ namespace Biface
                                const LA::Vector              &correction,
                                const std::vector<LA::Vector> &per_parameter,
                                const LoadParameters          &missing_in_run,
-                               Neighbor                      &neighbor) const
+                               PerturbedRun                  &perturbed) const
   {
-    neighbor.balanced = neighbor.deviation;
-    neighbor.deviation.displacements += correction;
-    move(step, neighbor);
+    perturbed.balanced = perturbed.deviation;
+    perturbed.deviation.displacements += correction;
+    move(step, perturbed);
     if (!step.trial.equations)
       return;
 
-    LoadParameters further = missing_loads(step, per_parameter, neighbor);
+    LoadParameters further = missing_loads(step, per_parameter, perturbed);
     add(further, -1, missing_in_run);
-    add(neighbor.deviation.mu, 1, further);
+    add(perturbed.deviation.mu, 1, further);
     for (unsigned int i = 0; i < further.size(); ++i)
-      neighbor.deviation.displacements.add(further[i], per_parameter[i]);
-    move(step, neighbor);
+      perturbed.deviation.displacements.add(further[i], per_parameter[i]);
+    move(step, perturbed);
   }
 
 
@@ -637,8 +638,8 @@ namespace Biface
   SensitivityAnalysis::is_near(const unsigned int e) const
   {
     for (unsigned int side = 0; side < 2; ++side)
-      if (!(neighbors[2 * e + side]->deviation.displacements.linfty_norm() <
-            model.mesh->size()))
+      if (!(perturbed_runs[2 * e + side]
+              ->deviation.displacements.linfty_norm() < model.mesh->size()))
         return false;
     return true;
   }
@@ -672,8 +673,9 @@ namespace Biface
   void
   SensitivityAnalysis::make_opposite(const Step &step, const unsigned int e)
   {
-    Neighbor &below = *neighbors[2 * e], &above = *neighbors[2 * e + 1];
-    Neighbor::Deviation &half = above.deviation;
+    PerturbedRun &below           = *perturbed_runs[2 * e],
+                 &above           = *perturbed_runs[2 * e + 1];
+    PerturbedRun::Deviation &half = above.deviation;
     half.displacements -= below.deviation.displacements;
     half.displacements *= 0.5;
     add(half.mu, -1, below.deviation.mu);
@@ -698,11 +700,11 @@ namespace Biface
     bool settled = true;
     for (unsigned int side = 0; side < 2; ++side)
       {
-        const Neighbor &neighbor = *neighbors[2 * e + side];
+        const PerturbedRun &perturbed = *perturbed_runs[2 * e + side];
         settled =
           settled && (forces[side]->l2_norm() <= roundoff ||
-                      neighbor.since_balanced().l2_norm() <=
-                        exact * neighbor.deviation.displacements.l2_norm());
+                      perturbed.since_balanced().l2_norm() <=
+                        exact * perturbed.deviation.displacements.l2_norm());
       }
     return settled;
   }
@@ -725,12 +727,12 @@ namespace Biface
         {
           followed.push_back(e);
           for (unsigned int side = 0; side < 2; ++side)
-            start(step, *neighbors[2 * e + side]);
+            start(step, *perturbed_runs[2 * e + side]);
         }
 
-    // The forces are only linear where the neighbors have followed: a motion of
-    // the foundation at fixed displacements changes the pressures by many times
-    // themselves, and a small slip changes its direction.
+    // The forces are only linear where the perturbed runs have followed: a
+    // motion of the foundation at fixed displacements changes the pressures by
+    // many times themselves, and a small slip changes its direction.
     constexpr unsigned int    max_passes = 15;
     std::vector<unsigned int> unsettled  = followed, lost;
     for (unsigned int pass = 0; pass < max_passes && !unsettled.empty(); ++pass)
@@ -739,7 +741,7 @@ namespace Biface
         for (const unsigned int e : unsettled)
           for (unsigned int side = 0; side < 2; ++side)
             forces.push_back(
-              unbalance(step, here.forces, *neighbors[2 * e + side]));
+              unbalance(step, here.forces, *perturbed_runs[2 * e + side]));
         const std::vector<LA::Vector> corrections = tangent.solve(forces);
         if (tangent.failure)
           return;
@@ -753,7 +755,7 @@ namespace Biface
                       corrections[2 * i + side],
                       tangent.per_parameter,
                       here.missing_loads,
-                      *neighbors[2 * e + side]);
+                      *perturbed_runs[2 * e + side]);
             const Sides of_forces{{&forces[2 * i], &forces[2 * i + 1]}};
             const Sides of_corrections{
               {&corrections[2 * i], &corrections[2 * i + 1]}};
@@ -777,12 +779,12 @@ namespace Biface
            side < 2 && follows(e, step.run.progress.stage);
            ++side)
         {
-          Neighbor &neighbor        = *neighbors[2 * e + side];
-          neighbor.progress.reached = neighbor.level;
-          neighbor.model.equations.internal_forces().settle_resultants(
-            neighbor.state);
-          neighbor.model.equations.commit_step(
-            neighbor.before, neighbor.loads, step.time, neighbor.state);
+          PerturbedRun &perturbed    = *perturbed_runs[2 * e + side];
+          perturbed.progress.reached = perturbed.level;
+          perturbed.model.equations.internal_forces().settle_resultants(
+            perturbed.state);
+          perturbed.model.equations.commit_step(
+            perturbed.before, perturbed.loads, step.time, perturbed.state);
         }
   }
 
@@ -790,8 +792,8 @@ namespace Biface
   void
   SensitivityAnalysis::lose(const Step &step, const Failure &failure)
   {
-    for (const auto &neighbor : neighbors)
-      neighbor->state = neighbor->before;
+    for (const auto &perturbed : perturbed_runs)
+      perturbed->state = perturbed->before;
     lost_stages.insert(step.run.progress.stage);
     out << "  Warning: the derivatives in " << step.run.stage.name
         << " and in stages that start from its end are left out: "
@@ -805,8 +807,8 @@ namespace Biface
   {
     for (unsigned int side = 0; side < 2; ++side)
       {
-        Neighbor &neighbor = *neighbors[2 * e + side];
-        neighbor.state     = neighbor.before;
+        PerturbedRun &perturbed = *perturbed_runs[2 * e + side];
+        perturbed.state         = perturbed.before;
       }
     unsettled.insert({step.run.progress.stage, e});
     out << "  Warning: the derivatives by the entry '"
@@ -834,8 +836,8 @@ namespace Biface
     if (lost_stages.count(position) > 0)
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
-    for (Neighbor *neighbor : followers(position))
-      neighbor->progress.end_stage(neighbor->run->stage);
+    for (PerturbedRun *perturbed : followers(position))
+      perturbed->progress.end_stage(perturbed->run->stage);
     const SensitivityParameters &asked = parameters.sensitivities;
     if (!asked.is_wanted(position, parameters.stages.size()))
       return;
@@ -865,23 +867,23 @@ namespace Biface
         std::array<std::vector<double>, 2> values;
         for (unsigned int side = 0; side < 2; ++side)
           {
-            Neighbor  &neighbor = *neighbors[2 * e + side];
-            StepReport changed  = report;
-            report_contact(*neighbor.run,
-                           neighbor.run->loads_at(neighbor.progress.reached),
+            PerturbedRun &perturbed = *perturbed_runs[2 * e + side];
+            StepReport    changed   = report;
+            report_contact(*perturbed.run,
+                           perturbed.run->loads_at(perturbed.progress.reached),
                            changed);
             if (results.have_force())
               changed.forces =
                 std::make_shared<const NodalForces>(forces_in_equilibrium(
-                  neighbor.model, neighbor.state, changed.loads));
+                  perturbed.model, perturbed.state, changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
-                change_modes(*report.modes, neighbor, changed.loads);
+                change_modes(*report.modes, perturbed, changed.loads);
             if (report.buckling && results.have_buckling())
               changed.buckling =
-                change_buckling(*report.buckling, neighbor, changed.loads);
+                change_buckling(*report.buckling, perturbed, changed.loads);
             values[side] = evaluate(
-              neighbor.results, neighbor.model, changed, neighbor.state);
+              perturbed.results, perturbed.model, changed, perturbed.state);
           }
         for (unsigned int o = 0; o < names.size(); ++o)
           {
@@ -910,14 +912,14 @@ namespace Biface
 
   std::shared_ptr<const VibrationModes>
   SensitivityAnalysis::change_modes(const VibrationModes &modes,
-                                    Neighbor             &neighbor,
+                                    PerturbedRun         &perturbed,
                                     const Loads          &loads)
   {
     auto       changed = std::make_shared<VibrationModes>(modes);
-    const auto omegas  = omegas_for_shapes(neighbor.model.equations,
-                                          neighbor.model.contact,
+    const auto omegas  = omegas_for_shapes(perturbed.model.equations,
+                                          perturbed.model.contact,
                                           timer,
-                                          neighbor.state,
+                                          perturbed.state,
                                           loads,
                                           modes);
     for (unsigned int m = 0; m < omegas.size(); ++m)
@@ -928,26 +930,26 @@ namespace Biface
 
   std::shared_ptr<const Buckling>
   SensitivityAnalysis::change_buckling(const Buckling &buckling,
-                                       Neighbor       &neighbor,
+                                       PerturbedRun   &perturbed,
                                        const Loads    &loads)
   {
     BucklingAnalysis analysis(
-      neighbor.model.equations, neighbor.model.contact, linear_solver, timer);
+      perturbed.model.equations, perturbed.model.contact, linear_solver, timer);
     BucklingModes changed;
     changed.modes              = buckling.modes;
-    const LoadLevel    &start  = neighbor.progress.control.start;
+    const LoadLevel    &start  = perturbed.progress.control.start;
     const BucklingStart before = buckling_start(
-      neighbor.state,
+      perturbed.state,
       start,
-      {neighbor.before, neighbor.level_before},
-      [&](const LoadLevel &level) { return neighbor.run->loads_at(level); });
-    const bool                sealed    = neighbor.run->stage.sealed;
+      {perturbed.before, perturbed.level_before},
+      [&](const LoadLevel &level) { return perturbed.run->loads_at(level); });
+    const bool                sealed    = perturbed.run->stage.sealed;
     const std::vector<double> positions = analysis.quotients(
-      {before.state, before.loads}, {neighbor.state, loads}, changed.modes);
+      {before.state, before.loads}, {perturbed.state, loads}, changed.modes);
     for (unsigned int m = 0; m < positions.size(); ++m)
       changed.modes[m].position = positions[m];
     return std::make_shared<const Buckling>(buckling_from(
-      changed, start, before.level, neighbor.progress.reached, sealed));
+      changed, start, before.level, perturbed.progress.reached, sealed));
   }
 
 

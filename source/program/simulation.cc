@@ -174,11 +174,11 @@ namespace Biface
   }
 
 
-  NeighborPoints
-  Simulation::get_neighbors() const
+  PerturbedPoints
+  Simulation::get_perturbed_points() const
   {
     return sensitivities ? sensitivities->get_restore_points()
-                         : NeighborPoints();
+                         : PerturbedPoints();
   }
 
 
@@ -210,19 +210,19 @@ namespace Biface
                              number_to_string(record.differences[i]) +
                              " for it, not " + number_to_string(change.step));
       }
-    RestorePoints  points    = checkpoint.run(*mesh);
-    NeighborPoints neighbors = checkpoint.neighbors(*mesh);
+    RestorePoints   points    = checkpoint.run(*mesh);
+    PerturbedPoints perturbed = checkpoint.perturbed(*mesh);
     // later stages may name other loads
     const std::vector<unsigned int> positions =
       parameters.stages[0].positions_in(record.stages.at(0));
     rearrange_factors(points, positions);
-    for (RestorePoints &neighbor : neighbors.runs)
-      rearrange_factors(neighbor, positions);
+    for (RestorePoints &points : perturbed.runs)
+      rearrange_factors(points, positions);
     state    = points.last.state;
     progress = points.last.progress;
     ends     = points.ends;
     if (sensitivities)
-      sensitivities->restore(neighbors);
+      sensitivities->restore(perturbed);
     for (unsigned int next = progress.stage + 1;
          next < parameters.stages.size();
          ++next)

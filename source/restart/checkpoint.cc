@@ -34,21 +34,21 @@ namespace Biface
 
     /** The tangential states of nodes as numbers, and back. */
     ActiveSet
-    numbers_of(const std::vector<Grip> &grips)
+    numbers_of(const std::vector<ContactStatus> &statuses)
     {
       ActiveSet numbers;
-      for (const Grip grip : grips)
-        numbers.push_back(static_cast<char>(grip));
+      for (const ContactStatus status : statuses)
+        numbers.push_back(static_cast<char>(status));
       return numbers;
     }
 
-    std::vector<Grip>
-    grips_of(const std::vector<double> &numbers)
+    std::vector<ContactStatus>
+    statuses_of(const std::vector<double> &numbers)
     {
-      std::vector<Grip> grips;
+      std::vector<ContactStatus> statuses;
       for (const double number : numbers)
-        grips.push_back(static_cast<Grip>(number));
-      return grips;
+        statuses.push_back(static_cast<ContactStatus>(number));
+      return statuses;
     }
 
 
@@ -61,7 +61,7 @@ namespace Biface
     }
 
     std::string
-    prefix_of_neighbor(const unsigned int number)
+    prefix_of_perturbed_run(const unsigned int number)
     {
       return "neighbor " + std::to_string(number + 1) + ": ";
     }
@@ -115,7 +115,7 @@ namespace Biface
           const auto          name    = names_of_contact(i);
           add(name[0], contact.active);
           add(name[1], contact.multipliers);
-          add(name[2], numbers_of(contact.grips));
+          add(name[2], numbers_of(contact.statuses));
           add(name[3],
               std::vector<Tensor<1, 3>>(contact.stick_points.begin(),
                                         contact.stick_points.end()));
@@ -179,20 +179,20 @@ namespace Biface
 
 
   void
-  write_checkpoint(const std::string    &directory,
-                   RunRecord            &record,
-                   const ShellMesh      &mesh,
-                   const RestorePoints  &run,
-                   const NeighborPoints &neighbors)
+  write_checkpoint(const std::string     &directory,
+                   RunRecord             &record,
+                   const ShellMesh       &mesh,
+                   const RestorePoints   &run,
+                   const PerturbedPoints &perturbed)
   {
     std::vector<CheckpointFile::Table> tables;
     record.run = add_tables("", run, mesh, tables);
-    record.neighbors.clear();
-    for (unsigned int i = 0; i < neighbors.runs.size(); ++i)
-      record.neighbors.push_back(
-        add_tables(prefix_of_neighbor(i), neighbors.runs[i], mesh, tables));
-    record.lost_stages             = neighbors.lost_stages;
-    record.unsettled               = neighbors.unsettled;
+    record.perturbed.clear();
+    for (unsigned int i = 0; i < perturbed.runs.size(); ++i)
+      record.perturbed.push_back(add_tables(
+        prefix_of_perturbed_run(i), perturbed.runs[i], mesh, tables));
+    record.lost_stages             = perturbed.lost_stages;
+    record.unsettled               = perturbed.unsettled;
     const std::vector<char> header = Utilities::pack(record, false);
     CheckpointFile::write(newest(directory),
                           previous(directory),
@@ -294,7 +294,7 @@ namespace Biface
         ContactState contact;
         contact.active      = active_from(rows(name[0], all_nodes));
         contact.multipliers = vectors_from(rows(name[1], all_nodes));
-        contact.grips       = grips_of(rows(name[2], all_nodes));
+        contact.statuses    = statuses_of(rows(name[2], all_nodes));
         const auto points   = vectors_from(rows(name[3], all_nodes));
         contact.stick_points.assign(points.begin(), points.end());
         state.contacts.push_back(contact);
@@ -366,13 +366,13 @@ namespace Biface
   }
 
 
-  NeighborPoints
-  Checkpoint::neighbors(const ShellMesh &mesh) const
+  PerturbedPoints
+  Checkpoint::perturbed(const ShellMesh &mesh) const
   {
-    NeighborPoints result{{}, record.lost_stages, record.unsettled};
-    for (unsigned int i = 0; i < record.neighbors.size(); ++i)
+    PerturbedPoints result{{}, record.lost_stages, record.unsettled};
+    for (unsigned int i = 0; i < record.perturbed.size(); ++i)
       result.runs.push_back(
-        read_points(prefix_of_neighbor(i), record.neighbors[i], mesh));
+        read_points(prefix_of_perturbed_run(i), record.perturbed[i], mesh));
     return result;
   }
 } // namespace Biface

@@ -57,12 +57,12 @@ namespace Biface
     }
 
     void
-    multiply_G(LA::Vector       &product,
-               const LA::Vector &x,
-               const System      system = System::original) const
+    multiply_G(LA::Vector        &product,
+               const LA::Vector  &x,
+               const LinearSystem system = LinearSystem::original) const
     {
       SystemMatrix{G, system}.vmult(product, x);
-      if (system == System::original)
+      if (system == LinearSystem::original)
         {
           low_rank_0.vmult_add(product, x);
           low_rank_1.vmult_add(product, x, -1);
@@ -186,7 +186,7 @@ namespace Biface
       return last;
     };
     const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
-      last = solve_pinned(pencil, x, b, System::original);
+      last = solve_pinned(pencil, x, b, LinearSystem::original);
       return last.success;
     };
     pencil.low_rank_shifted = pencil.low_rank_0;
@@ -214,10 +214,10 @@ namespace Biface
 
 
   LinearSolverResult
-  BucklingAnalysis::solve_pinned(const Pencil     &pencil,
-                                 LA::Vector       &x,
-                                 const LA::Vector &b,
-                                 const System      system)
+  BucklingAnalysis::solve_pinned(const Pencil      &pencil,
+                                 LA::Vector        &x,
+                                 const LA::Vector  &b,
+                                 const LinearSystem system)
   {
     LA::Vector rhs(b);
     pencil.null_space.remove_from(rhs);
@@ -229,12 +229,12 @@ namespace Biface
 
 
   bool
-  BucklingAnalysis::solve(const Pencil     &pencil,
-                          LA::Vector       &x,
-                          const LA::Vector &b,
-                          const System      system)
+  BucklingAnalysis::solve(const Pencil      &pencil,
+                          LA::Vector        &x,
+                          const LA::Vector  &b,
+                          const LinearSystem system)
   {
-    const bool  original = (system == System::original);
+    const bool  original = (system == LinearSystem::original);
     const auto &low_rank =
       (original ? pencil.low_rank_shifted : pencil.low_rank_transposed);
     const auto &deflation =
@@ -299,9 +299,10 @@ namespace Biface
   Eigenpairs
   BucklingAnalysis::find_above_shift(Pencil            &pencil,
                                      const unsigned int n,
-                                     const System       system)
+                                     const LinearSystem system)
   {
-    Assert(!pencil.definite || system == System::original, ExcInternalError());
+    Assert(!pencil.definite || system == LinearSystem::original,
+           ExcInternalError());
     EigenvalueProblem problem;
     problem.symmetric = pencil.definite;
     problem.wanted    = EigenvalueProblem::Wanted::next_above;
@@ -344,21 +345,21 @@ namespace Biface
     pencil.low_rank_transposed = pencil.low_rank_shifted.transposed();
     if (!pencil.low_rank_transposed.prepare(
           [&](LA::Vector &x, const LA::Vector &b) {
-            return solve_pinned(pencil, x, b, System::transposed).success;
+            return solve_pinned(pencil, x, b, LinearSystem::transposed).success;
           }))
       return std::vector<Eigenpair>(right.size());
     if (pencil.deflation)
       {
         Deflation transposed = *pencil.deflation;
         if (!transposed.prepare([&](LA::Vector &x, const LA::Vector &b) {
-              return solve(pencil, x, b, System::transposed);
+              return solve(pencil, x, b, LinearSystem::transposed);
             }))
           return std::vector<Eigenpair>(right.size());
         pencil.deflation_transposed = transposed;
       }
     return left_eigenpairs(
       right,
-      find_above_shift(pencil, n, System::transposed).pairs,
+      find_above_shift(pencil, n, LinearSystem::transposed).pairs,
       [&](const Eigenpair &x) {
         return product(
           [&](LA::Vector &product, const LA::Vector &x) {

@@ -244,11 +244,11 @@ namespace Biface
 
   Eigenpairs
   ModalAnalysis::nearest(const Problem      &problem,
-                         const System        system,
+                         const LinearSystem  system,
                          const unsigned int  n,
                          LinearSolverResult &linear) const
   {
-    const bool transposed   = (system == System::transposed);
+    const bool transposed   = (system == LinearSystem::transposed);
     const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
       linear = linear_solver.solve_system(system, x, b, exactness);
       return linear.success;
@@ -322,7 +322,7 @@ namespace Biface
         LinearSolverResult linear = factorize(problem);
         eigenpairs                = Eigenpairs();
         if (linear.success)
-          eigenpairs = nearest(problem, System::original, n, linear);
+          eigenpairs = nearest(problem, LinearSystem::original, n, linear);
         if (!eigenpairs.success)
           {
             if (!linear.success)
@@ -360,7 +360,7 @@ namespace Biface
   {
     LinearSolverResult     linear;
     std::vector<Eigenpair> found =
-      nearest(problem, System::transposed, right.size(), linear).pairs;
+      nearest(problem, LinearSystem::transposed, right.size(), linear).pairs;
     if (problem.deflation)
       for (const LA::Vector &motion : problem.deflation->get_vectors())
         found.push_back({0, motion, {}});

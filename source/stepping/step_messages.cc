@@ -5,6 +5,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/step_messages.h>
+#include <biface/stepping/wheel_motion.h>
 
 namespace Biface
 {
@@ -52,17 +53,8 @@ namespace Biface
           out << ", slide " << vector_to_string(first.slide);
         if (first.turn != 0)
           out << ", turn " << first.turn;
-        if (first.wheel_turn != 0)
-          out << ", wheel turned by " << first.wheel_turn;
       }
-    if (run.rolls)
-      {
-        out << ", angular velocity " << first.angular_velocity;
-        if (first.ground_velocity != 0)
-          out << ", ground velocity " << first.ground_velocity;
-        if (first.slip_angle != 0)
-          out << ", slip angle " << first.slip_angle;
-      }
+    out << describe_wheel_motion(first, run.rolls);
     out << (trial.equations ? " at its start" : "") << std::endl;
   }
 } // namespace Biface

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include <biface/stepping/wheel_motion.h>
 
@@ -62,5 +63,23 @@ namespace Biface
     const double forward = forward_velocity(level);
     return forward != 0 ? level.angular_velocity * free_radius / forward - 1
                         : std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  std::string
+  describe_wheel_motion(const LoadLevel &level, const bool rolls)
+  {
+    std::ostringstream text;
+    if (level.wheel_turn != 0)
+      text << ", wheel turned by " << level.wheel_turn;
+    if (rolls)
+      {
+        text << ", angular velocity " << level.angular_velocity;
+        if (level.ground_velocity != 0)
+          text << ", ground velocity " << level.ground_velocity;
+        if (level.slip_angle != 0)
+          text << ", slip angle " << level.slip_angle;
+      }
+    return text.str();
   }
 } // namespace Biface

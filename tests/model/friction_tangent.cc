@@ -61,17 +61,17 @@ namespace
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
-      if (state.contacts[0].grips[n] != Grip::none)
+      if (state.contacts[0].statuses[n] != ContactStatus::none)
         switch (mesh->nodes[n].number % 3)
           {
             case 0:
-              state.contacts[0].grips[n] = Grip::stick;
+              state.contacts[0].statuses[n] = ContactStatus::stick;
               break;
             case 1:
-              state.contacts[0].grips[n] = Grip::slip;
+              state.contacts[0].statuses[n] = ContactStatus::slip;
               break;
             default:
-              state.contacts[0].grips[n] = Grip::glued;
+              state.contacts[0].statuses[n] = ContactStatus::glued;
           }
 
     const double     step    = 1e-5;

@@ -70,12 +70,12 @@ main(int argc, char *argv[])
                    {{state, Progress()}, {{1, at_end}}},
                    {{{at_end, {}}, {at_end, {{1, at_end}}}}, {3}});
 
-  const Checkpoint     checkpoint(directory, MPI_COMM_WORLD);
-  const RestorePoints  points    = checkpoint.run(*mesh);
-  const NeighborPoints read      = checkpoint.neighbors(*mesh);
-  const auto          &neighbors = read.runs;
-  const State         &other     = points.last.state;
-  const StageEnds     &ends      = points.ends;
+  const Checkpoint      checkpoint(directory, MPI_COMM_WORLD);
+  const RestorePoints   points    = checkpoint.run(*mesh);
+  const PerturbedPoints read      = checkpoint.perturbed(*mesh);
+  const auto           &neighbors = read.runs;
+  const State          &other     = points.last.state;
+  const StageEnds      &ends      = points.ends;
 
   bool same = true;
   for (const auto dof : mesh->locally_relevant)

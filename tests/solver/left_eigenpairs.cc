@@ -74,7 +74,7 @@ namespace
   std::vector<Eigenpair>
   lowest(const LA::SparseMatrix &A,
          const Multiply         &multiply_b,
-         const System            system)
+         const LinearSystem      system)
   {
     ConditionalOStream no_output(std::cout, false);
     TimerOutput timer(no_output, TimerOutput::never, TimerOutput::wall_times);
@@ -115,10 +115,10 @@ namespace
 
     const Chains   chains(above, below, are_copies, 0);
     BothEigenpairs pairs;
-    pairs.right = lowest(chains.matrix, multiply_b, System::original);
+    pairs.right = lowest(chains.matrix, multiply_b, LinearSystem::original);
     pairs.left  = left_eigenpairs(
       pairs.right,
-      lowest(chains.matrix, multiply_b, System::transposed),
+      lowest(chains.matrix, multiply_b, LinearSystem::transposed),
       [&](const Eigenpair &x) { return product(multiply_b, x); });
 
     std::array<double, 2> errors{};
@@ -127,7 +127,8 @@ namespace
         const Chains changed(above, below, are_copies, 2e-4 / (1 + i));
         const auto   predicted =
           rayleigh_quotients(changed.multiply(), multiply_b, pairs);
-        const auto exact = lowest(changed.matrix, multiply_b, System::original);
+        const auto exact =
+          lowest(changed.matrix, multiply_b, LinearSystem::original);
         // the sum of a double pair is that of four conjugate values at most
         std::complex<double> sum = 0;
         for (unsigned int k = 0; k < 4; ++k)
@@ -158,11 +159,12 @@ namespace
     const Multiply multiply_b = [](LA::Vector &product, const LA::Vector &x) {
       product = x;
     };
-    const auto right = lowest(chains.matrix, multiply_b, System::original);
-    const auto left =
-      left_eigenpairs(right,
-                      lowest(chains.matrix, multiply_b, System::transposed),
-                      [](const Eigenpair &x) { return x; });
+    const auto right =
+      lowest(chains.matrix, multiply_b, LinearSystem::original);
+    const auto left = left_eigenpairs(
+      right,
+      lowest(chains.matrix, multiply_b, LinearSystem::transposed),
+      [](const Eigenpair &x) { return x; });
     unsigned int n_missing = 0;
     for (const Eigenpair &pair : left)
       n_missing += (pair.vector.size() == 0);

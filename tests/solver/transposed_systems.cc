@@ -27,10 +27,11 @@ namespace
         const double            tolerance)
   {
     const bool factorized = solver.factorize(A, false).success;
-    for (const System system :
-         {System::transposed, System::original, System::transposed})
+    for (const LinearSystem system : {LinearSystem::transposed,
+                                      LinearSystem::original,
+                                      LinearSystem::transposed})
       {
-        const bool   as_it_is = (system == System::original);
+        const bool   as_it_is = (system == LinearSystem::original);
         LA::Vector   x(b), residual(b);
         const bool   solved = solver.solve_system(system, x, b, 1e-12).success;
         const double relative =

@@ -23,7 +23,7 @@ namespace Biface
     explicit ContactState(const unsigned int n_nodes)
       : active(n_nodes, 0)
       , multipliers(n_nodes)
-      , grips(n_nodes, Grip::none)
+      , statuses(n_nodes, ContactStatus::none)
       , stick_points(n_nodes)
     {}
 
@@ -47,9 +47,9 @@ namespace Biface
      * rest to which they stick. In a step a node may start and cease to slip;
      * everything else is the history of friction up to the end of the last
      * step, see TangentialLaw::commit_step(). While the shell rolls, friction
-     * has no history: the grips tell where it slips, and the stick points are
-     * those from which it could stand. */
-    std::vector<Grip>             grips;
+     * has no history: the statuses tell where it slips, and the stick points
+     * are those from which it could stand. */
+    std::vector<ContactStatus>    statuses;
     std::vector<dealii::Point<3>> stick_points;
 
     /** The contact pressure at a node. */
@@ -63,14 +63,14 @@ namespace Biface
     bool
     slips(const unsigned int node) const
     {
-      return active[node] && grips[node] == Grip::slip;
+      return active[node] && statuses[node] == ContactStatus::slip;
     }
 
     /** Let a node forget how it sticks. */
     void
     forget_stick_point(const unsigned int node)
     {
-      grips[node]        = Grip::none;
+      statuses[node]     = ContactStatus::none;
       stick_points[node] = dealii::Point<3>();
     }
   };

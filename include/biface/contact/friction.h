@@ -15,7 +15,7 @@
 namespace Biface
 {
   /** How the foundation holds a node sideways. */
-  enum class Grip : char
+  enum class ContactStatus : char
   {
     /** Not in contact at the end of the last step, so that the node has no
      * history: friction begins at the end of the step in which it enters. */

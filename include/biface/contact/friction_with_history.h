@@ -31,7 +31,7 @@ namespace Biface
     bool
     acts_on(const ContactState &state, const unsigned int node) const override
     {
-      return state.grips[node] != Grip::none;
+      return state.statuses[node] != ContactStatus::none;
     }
 
     void

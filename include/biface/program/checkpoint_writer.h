@@ -36,8 +36,8 @@ namespace Biface
     /** The state of the run after the last converged step. */
     struct Points
     {
-      RestorePoints  run;
-      NeighborPoints neighbors;
+      RestorePoints   run;
+      PerturbedPoints perturbed;
     };
 
     /**

@@ -27,7 +27,7 @@ namespace Biface
   /**
    * The derivatives of results by numbers of the parameter file.
    *
-   * Two neighbors of the run belong to each entry @f$p@f$: models built from
+   * Two perturbed runs belong to each entry @f$p@f$: models built from
    * the parameter file with @f$p\pm h@f$, with everything that later steps read
    * of earlier ones: the displacements, the history of friction, the place
    * where the foundation touches, the prestress, the content of the gas. They
@@ -39,8 +39,8 @@ namespace Biface
    *   \mathbf V_\pm=\mathbf V\pm h\frac{d\mathbf V}{dp},
    * @f]
    * with the tangent and the factors of the run; the residual
-   * @f$\mathbf R_\pm@f$ contains the neighbor's history. A load parameter that
-   * an equation determines is one more unknown. The derivative of a result
+   * @f$\mathbf R_\pm@f$ contains the perturbed run's history. A load parameter
+   * that an equation determines is one more unknown. The derivative of a result
    * @f$y@f$ is @f$(y_+(\mathbf V_+)-y_-(\mathbf V_-))/2h@f$.
    */
   class SensitivityAnalysis : public StageAnalysis
@@ -56,13 +56,13 @@ namespace Biface
 
     ~SensitivityAnalysis() override;
 
-    /** Where the neighbors are, with resultants of zero. */
-    NeighborPoints
+    /** Where the perturbed runs are, with resultants of zero. */
+    PerturbedPoints
     get_restore_points() const;
 
     /** Continue from there. */
     void
-    restore(const NeighborPoints &points);
+    restore(const PerturbedPoints &points);
 
     void
     start_stage(const StageRun                    &run,
@@ -82,7 +82,7 @@ namespace Biface
     reads_left_eigenvectors(const unsigned int stage) const;
 
   private:
-    struct Neighbor;
+    struct PerturbedRun;
     struct Linearization;
 
     using Change = SensitivityParameters::Change;
@@ -93,29 +93,29 @@ namespace Biface
     bool
     is_read(const Step &step) const;
 
-    /** Whether the neighbors of an entry follow a stage: unless they have not
-     * settled. */
+    /** Whether the perturbed runs of an entry follow a stage: unless they have
+     * not settled. */
     bool
     follows(const unsigned int entry, const unsigned int stage) const
     {
       return unsettled.count({stage, entry}) == 0;
     }
 
-    /** The neighbors that do. */
-    std::vector<Neighbor *>
+    /** The perturbed runs that do. */
+    std::vector<PerturbedRun *>
     followers(const unsigned int stage) const;
 
-    /** Prepare a neighbor to follow a step, with the active set and the
+    /** Prepare a perturbed run to follow a step, with the active set and the
      * slipping nodes of the run, and where the run is but at the supports. */
     void
-    start(const Step &step, Neighbor &neighbor) const;
+    start(const Step &step, PerturbedRun &perturbed) const;
 
-    /** Move a neighbor to where its deviation from the run leads it. */
+    /** Move a perturbed run to where its deviation from the run leads it. */
     void
-    move(const Step &step, Neighbor &neighbor) const;
+    move(const Step &step, PerturbedRun &perturbed) const;
 
-    /** What a converged step leaves out of balance, the neighbors as well as
-     * the run. */
+    /** What a converged step leaves out of balance, the perturbed runs as well
+     * as the run. */
     struct Balance
     {
       LA::Vector forces;
@@ -128,22 +128,22 @@ namespace Biface
     Balance
     balance_of_run(const Step &step, const Linearization &tangent) const;
 
-    /** The forces out of balance of a neighbor where it is, beyond those of the
-     * run. Sets its multipliers to those of the run. */
+    /** The forces out of balance of a perturbed run where it is, beyond those
+     * of the run. Sets its multipliers to those of the run. */
     LA::Vector
     unbalance(const Step       &step,
               const LA::Vector &of_run,
-              Neighbor         &neighbor) const;
+              PerturbedRun     &perturbed) const;
 
     /** The changes of the load parameters that the equations that determine
-     * them ask of a neighbor.
+     * them ask of a perturbed run.
      * @param per_parameter the displacements per unit of each. */
     LoadParameters
     missing_loads(const Step                    &step,
                   const std::vector<LA::Vector> &per_parameter,
-                  const Neighbor                &neighbor) const;
+                  const PerturbedRun            &perturbed) const;
 
-    /** Correct the displacements and the load parameters of a neighbor.
+    /** Correct the displacements and the load parameters of a perturbed run.
      * @param per_parameter the displacements per unit of each.
      * @param missing_in_run see Balance. */
     void
@@ -151,17 +151,17 @@ namespace Biface
             const LA::Vector              &correction,
             const std::vector<LA::Vector> &per_parameter,
             const LoadParameters          &missing_in_run,
-            Neighbor                      &neighbor) const;
+            PerturbedRun                  &perturbed) const;
 
-    /** A vector of each neighbor of an entry. */
+    /** A vector of each perturbed run of an entry. */
     using Sides = std::array<const LA::Vector *, 2>;
 
-    /** Whether both neighbors of an entry are somewhere near the run: whether
-     * the corrections do not diverge. */
+    /** Whether both perturbed runs of an entry are somewhere near the run:
+     * whether the corrections do not diverge. */
     bool
     is_near(const unsigned int entry) const;
 
-    /** Whether the neighbors of an entry deviate from the run in opposite
+    /** Whether the perturbed runs of an entry deviate from the run in opposite
      * directions, so that their first corrections suffice for the difference
      * if forces are linear. If not, warn.
      * @param roundoff of the forces. */
@@ -171,12 +171,13 @@ namespace Biface
               const Sides       &corrections,
               const double       roundoff);
 
-    /** Let the neighbors of an entry deviate from the run by opposite amounts:
-     * what they have in common is of second order. */
+    /** Let the perturbed runs of an entry deviate from the run by opposite
+     * amounts: what they have in common is of second order. */
     void
     make_opposite(const Step &step, const unsigned int entry);
 
-    /** Whether the last correction of both neighbors of an entry was small.
+    /** Whether the last correction of both perturbed runs of an entry was
+     * small.
      * @param forces that it has balanced.
      * @param roundoff of these. */
     bool
@@ -184,12 +185,12 @@ namespace Biface
                 const Sides       &forces,
                 const double       roundoff) const;
 
-    /** Move all neighbors to the end of a step, until a system is not solved,
-     * see Linearization::failure. Each settles in its own contact. */
+    /** Move all perturbed runs to the end of a step, until a system is not
+     * solved, see Linearization::failure. Each settles in its own contact. */
     void
     carry_along(const Step &step, Linearization &tangent);
 
-    /** Leave the neighbors where they were before a step. */
+    /** Leave the perturbed runs where they were before a step. */
     void
     lose(const Step &step, const Failure &failure);
 
@@ -197,16 +198,17 @@ namespace Biface
     void
     leave_unsettled(const Step &step, const unsigned int entry);
 
-    /** The modes of the run with the frequencies of a neighbor. */
+    /** The modes of the run with the frequencies of a perturbed run. */
     std::shared_ptr<const VibrationModes>
     change_modes(const VibrationModes &modes,
-                 Neighbor             &neighbor,
+                 PerturbedRun         &perturbed,
                  const Loads          &loads);
 
-    /** The buckling shapes of the run with the critical loads of a neighbor. */
+    /** The buckling shapes of the run with the critical loads of a perturbed
+     * run. */
     std::shared_ptr<const Buckling>
     change_buckling(const Buckling &buckling,
-                    Neighbor       &neighbor,
+                    PerturbedRun   &perturbed,
                     const Loads    &loads);
 
     /** Warn once that something is not a smooth function of an entry. */
@@ -221,8 +223,8 @@ namespace Biface
     const ScalarResults         results;
 
     /** Two of each entry, below and above. */
-    std::vector<std::unique_ptr<Neighbor>> neighbors;
-    /** See NeighborPoints. */
+    std::vector<std::unique_ptr<PerturbedRun>> perturbed_runs;
+    /** See PerturbedPoints. */
     std::set<unsigned int>                          lost_stages;
     std::set<std::pair<unsigned int, unsigned int>> unsettled;
     std::vector<std::string>                        warned;

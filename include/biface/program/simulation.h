@@ -96,8 +96,8 @@ namespace Biface
     get_restore_points() const;
 
     /** The same of the runs with changed entries, see SensitivityAnalysis. */
-    NeighborPoints
-    get_neighbors() const;
+    PerturbedPoints
+    get_perturbed_points() const;
 
     /** Continue another run of the same shell, see check_continuation(). Throws
      * InputError if a stage starts from an end that this run has not kept, or

@@ -67,8 +67,8 @@ namespace Biface
     };
 
     Points run;
-    /** The points of NeighborPoints. */
-    std::vector<Points>                             neighbors;
+    /** The points of PerturbedPoints. */
+    std::vector<Points>                             perturbed;
     std::set<unsigned int>                          lost_stages;
     std::set<std::pair<unsigned int, unsigned int>> unsettled;
     ResultsWriter::Written                          written;
@@ -80,7 +80,7 @@ namespace Biface
     serialize(Archive &archive, const unsigned int)
     {
       archive &version &parameters &stages &files              &differences;
-      archive &run &neighbors &lost_stages &unsettled &written &summary;
+      archive &run &perturbed &lost_stages &unsettled &written &summary;
     }
   };
 
@@ -91,11 +91,11 @@ namespace Biface
    * @param mesh of the run, whose nodes and cells are those of perturbed runs,
    * too. */
   void
-  write_checkpoint(const std::string    &directory,
-                   RunRecord            &record,
-                   const ShellMesh      &mesh,
-                   const RestorePoints  &run,
-                   const NeighborPoints &neighbors = {});
+  write_checkpoint(const std::string     &directory,
+                   RunRecord             &record,
+                   const ShellMesh       &mesh,
+                   const RestorePoints   &run,
+                   const PerturbedPoints &perturbed = {});
 
   /** Remove the checkpoints of a directory, before another run starts
    * there. */
@@ -137,8 +137,8 @@ namespace Biface
     run(const ShellMesh &mesh) const;
 
     /** The runs with changed entries. */
-    NeighborPoints
-    neighbors(const ShellMesh &mesh) const;
+    PerturbedPoints
+    perturbed(const ShellMesh &mesh) const;
 
   private:
     /** What was written after a step.

@@ -198,17 +198,17 @@ namespace Biface
     /** Solve such a system without the part of low rank and free motions that
      * interpolation resists. */
     LinearSolverResult
-    solve_pinned(const Pencil     &pencil,
-                 LA::Vector       &x,
-                 const LA::Vector &b,
-                 const System      system);
+    solve_pinned(const Pencil      &pencil,
+                 LA::Vector        &x,
+                 const LA::Vector  &b,
+                 const LinearSystem system);
 
     /** Solve such a system, or the transposed one. */
     bool
-    solve(const Pencil     &pencil,
-          LA::Vector       &x,
-          const LA::Vector &b,
-          const System      system = System::original);
+    solve(const Pencil      &pencil,
+          LA::Vector        &x,
+          const LA::Vector  &b,
+          const LinearSystem system = LinearSystem::original);
 
     /** An estimate of the lowest position; not set if there is none. */
     std::optional<double>
@@ -218,7 +218,7 @@ namespace Biface
     Eigenpairs
     find_above_shift(Pencil            &pencil,
                      const unsigned int n,
-                     const System       system = System::original);
+                     const LinearSystem system = LinearSystem::original);
 
     /** The left eigenvectors for right ones, with the factors at hand.
      * @param n the number of eigenvalues among which they are sought. */

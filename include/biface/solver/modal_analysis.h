@@ -180,7 +180,7 @@ namespace Biface
      * @param linear the last result of the linear solver. */
     Eigenpairs
     nearest(const Problem      &problem,
-            const System        system,
+            const LinearSystem  system,
             const unsigned int  n,
             LinearSolverResult &linear) const;
 

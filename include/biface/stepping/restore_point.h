@@ -36,7 +36,7 @@ namespace Biface
 
   /** All that a restart needs of the runs with changed entries, see
    * SensitivityAnalysis. */
-  struct NeighborPoints
+  struct PerturbedPoints
   {
     std::vector<RestorePoints> runs;
     /** The positions of stages that they did not follow to the end, see

@@ -4,6 +4,7 @@
 #define biface_stepping_wheel_motion_h
 
 #include <optional>
+#include <string>
 
 #include <biface/stepping/stage.h>
 
@@ -35,6 +36,11 @@ namespace Biface
   free_radius_after(const Stage                 &ended,
                     const LoadLevel             &end,
                     const std::optional<double> &before);
+
+  /** The motion of a wheel as the log announces it: the angle by which it has
+   * turned on the foundation and, if it rolls, its velocities. */
+  std::string
+  describe_wheel_motion(const LoadLevel &level, const bool rolls);
 } // namespace Biface
 
 #endif

@@ -313,9 +313,9 @@ namespace Biface
   void
   ContactPair::let_stick(State &state) const
   {
-    for (Grip &grip : state_of(state).grips)
-      if (grip == Grip::slip)
-        grip = Grip::stick;
+    for (ContactStatus &status : state_of(state).statuses)
+      if (status == ContactStatus::slip)
+        status = ContactStatus::stick;
   }
 
 
@@ -334,14 +334,14 @@ namespace Biface
   bool
   ContactPair::release_glue(State &state, const ActiveSet &nodes) const
   {
-    std::vector<Grip> &grips = state_of(state).grips;
-    AssertDimension(nodes.size(), grips.size());
+    std::vector<ContactStatus> &statuses = state_of(state).statuses;
+    AssertDimension(nodes.size(), statuses.size());
     bool any = false;
     for (unsigned int n = 0; n < nodes.size(); ++n)
-      if (nodes[n] && grips[n] == Grip::glued)
+      if (nodes[n] && statuses[n] == ContactStatus::glued)
         {
-          grips[n] = Grip::none;
-          any      = true;
+          statuses[n] = ContactStatus::none;
+          any         = true;
         }
     return any;
   }

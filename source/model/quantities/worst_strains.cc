@@ -173,9 +173,10 @@ namespace Biface
            ", and sheared most " + place(worst.shear) +
            ", by the transverse shear strain " + digits(worst.shear.value) +
            "." +
-           (at_the_end ? " A linear (St. Venant-Kirchhoff) material has no "
-                         "stiffness left at the strain -1/3: there no step "
-                         "converges, however small."
-                       : "");
+           (at_the_end
+              ? " A linear (St. Venant-Kirchhoff) material has no "
+                "stiffness left at the strain -1/3; close to it, steps "
+                "fail, however small."
+              : "");
   }
 } // namespace Biface

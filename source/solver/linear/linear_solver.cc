@@ -51,7 +51,7 @@ namespace Biface
   void
   SystemMatrix::vmult(LA::Vector &product, const LA::Vector &x) const
   {
-    if (system == System::original)
+    if (system == LinearSystem::original)
       A.vmult(product, x);
     else
       A.Tvmult(product, x);

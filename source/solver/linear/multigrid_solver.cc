@@ -317,7 +317,7 @@ namespace Biface
   {
     if (levels.empty())
       return coarsest->solve(x, b, tolerance);
-    return solve(System::original, x, b, tolerance);
+    return solve(LinearSystem::original, x, b, tolerance);
   }
 
 
@@ -328,15 +328,15 @@ namespace Biface
   {
     if (levels.empty())
       return coarsest->solve_transposed(x, b, tolerance);
-    return solve(System::transposed, x, b, tolerance);
+    return solve(LinearSystem::transposed, x, b, tolerance);
   }
 
 
   LinearSolverResult
-  MultigridSolver::solve(const System      system,
-                         LA::Vector       &x,
-                         const LA::Vector &b,
-                         const double      tolerance)
+  MultigridSolver::solve(const LinearSystem system,
+                         LA::Vector        &x,
+                         const LA::Vector  &b,
+                         const double       tolerance)
   {
     Assert(matrix != nullptr, ExcNotInitialized());
 
@@ -358,7 +358,7 @@ namespace Biface
 
 
   LinearSolverResult
-  MultigridSolver::iterate(const System       system,
+  MultigridSolver::iterate(const LinearSystem system,
                            LA::Vector        &x,
                            const LA::Vector  &b,
                            const double       tolerance,

@@ -49,12 +49,12 @@ namespace Biface
     virtual int
     solve(const ArrayView<LA::Vector>       &x,
           const ArrayView<const LA::Vector> &b,
-          const System                       system = System::original) = 0;
+          const LinearSystem system = LinearSystem::original) = 0;
 
     int
-    solve(LA::Vector       &x,
-          const LA::Vector &b,
-          const System      system = System::original)
+    solve(LA::Vector        &x,
+          const LA::Vector  &b,
+          const LinearSystem system = LinearSystem::original)
     {
       return solve(
         ArrayView<LA::Vector>(x), ArrayView<const LA::Vector>(b), system);
@@ -187,7 +187,7 @@ namespace Biface
     int
     solve(const ArrayView<LA::Vector>       &x,
           const ArrayView<const LA::Vector> &b,
-          const System                       system) override
+          const LinearSystem                 system) override
     {
       const std::size_t   n = b.size();
       std::vector<double> scales(n);
@@ -212,7 +212,7 @@ namespace Biface
         }
       mumps.nrhs       = n;
       mumps.rhs        = rhs.data();
-      icntl(9)         = (system == System::original ? 1 : 0);
+      icntl(9)         = (system == LinearSystem::original ? 1 : 0);
       const int status = call(solution);
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -623,7 +623,7 @@ namespace Biface
 
     const LinearSolverResult factorization = result;
     TimerOutput::Scope       scope(timer, "Linear solver: solution");
-    result = solve_with_refinement({*matrix, System::original},
+    result = solve_with_refinement({*matrix, LinearSystem::original},
                                    x,
                                    b,
                                    [&](LA::Vector &x, const LA::Vector &b) {
@@ -647,13 +647,13 @@ namespace Biface
         return result;
 
     TimerOutput::Scope scope(timer, "Linear solver: solution");
-    return solve_with_refinement({*matrix, System::transposed},
-                                 x,
-                                 b,
-                                 [&](LA::Vector &x, const LA::Vector &b) {
-                                   return solved(
-                                     factors->solve(x, b, System::transposed));
-                                 });
+    return solve_with_refinement(
+      {*matrix, LinearSystem::transposed},
+      x,
+      b,
+      [&](LA::Vector &x, const LA::Vector &b) {
+        return solved(factors->solve(x, b, LinearSystem::transposed));
+      });
   }
 
 
@@ -672,7 +672,7 @@ namespace Biface
     for (unsigned int i = 0; i < b.size() && result.success; ++i)
       {
         bool known = true;
-        result     = solve_with_refinement({*matrix, System::original},
+        result     = solve_with_refinement({*matrix, LinearSystem::original},
                                        x[i],
                                        b[i],
                                        [&](LA::Vector &x, const LA::Vector &b) {

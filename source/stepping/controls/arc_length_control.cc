@@ -207,10 +207,10 @@ namespace Biface
 
 
   void
-  ArcLengthControl::change_way(const Stage &now, const LoadLevel &reached)
+  ArcLengthControl::change_path(const Stage &now, const LoadLevel &reached)
   {
     const std::optional<double> part =
-      common_part(ways_of_loads(reached, now.end(start)));
+      common_part(progressions_of_loads(reached, now.end(start)));
     if (!part)
       start = reached;
     load_fraction = part.value_or(0);

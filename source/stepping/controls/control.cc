@@ -86,38 +86,40 @@ namespace Biface
   bool
   Control::change_stage(const Stage &now, const LoadLevel &reached)
   {
-    bool same_way = stage.force == now.force &&
-                    stage.axle_moment == now.axle_moment &&
-                    stage.control_value == now.control_value;
+    bool same_path = stage.force == now.force &&
+                     stage.axle_moment == now.axle_moment &&
+                     stage.control_value == now.control_value;
     for_each_load(
-      [&same_way](const auto &load, const auto &new_load) {
-        same_way = same_way && load == new_load;
+      [&same_path](const auto &load, const auto &new_load) {
+        same_path = same_path && load == new_load;
       },
       stage,
       now);
-    if (same_way && stage.n_steps == now.n_steps &&
+    if (same_path && stage.n_steps == now.n_steps &&
         stage.adaptive == now.adaptive)
       return false;
 
-    if (!same_way)
-      change_way(now, reached);
+    if (!same_path)
+      change_path(now, reached);
     stage = now;
     change_size();
-    return !same_way;
+    return !same_path;
   }
 
 
   std::optional<double>
-  Control::common_part(const std::vector<Way> &ways)
+  Control::common_part(const std::vector<Progression> &progressions)
   {
     std::optional<double> part;
-    for (const Way &way : ways)
-      if (!part && way.end != way.start)
-        part = (way.now - way.start) / (way.end - way.start);
-    for (const Way &way : ways)
+    for (const Progression &progression : progressions)
+      if (!part && progression.end != progression.start)
+        part = (progression.now - progression.start) /
+               (progression.end - progression.start);
+    for (const Progression &progression : progressions)
       {
-        const double done     = way.now - way.start;
-        const double expected = part.value_or(0) * (way.end - way.start);
+        const double done = progression.now - progression.start;
+        const double expected =
+          part.value_or(0) * (progression.end - progression.start);
         if (std::abs(done - expected) >
             1e-9 * std::max(std::abs(done), std::abs(expected)))
           return {};
@@ -126,15 +128,16 @@ namespace Biface
   }
 
 
-  std::vector<Control::Way>
-  Control::ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const
+  std::vector<Control::Progression>
+  Control::progressions_of_loads(const LoadLevel &reached,
+                                 const LoadLevel &end) const
   {
     const std::vector<double> from = numbers_of(start),
                               now = numbers_of(reached), to = numbers_of(end);
-    std::vector<Way> ways;
+    std::vector<Progression> progressions;
     for (unsigned int i = 0; i < from.size(); ++i)
-      ways.push_back({from[i], now[i], to[i]});
-    return ways;
+      progressions.push_back({from[i], now[i], to[i]});
+    return progressions;
   }
 
 

@@ -84,12 +84,17 @@ namespace Biface
   Control::KnownStart
   DisplacementControl::known_end(const KnownStart &start) const
   {
-    KnownStart end = EqualSteps::known_end(start);
-    end.pressure.reset();
-    for (std::optional<double> &factor : end.factors)
-      factor.reset();
-    if (stage.angular_velocity)
-      end.angular_velocity.reset();
+    const KnownStart from = with_factors(start, stage.factors.size());
+    KnownStart       end  = EqualSteps::known_end(start);
+    // loads that change end where the displacement is reached
+    for_each_load(
+      [](auto &known, const auto &prescribed, const auto &at_start) {
+        if (prescribed && prescribed != at_start)
+          known.reset();
+      },
+      end,
+      stage,
+      from);
     return end;
   }
 
@@ -192,11 +197,11 @@ namespace Biface
 
 
   void
-  DisplacementControl::change_way(const Stage &now, const LoadLevel &reached)
+  DisplacementControl::change_path(const Stage &now, const LoadLevel &reached)
   {
     const double                value = value_at(fraction);
     const std::optional<double> load_part =
-      common_part(ways_of_loads(reached, now.end(start)));
+      common_part(progressions_of_loads(reached, now.end(start)));
     std::optional<double> part;
     if (load_part)
       part = common_part({{start_value, value, now.control_value}});

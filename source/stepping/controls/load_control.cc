@@ -16,8 +16,9 @@ namespace Biface
 
 
   void
-  LoadControl::change_way(const Stage &now, const LoadLevel &reached)
+  LoadControl::change_path(const Stage &now, const LoadLevel &reached)
   {
-    go_on_from(common_part(ways_of_loads(reached, now.end(start))), reached);
+    go_on_from(common_part(progressions_of_loads(reached, now.end(start))),
+               reached);
   }
 } // namespace Biface

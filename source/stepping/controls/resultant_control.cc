@@ -409,7 +409,7 @@ namespace Biface
 
 
   void
-  ResultantControl::change_way(const Stage &now, const LoadLevel &reached)
+  ResultantControl::change_path(const Stage &now, const LoadLevel &reached)
   {
     const std::vector<double> values = values_at(fraction);
     // the unknown loads follow no path
@@ -417,10 +417,11 @@ namespace Biface
     for (const auto &resultant : resultants)
       from.*resultant->load() = to.*resultant->load() =
                                   start.*resultant->load();
-    std::vector<Way> ways = ways_of_loads(from, to);
+    std::vector<Progression> progressions = progressions_of_loads(from, to);
     for (unsigned int i = 0; i < resultants.size(); ++i)
-      ways.push_back({start_values[i], values[i], resultants[i]->end(now)});
-    if (!go_on_from(common_part(ways), reached))
+      progressions.push_back(
+        {start_values[i], values[i], resultants[i]->end(now)});
+    if (!go_on_from(common_part(progressions), reached))
       start_values = values;
   }
 

@@ -35,7 +35,7 @@ namespace Biface
 
 
   /** Which of two systems with the same factors is solved. */
-  enum class System
+  enum class LinearSystem
   {
     /** @f$A x = b@f$ */
     original,
@@ -132,13 +132,14 @@ namespace Biface
 
     /** Solve one of both systems. */
     LinearSolverResult
-    solve_system(const System      system,
-                 LA::Vector       &x,
-                 const LA::Vector &b,
-                 const double      tolerance)
+    solve_system(const LinearSystem system,
+                 LA::Vector        &x,
+                 const LA::Vector  &b,
+                 const double       tolerance)
     {
-      return system == System::original ? solve(x, b, tolerance)
-                                        : solve_transposed(x, b, tolerance);
+      return system == LinearSystem::original
+               ? solve(x, b, tolerance)
+               : solve_transposed(x, b, tolerance);
     }
   };
 
@@ -147,7 +148,7 @@ namespace Biface
   struct SystemMatrix
   {
     const LA::SparseMatrix &A;
-    const System            system;
+    const LinearSystem      system;
 
     void
     vmult(LA::Vector &product, const LA::Vector &x) const;

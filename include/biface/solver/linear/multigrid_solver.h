@@ -104,13 +104,13 @@ namespace Biface
     initialize_smoother(Level &level, const LA::SparseMatrix &A);
 
     LinearSolverResult
-    solve(const System      system,
-          LA::Vector       &x,
-          const LA::Vector &b,
-          const double      tolerance);
+    solve(const LinearSystem system,
+          LA::Vector        &x,
+          const LA::Vector  &b,
+          const double       tolerance);
 
     LinearSolverResult
-    iterate(const System       system,
+    iterate(const LinearSystem system,
             LA::Vector        &x,
             const LA::Vector  &b,
             const double       tolerance,

@@ -61,7 +61,7 @@ namespace Biface
 
   protected:
     void
-    change_way(const Stage &now, const LoadLevel &reached) override;
+    change_path(const Stage &now, const LoadLevel &reached) override;
 
     void
     change_size() override;

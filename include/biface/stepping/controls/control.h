@@ -252,23 +252,23 @@ namespace Biface
 
   protected:
     /** The path of a number through the stage. */
-    struct Way
+    struct Progression
     {
       double start, now, end;
     };
 
     /** The completed fraction of all paths, if it is the same for all. */
     static std::optional<double>
-    common_part(const std::vector<Way> &ways);
+    common_part(const std::vector<Progression> &progressions);
 
     /** The paths of the loads. */
-    std::vector<Way>
-    ways_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
+    std::vector<Progression>
+    progressions_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 
     /** The part of change_stage() specific to a control, if the path has
      * changed: continue along the new one, or start again from @p reached. */
     virtual void
-    change_way(const Stage &now, const LoadLevel &reached) = 0;
+    change_path(const Stage &now, const LoadLevel &reached) = 0;
 
     /** Set the size of steps after a change of their number. */
     virtual void

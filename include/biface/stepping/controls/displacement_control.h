@@ -44,7 +44,7 @@ namespace Biface
 
   protected:
     void
-    change_way(const Stage &now, const LoadLevel &reached) override;
+    change_path(const Stage &now, const LoadLevel &reached) override;
 
   private:
     /** The displacement at a part of the stage. */

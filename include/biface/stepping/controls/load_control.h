@@ -19,7 +19,7 @@ namespace Biface
 
   protected:
     void
-    change_way(const Stage &now, const LoadLevel &reached) override;
+    change_path(const Stage &now, const LoadLevel &reached) override;
   };
 } // namespace Biface
 

@@ -105,7 +105,7 @@ namespace Biface
 
   protected:
     void
-    change_way(const Stage &now, const LoadLevel &reached) override;
+    change_path(const Stage &now, const LoadLevel &reached) override;
 
   private:
     /** The values at a fraction of the stage. */
