@@ -32,10 +32,13 @@ namespace Biface
           const double       area    = geometry.weight *
                               ((differs & 1) != 0 ? 1. / 6 : 1. / 3) *
                               ((differs & 2) != 0 ? 1. / 6 : 1. / 3);
+          const Tensor<2, 3> turn = geometry.turn(r, s);
           for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int a = 0; a < 2; ++a)
-              for (unsigned int b = 0; b < 2; ++b)
-                M[6 * r + 2 * i + a][6 * s + 2 * i + b] = area * moments[a][b];
+            for (unsigned int j = 0; j < 3; ++j)
+              for (unsigned int a = 0; a < 2; ++a)
+                for (unsigned int b = 0; b < 2; ++b)
+                  M[6 * r + 2 * i + a][6 * s + 2 * j + b] =
+                    area * moments[a][b] * turn[i][j];
         }
     return M;
   }

@@ -22,7 +22,8 @@ namespace Biface
           {
             // along the face, which may be inclined to the reference surface
             tangents[q][a] = u.g[face][a] + vertex.face_slope[face][a] * u.beta;
-            tangents[q][a][a] += vertex.metric.zeta[face][a];
+            tangents[q][a] +=
+              vertex.metric.zeta[face][a] * vertex.metric.tangents[face][a];
             tangents[q][a][2] += vertex.face_slope[face][a];
           }
         const Tensor<1, 3> force =
@@ -58,7 +59,7 @@ namespace Biface
                 const Tensor<1, 3> by_own = change_of_cross_product(
                   a, unit + vertex.connection[a] * unit / vertex.slope[a]);
                 const Tensor<1, 3> by_neighbor =
-                  change_of_cross_product(a, -unit);
+                  change_of_cross_product(a, -(vertex.turn[a] * unit));
                 for (unsigned int i = 0; i < 3; ++i)
                   {
                     own[i][j] += by_own[i];

@@ -47,7 +47,8 @@ namespace Biface
         for (unsigned int a = 0; a < 2; ++a)
           {
             const Tensor<1, 3> g =
-              vertex.slope[a] * (v - nodal_value(V, q ^ (1 << a), part)) +
+              vertex.slope[a] *
+                (v - vertex.turn[a] * nodal_value(V, q ^ (1 << a), part)) +
               vertex.connection[a] * v;
             for (unsigned int face = 0; face < 2; ++face)
               u.g[face][a] += part == MixedElement::mean
@@ -92,9 +93,10 @@ namespace Biface
                                        ? conjugate.g[1][a] + conjugate.g[0][a]
                                        : conjugate.g[1][a] - conjugate.g[0][a];
               f += vertex.slope[a] * p + p * vertex.connection[a];
+              const Tensor<1, 3> at_neighbor = p * vertex.turn[a];
               for (unsigned int i = 0; i < 3; ++i)
                 force[MixedElement::dof(q ^ (1 << a), i, part)] -=
-                  vertex.slope[a] * p[i];
+                  vertex.slope[a] * at_neighbor[i];
             }
           for (unsigned int i = 0; i < 3; ++i)
             force[MixedElement::dof(q, i, part)] += f[i];
@@ -111,14 +113,15 @@ namespace Biface
       for (unsigned int face = 0; face < 2; ++face)
         for (unsigned int a = 0; a < 2; ++a)
           {
-            const double zeta   = metric.zeta[face][a];
-            const double H_a3   = H[transverse(a, face)] / metric.zeta_bar[a];
-            p.g[face][a][a]     = H[tangential(a, face)] / zeta;
-            p.g[face][a][1 - a] = H[tangential(2, face)] / zeta;
-            p.g[face][a][2]     = H_a3;
-            p.beta[a] += zeta * H_a3;
+            const double zeta = metric.zeta[face][a];
+            const double H_a3 = H[transverse(a, face)] / metric.zeta_bar[a];
+            const auto  &t    = metric.tangents[face];
+            p.g[face][a]      = H[tangential(a, face)] / zeta * t[a] +
+                           H[tangential(2, face)] / zeta * t[1 - a];
+            p.g[face][a][2] += H_a3;
+            p.beta += zeta * H_a3 * t[a];
           }
-      p.beta[2] = H[thickness];
+      p.beta[2] += H[thickness];
       return p;
     }
   } // namespace
@@ -333,11 +336,12 @@ namespace Biface
                                    const Tensor<1, 3> &p) {
               const Tensor<1, 3> at_q =
                 vertex.slope[a] * p + p * vertex.connection[a];
+              const Tensor<1, 3> at_neighbor = p * vertex.turn[a];
               for (unsigned int i = 0; i < 3; ++i)
                 {
                   own[strain][3 * q + i] += at_q[i];
                   neighbor[a][strain][3 * (q ^ (1 << a)) + i] -=
-                    vertex.slope[a] * p[i];
+                    vertex.slope[a] * at_neighbor[i];
                 }
               if (vertex.face_slope[face][a] != 0)
                 add_beta(strain, -vertex.face_slope[face][a] * p);
@@ -347,16 +351,17 @@ namespace Biface
               {
                 const auto &zeta = vertex.metric.zeta[face];
                 const auto &g    = u.g[face];
+                const auto &t    = vertex.metric.tangents[face];
                 for (unsigned int a = 0; a < 2; ++a)
                   {
                     const unsigned int c = 1 - a;
 
                     Tensor<1, 3> p = g[a] / (zeta[a] * zeta[a]);
-                    p[a] += 1 / zeta[a];
+                    p += 1 / zeta[a] * t[a];
                     add_g(tangential(a, face), face, a, p);
 
                     p = g[c] / (zeta[0] * zeta[1]);
-                    p[c] += 1 / zeta[a];
+                    p += 1 / zeta[a] * t[c];
                     add_g(tangential(2, face), face, a, p);
 
                     const double zeta_bar = vertex.metric.zeta_bar[a];
@@ -365,7 +370,7 @@ namespace Biface
                     add_g(transverse(a, face), face, a, p);
 
                     p = g[a] / zeta_bar;
-                    p[a] += zeta[a] / zeta_bar;
+                    p += zeta[a] / zeta_bar * t[a];
                     add_beta(transverse(a, face), p);
                   }
               }
@@ -496,7 +501,7 @@ namespace Biface
           const std::array<double, 2>      &slope  = vertex.slope;
           const double                      d_beta = 2 / vertex.thickness;
 
-          // g_a = own_a v_q - slope_a v_neighbor
+          // g_a = own_a v_q - slope_a turn_a v_neighbor
           std::array<Tensor<2, 3>, 2> own;
           for (unsigned int a = 0; a < 2; ++a)
             {
@@ -526,19 +531,27 @@ namespace Biface
                        transpose(own[1]) * coupled[1]));
             for (unsigned int a = 0; a < 2; ++a)
               {
-                add(of_faces, neighbor[a], q, -slope[a] * coupled[a]);
+                add(of_faces,
+                    neighbor[a],
+                    q,
+                    -slope[a] * (transpose(vertex.turn[a]) * coupled[a]));
                 add_scalar(of_faces,
                            neighbor[a],
                            neighbor[a],
                            slope[a] * slope[a] * gg[a] / 2);
               }
-            add_scalar(
-              of_faces, neighbor[0], neighbor[1], slope[0] * slope[1] * gg[2]);
+            add(of_faces,
+                neighbor[0],
+                neighbor[1],
+                slope[0] * slope[1] * gg[2] *
+                  (transpose(vertex.turn[0]) * vertex.turn[1]));
 
             add(of_director, q, q, d_beta * (gb[0] * own[0] + gb[1] * own[1]));
             for (unsigned int a = 0; a < 2; ++a)
-              add_scalar(
-                of_director, q, neighbor[a], -slope[a] * d_beta * gb[a]);
+              add(of_director,
+                  q,
+                  neighbor[a],
+                  -slope[a] * d_beta * gb[a] * vertex.turn[a]);
           };
           add_products(1, sum, director_sum);
           add_products(-1, difference, director_difference);

@@ -12,7 +12,8 @@ namespace Biface
   using namespace dealii;
 
   ShellFEValues::ShellFEValues(const ReferenceSurface &surface,
-                               const StrainSampling    sampling)
+                               const StrainSampling    sampling,
+                               const Interpolation     interpolation)
     : surface(surface)
     , fe(1)
     , at_vertices(mapping,
@@ -24,7 +25,8 @@ namespace Biface
                 QMidpoint<2>(),
                 update_quadrature_points | update_JxW_values)
   {
-    geometry.sampling = sampling;
+    geometry.sampling      = sampling;
+    geometry.interpolation = interpolation;
   }
 
 
@@ -71,6 +73,12 @@ namespace Biface
             vertex.axes[i][j] = point.frame[j][i];
       }
 
+    for (unsigned int q = 0; q < 4; ++q)
+      for (unsigned int a = 0; a < 2; ++a)
+        geometry.vertices[q].turn[a] = geometry.turn(q, q ^ (1 << a));
+    if (geometry.interpolation != Interpolation::components)
+      interpolate_positions(face_heights);
+
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
     metric_at_center = ThicknessMetric(center.curvature, heights_at_center);
     geometry.weight =
@@ -95,5 +103,30 @@ namespace Biface
           }
       }
     geometry.undeformed = StrainMeans::undeformed(geometry);
+  }
+
+
+  void
+  ShellFEValues::interpolate_positions(const FaceHeights &face_heights)
+  {
+    const auto position = [&](const unsigned int q, const unsigned int face) {
+      return points[q].position + face_heights[q][face] * points[q].frame[2];
+    };
+    for (unsigned int q = 0; q < 4; ++q)
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          ElementGeometry::Vertex &vertex = geometry.vertices[q];
+          vertex.connection[a].clear();
+          for (unsigned int face = 0; face < 2; ++face)
+            {
+              Tensor<1, 3> &tangent = vertex.metric.tangents[face][a];
+              tangent               = vertex.slope[a] *
+                        ((position(q, face) - position(q ^ (1 << a), face)) *
+                         vertex.axes);
+              // at constant alpha_3, where the director is e_3
+              tangent[2] -= vertex.face_slope[face][a];
+              tangent /= vertex.metric.zeta[face][a];
+            }
+        }
   }
 } // namespace Biface

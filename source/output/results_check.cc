@@ -174,7 +174,8 @@ namespace Biface
         "Warning: an error of the interpolation of rigid motions, " +
         beside_reaction(forces.interpolation, forces.largest_reaction) +
         ", is part of the balance of forces (line 'interpolation' of "
-        "forces.csv); smaller cells reduce it.");
+        "forces.csv); smaller cells reduce it, and 'Element/Interpolation = "
+        "Cartesian' has none.");
     const WorstStrains worst =
       worst_strains(equations.mesh, equations.internal_forces(), state);
     if (std::min(worst.compression.value, -worst.shear.value / 3) <

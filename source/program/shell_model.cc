@@ -103,7 +103,8 @@ namespace Biface
                                              layup,
                                              parameters.supports,
                                              points,
-                                             parameters.element.sampling);
+                                             parameters.element.sampling,
+                                             parameters.element.interpolation);
   }
 
 

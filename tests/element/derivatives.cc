@@ -136,11 +136,13 @@ main()
 {
   const Laminate laminate = Layup(Layup::Parameters(), cord_ply()).laminate(0);
   const std::array<std::string, 2> cell{{"40:45:1", "10:15:1"}};
-  for (const auto sampling : {StrainSampling::vertices, StrainSampling::means})
+  for (const auto &[sampling, interpolation] : all_elements())
     {
-      std::cout << "sampling: " << name_of(sampling) << std::endl;
+      std::cout << "sampling: " << name_of(sampling)
+                << ", interpolation: " << name_of(interpolation) << std::endl;
       const ElementGeometry geometry =
-        make_cells(torus(), cell, laminate.face_heights(), sampling)[0]
+        make_cells(
+          torus(), cell, laminate.face_heights(), sampling, interpolation)[0]
           .geometry;
       // faces that rise over the reference surface, both
       const ElementGeometry tapered =
@@ -150,7 +152,8 @@ main()
           FaceHeights([](const double alpha_1) {
             return std::array<double, 2>{{-3 * alpha_1, 2 + 4 * alpha_1}};
           }),
-          sampling)[0]
+          sampling,
+          interpolation)[0]
           .geometry;
 
       test_strain(geometry);

@@ -34,6 +34,26 @@ name_of(const Biface::StrainSampling sampling)
 }
 
 
+inline std::string
+name_of(const Biface::Interpolation interpolation)
+{
+  return interpolation == Biface::Interpolation::Cartesian ? "Cartesian"
+                                                           : "components";
+}
+
+
+/** All elements there are. */
+inline std::vector<std::pair<Biface::StrainSampling, Biface::Interpolation>>
+all_elements()
+{
+  using namespace Biface;
+  return {{StrainSampling::vertices, Interpolation::components},
+          {StrainSampling::means, Interpolation::components},
+          {StrainSampling::vertices, Interpolation::Cartesian},
+          {StrainSampling::means, Interpolation::Cartesian}};
+}
+
+
 /** A cell of a grid with the data needed by tests. */
 struct TestCell
 {
@@ -70,7 +90,8 @@ make_cells(
   const Biface::ReferenceSurface   &surface,
   const std::array<std::string, 2> &intervals,
   const FaceHeights                &face_heights,
-  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices)
+  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices,
+  const Biface::Interpolation interpolation = Biface::Interpolation::components)
 {
   using namespace dealii;
 
@@ -83,7 +104,7 @@ make_cells(
   Biface::create_triangulation(
     surface, Biface::ChartGrid(parameters, surface), triangulation);
 
-  Biface::ShellFEValues fe_values(surface, sampling);
+  Biface::ShellFEValues fe_values(surface, sampling, interpolation);
   std::vector<TestCell> cells;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
@@ -110,12 +131,14 @@ make_cells(
   const Biface::ReferenceSurface   &surface,
   const std::array<std::string, 2> &intervals,
   const std::array<double, 2>      &heights,
-  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices)
+  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices,
+  const Biface::Interpolation interpolation = Biface::Interpolation::components)
 {
   return make_cells(surface,
                     intervals,
                     FaceHeights([heights](const double) { return heights; }),
-                    sampling);
+                    sampling,
+                    interpolation);
 }
 
 

@@ -35,7 +35,9 @@ namespace
 
 
   std::unique_ptr<ShellMesh>
-  torus(const std::string &turn, const bool closed)
+  torus(const std::string  &turn,
+        const bool          closed,
+        const Interpolation interpolation = Interpolation::components)
   {
     auto surface = std::make_unique<SurfaceOfRevolution>(
       std::make_shared<CircularArc>(CircularArc::Parameters()));
@@ -48,7 +50,10 @@ namespace
                                        std::move(surface),
                                        grid,
                                        Layup(Layup::Parameters(), cord_ply()),
-                                       Supports());
+                                       Supports(),
+                                       std::vector<NamedPoint>(),
+                                       StrainSampling::vertices,
+                                       interpolation);
   }
 } // namespace
 
@@ -69,6 +74,14 @@ main(int argc, char *argv[])
                 1,
               1e-9);
 
+  const auto vectors = torus("-180:180:8", true, Interpolation::Cartesian);
+  check_small("the same, vectors interpolated",
+              Cavity(*vectors, Cavity::Parameters(), Resultants::inner)
+                    .volume(State(*vectors)) /
+                  volume_beyond(200, inner, angle, rim) -
+                1,
+              1e-9);
+
   const auto         sector = torus("10:46:3", false);
   Cavity::Parameters without_rim;
   without_rim.rim_radius = 0;
@@ -79,9 +92,16 @@ main(int argc, char *argv[])
       1,
     1e-9);
 
-  const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()));
-  for (const auto face : {Resultants::inner, Resultants::outer})
+  const std::pair<Resultants::Face, Interpolation> cases[] = {
+    {Resultants::inner, Interpolation::components},
+    {Resultants::outer, Interpolation::components},
+    {Resultants::inner, Interpolation::Cartesian}};
+  for (const auto &[face, interpolation] : cases)
     {
+      const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()),
+                                     StrainSampling::vertices,
+                                     false,
+                                     interpolation);
       Cavity::Parameters parameters;
       parameters.volume = 1e6;
       const Cavity     cavity(*mesh, parameters, face);
@@ -100,8 +120,10 @@ main(int argc, char *argv[])
           state.displacement      = moved;
           volumes[(sign + 1) / 2] = cavity.volume(state);
         }
-      check_small(face == Resultants::inner ? "gradient, inner face"
-                                            : "gradient, outer face",
+      check_small(interpolation == Interpolation::Cartesian
+                    ? "gradient, vectors interpolated"
+                  : face == Resultants::inner ? "gradient, inner face"
+                                              : "gradient, outer face",
                   (volumes[1] - volumes[0]) / (2 * h) / predicted - 1,
                   1e-7);
     }

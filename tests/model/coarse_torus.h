@@ -17,8 +17,9 @@
 inline std::unique_ptr<Biface::ShellMesh>
 coarse_torus(
   const Biface::Layup         &layup,
-  const Biface::StrainSampling sampling = Biface::StrainSampling::vertices,
-  const bool                   closed   = false)
+  const Biface::StrainSampling sampling     = Biface::StrainSampling::vertices,
+  const bool                   closed       = false,
+  const Biface::Interpolation interpolation = Biface::Interpolation::components)
 {
   using namespace Biface;
 
@@ -40,7 +41,8 @@ coarse_torus(
                                      layup,
                                      supports,
                                      std::vector<NamedPoint>(),
-                                     sampling);
+                                     sampling,
+                                     interpolation);
 }
 
 

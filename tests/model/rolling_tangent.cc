@@ -25,12 +25,14 @@ namespace
   void
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
-       const double                       omega)
+       const double                       omega,
+       const Interpolation interpolation = Interpolation::components)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
     const Layup layup(Layup::Parameters(), material);
-    const auto  mesh = coarse_torus(layup, StrainSampling::vertices, true);
+    const auto  mesh =
+      coarse_torus(layup, StrainSampling::vertices, true, interpolation);
 
     ContactPair::Parameters parameters;
     parameters.condition.regularization   = 1;
@@ -171,4 +173,6 @@ main(int argc, char *argv[])
   test("rolling", Shape::plane, 5);
   test("standing on moving ground", Shape::plane, 0);
   test("rolling on a drum", Shape::drum, 5);
+  test(
+    "rolling, vectors interpolated", Shape::plane, 5, Interpolation::Cartesian);
 }

@@ -17,8 +17,9 @@ namespace
   test(const std::string   &name,
        const ThicknessLaw   law,
        const StrainTheory   theory,
-       const StrainSampling sampling    = StrainSampling::vertices,
-       const std::string   &compression = "E_L")
+       const StrainSampling sampling      = StrainSampling::vertices,
+       const std::string   &compression   = "E_L",
+       const Interpolation  interpolation = Interpolation::components)
   {
     Layup::Parameters parameters;
     parameters.law = law;
@@ -27,7 +28,7 @@ namespace
     auto materials               = cord_ply();
     materials[0].E_L_compression = compression;
     const Layup layup(parameters, materials);
-    const auto  mesh = coarse_torus(layup, sampling);
+    const auto  mesh = coarse_torus(layup, sampling, false, interpolation);
 
     const ContactInteraction contact(*mesh, ContactPair::Parameters());
     PressureLoad             pressure;
@@ -115,4 +116,10 @@ main(int argc, char *argv[])
          theory,
          StrainSampling::vertices,
          "E_L/100");
+  test("Cartesian interpolation",
+       ThicknessLaw::symmetric,
+       StrainTheory::nonlinear,
+       StrainSampling::means,
+       "E_L",
+       Interpolation::Cartesian);
 }

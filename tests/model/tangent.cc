@@ -33,7 +33,8 @@ namespace
        const std::string   &plies         = bias_plies,
        const Shape          foundation    = Shape::plane,
        const std::string   &shear         = "constant strain",
-       const std::string   &compression   = "E_L")
+       const std::string   &compression   = "E_L",
+       const Interpolation  interpolation = Interpolation::components)
   {
     Layup::Parameters parameters;
     parameters.plies             = parse_plies("plies", plies);
@@ -42,7 +43,8 @@ namespace
     auto materials               = cord_ply();
     materials[0].E_L_compression = compression;
     const Layup layup(parameters, materials);
-    const auto  mesh = coarse_torus(layup);
+    const auto  mesh =
+      coarse_torus(layup, StrainSampling::vertices, false, interpolation);
 
     // a foundation as soft as the shell, so that neither hides the other
     ContactPair::Parameters contact_parameters;
@@ -193,6 +195,16 @@ main(int argc, char *argv[])
          Shape::plane,
          "equilibrium",
          "E_L/100");
+  test("Cartesian interpolation",
+       ThicknessLaw::symmetric,
+       MultiplierMass::lumped,
+       StrainTheory::nonlinear,
+       PressureKind::follower,
+       bias_plies,
+       Shape::plane,
+       "equilibrium",
+       "E_L/100",
+       Interpolation::Cartesian);
   test("follower pressure",
        ThicknessLaw::symmetric,
        MultiplierMass::lumped,

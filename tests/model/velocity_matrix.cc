@@ -21,13 +21,17 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name, const RigidBody::Parameters::Shape shape)
+  test(const std::string                 &name,
+       const RigidBody::Parameters::Shape shape,
+       const Interpolation interpolation = Interpolation::components)
   {
-    const auto mesh = [](const double density) {
+    const auto mesh = [interpolation](const double density) {
       auto material       = cord_ply();
       material[0].density = density;
-      return coarse_torus(
-        Layup(Layup::Parameters(), material), StrainSampling::vertices, true);
+      return coarse_torus(Layup(Layup::Parameters(), material),
+                          StrainSampling::vertices,
+                          true,
+                          interpolation);
     };
     ContactPair::Parameters parameters;
     parameters.condition.regularization   = 1;
@@ -106,4 +110,5 @@ main(int argc, char *argv[])
   using Shape = RigidBody::Parameters::Shape;
   test("plane", Shape::plane);
   test("drum", Shape::drum);
+  test("plane, vectors interpolated", Shape::plane, Interpolation::Cartesian);
 }

@@ -3,10 +3,12 @@
 #ifndef biface_element_element_geometry_h
 #define biface_element_element_geometry_h
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
 
+#include <biface/element/interpolation.h>
 #include <biface/element/mean_vectors.h>
 #include <biface/element/strain.h>
 #include <biface/element/strain_sampling.h>
@@ -30,8 +32,14 @@ namespace Biface
        * Unit: 1/length. */
       std::array<double, 2> slope;
 
-      /** See SurfacePoint::connection(). */
+      /** See SurfacePoint::connection(). Zero if vectors are interpolated. */
       std::array<dealii::Tensor<2, 3>, 2> connection;
+
+      /** What turns the components of the neighbor along @f$\alpha_a@f$ into
+       * those that are subtracted here: the unit tensor if components are
+       * interpolated, those of the same vector in the frame of this vertex
+       * if vectors are. */
+      std::array<dealii::Tensor<2, 3>, 2> turn;
 
       ThicknessMetric metric;
 
@@ -50,6 +58,16 @@ namespace Biface
 
     std::array<Vertex, 4> vertices;
 
+    /** What turns components at vertex @p s into those to which the
+     * interpolation adds them at vertex @p r, see Vertex::turn. */
+    dealii::Tensor<2, 3>
+    turn(const unsigned int r, const unsigned int s) const
+    {
+      return interpolation == Interpolation::components
+               ? dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())
+               : transpose(vertices[r].axes) * vertices[s].axes;
+    }
+
     /**
      * The constant weight of the element's strains and resultants,
      * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
@@ -59,6 +77,7 @@ namespace Biface
     double weight;
 
     StrainSampling sampling;
+    Interpolation  interpolation;
 
     /** What StrainMeans needs: @f$\varphi_a@f$, */
     std::array<double, 2> mean_factor;

@@ -50,7 +50,8 @@ namespace Biface
      */
     explicit ShellFEValues(
       const ReferenceSurface &surface,
-      const StrainSampling    sampling = StrainSampling::vertices);
+      const StrainSampling    sampling      = StrainSampling::vertices,
+      const Interpolation     interpolation = Interpolation::components);
 
     /**
      * Go to a cell, the sides of which must be coordinate lines.
@@ -101,7 +102,11 @@ namespace Biface
     }
 
   private:
-    const ReferenceSurface             &surface;
+    const ReferenceSurface &surface;
+    /** Replace the exact geometry of the faces by a bilinear one. */
+    void
+    interpolate_positions(const FaceHeights &face_heights);
+
     const dealii::MappingManifold<2, 3> mapping;
     const dealii::FE_Q<2, 3>            fe;
     dealii::FEValues<2, 3>              at_vertices;

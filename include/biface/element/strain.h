@@ -20,6 +20,12 @@ namespace Biface
     std::array<std::array<double, 2>, 2> zeta;
     /** `zeta_bar[a]` */
     std::array<double, 2> zeta_bar;
+    /** `tangents[face][a]` is @f$\mathbf t_a^\pm@f$, the derivative of the
+     * position of an undeformed face at constant @f$\alpha_3@f$ by
+     * @f$\alpha_a@f$, divided by @f$A_a\zeta_a^\pm@f$, in the frame at the
+     * point: @f$\mathbf e_a@f$ on the surface itself, close to it where
+     * the positions are interpolated, see Interpolation. */
+    std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> tangents;
 
     ThicknessMetric() = default;
 
@@ -29,7 +35,10 @@ namespace Biface
       for (unsigned int a = 0; a < 2; ++a)
         {
           for (unsigned int face = 0; face < 2; ++face)
-            zeta[face][a] = 1 + curvature[a] * face_heights[face];
+            {
+              zeta[face][a]        = 1 + curvature[a] * face_heights[face];
+              tangents[face][a][a] = 1;
+            }
           zeta_bar[a] =
             1 + curvature[a] * (face_heights[0] + face_heights[1]) / 2;
         }
@@ -86,18 +95,19 @@ namespace Biface
    * The Green-Lagrange strains of @cite GrigolyukKulikovPlotnikova2004,
    * eqs. (2)-(3), in the order of Resultants:
    * @f{align*}{
-   *  \varepsilon_{aa}^\pm &= \mathbf e_a\cdot\mathbf g_a/\zeta_a
+   *  \varepsilon_{aa}^\pm &= \mathbf t_a\cdot\mathbf g_a/\zeta_a
    *    + \mathbf g_a\cdot\mathbf g_a/2\zeta_a^2, \\
-   *  2\varepsilon_{12}^\pm &= \mathbf e_2\cdot\mathbf g_1/\zeta_1
-   *    + \mathbf e_1\cdot\mathbf g_2/\zeta_2
+   *  2\varepsilon_{12}^\pm &= \mathbf t_2\cdot\mathbf g_1/\zeta_1
+   *    + \mathbf t_1\cdot\mathbf g_2/\zeta_2
    *    + \mathbf g_1\cdot\mathbf g_2/\zeta_1\zeta_2, \\
-   *  2\varepsilon_{a3}^\pm &= (\zeta_a\,\mathbf e_a\cdot\boldsymbol\beta
+   *  2\varepsilon_{a3}^\pm &= (\zeta_a\,\mathbf t_a\cdot\boldsymbol\beta
    *    + \mathbf e_3\cdot\mathbf g_a
    *    + \boldsymbol\beta\cdot\mathbf g_a)/\bar\zeta_a, \\
    *  \varepsilon_{33} &= \mathbf e_3\cdot\boldsymbol\beta
    *    + \boldsymbol\beta\cdot\boldsymbol\beta/2 .
    * @f}
-   * They vanish for every finite rigid motion.
+   * with @f$\mathbf t_a=\mathbf e_a@f$ in the paper, see ThicknessMetric. They
+   * vanish for every finite rigid motion.
    */
   inline Resultants::Vector
   green_lagrange_strain(const DisplacementGradient &u,
@@ -110,15 +120,17 @@ namespace Biface
       {
         const auto &g    = u.g[face];
         const auto &zeta = metric.zeta[face];
+        const auto &t    = metric.tangents[face];
         for (unsigned int a = 0; a < 2; ++a)
           {
             strain[tangential(a, face)] =
-              g[a][a] / zeta[a] + (g[a] * g[a]) / (2 * zeta[a] * zeta[a]);
+              (t[a] * g[a]) / zeta[a] + (g[a] * g[a]) / (2 * zeta[a] * zeta[a]);
             strain[transverse(a, face)] =
-              (zeta[a] * u.beta[a] + g[a][2] + u.beta * g[a]) /
+              (zeta[a] * (t[a] * u.beta) + g[a][2] + u.beta * g[a]) /
               metric.zeta_bar[a];
           }
-        strain[tangential(2, face)] = g[0][1] / zeta[0] + g[1][0] / zeta[1] +
+        strain[tangential(2, face)] = (t[1] * g[0]) / zeta[0] +
+                                      (t[0] * g[1]) / zeta[1] +
                                       (g[0] * g[1]) / (zeta[0] * zeta[1]);
       }
     strain[thickness] = u.beta[2] + (u.beta * u.beta) / 2;
@@ -142,16 +154,18 @@ namespace Biface
         const auto &g    = u.g[face];
         const auto &dg   = du.g[face];
         const auto &zeta = metric.zeta[face];
+        const auto &t    = metric.tangents[face];
         for (unsigned int a = 0; a < 2; ++a)
           {
             strain[tangential(a, face)] =
-              dg[a][a] / zeta[a] + (g[a] * dg[a]) / (zeta[a] * zeta[a]);
-            strain[transverse(a, face)] = (zeta[a] * du.beta[a] + dg[a][2] +
-                                           u.beta * dg[a] + du.beta * g[a]) /
-                                          metric.zeta_bar[a];
+              (t[a] * dg[a]) / zeta[a] + (g[a] * dg[a]) / (zeta[a] * zeta[a]);
+            strain[transverse(a, face)] =
+              (zeta[a] * (t[a] * du.beta) + dg[a][2] + u.beta * dg[a] +
+               du.beta * g[a]) /
+              metric.zeta_bar[a];
           }
         strain[tangential(2, face)] =
-          dg[0][1] / zeta[0] + dg[1][0] / zeta[1] +
+          (t[1] * dg[0]) / zeta[0] + (t[0] * dg[1]) / zeta[1] +
           (g[0] * dg[1] + dg[0] * g[1]) / (zeta[0] * zeta[1]);
       }
     strain[thickness] = du.beta[2] + u.beta * du.beta;

@@ -50,17 +50,19 @@ namespace Biface
       MeanVectors x;
       for (unsigned int q = 0; q < 4; ++q)
         for (unsigned int a = 0; a < 2; ++a)
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              const dealii::Tensor<2, 3> &axes = geometry.vertices[q].axes;
-              const double                sign = MeanVectors::sign(a, q) / 4;
-              for (unsigned int face = 0; face < 2; ++face)
-                {
-                  x.slope[face][a][i] += sign * axes[i][a];
-                  x.mean[face][a][i] += axes[i][a] / 4;
-                }
-              x.director[a][i] += sign * axes[i][2];
-            }
+          {
+            const ElementGeometry::Vertex &vertex = geometry.vertices[q];
+            const double                   sign   = MeanVectors::sign(a, q) / 4;
+            for (unsigned int face = 0; face < 2; ++face)
+              {
+                const dealii::Tensor<1, 3> tangent =
+                  vertex.axes * vertex.metric.tangents[face][a];
+                x.slope[face][a] += sign * tangent;
+                x.mean[face][a] += tangent / 4;
+              }
+            for (unsigned int i = 0; i < 3; ++i)
+              x.director[a][i] += sign * vertex.axes[i][2];
+          }
       return x;
     }
 
@@ -243,6 +245,8 @@ namespace Biface
                 const dealii::Tensor<2, 3> own =
                   vertex.axes * vertex.connection[a] +
                   vertex.slope[a] * vertex.axes;
+                const dealii::Tensor<2, 3> seen_by_neighbor =
+                  neighbor.axes * neighbor.turn[a];
                 for (unsigned int face = 0; face < 2; ++face)
                   {
                     const double by_own = 1 / (4 * vertex.metric.zeta[face][a]);
@@ -252,7 +256,7 @@ namespace Biface
                       for (unsigned int j = 0; j < 3; ++j)
                         tangent[face][a][i][3 * q + j] =
                           by_own * own[i][j] +
-                          by_neighbor * neighbor.axes[i][j];
+                          by_neighbor * seen_by_neighbor[i][j];
                     tilt[face][a][q] =
                       -vertex.face_slope[face][a] / vertex.metric.zeta[face][a];
                     tapered = tapered || tilt[face][a][q] != 0;

@@ -3,8 +3,6 @@
 #ifndef biface_element_strain_sampling_h
 #define biface_element_strain_sampling_h
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace Biface
 {
   /** Where the element takes its strains from. */
@@ -18,15 +16,6 @@ namespace Biface
     means
   };
 
-
-  /** Entries of the section 'Element'. */
-  struct ElementParameters
-  {
-    StrainSampling sampling = StrainSampling::means;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-  };
 } // namespace Biface
 
 #endif

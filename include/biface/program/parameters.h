@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <biface/element/strain_sampling.h>
+#include <biface/element/element_parameters.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/contact/contact_interaction.h>

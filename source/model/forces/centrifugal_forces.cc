@@ -42,7 +42,7 @@ namespace Biface
               (m[face][0] * x[0] + m[face][1] * x[1]);
             MixedElement::add_face_force(momentum * slope.own, q, face, force);
             MixedElement::add_face_force(
-              slope.neighbor * momentum, q ^ 2, face, force);
+              momentum * slope.neighbor, q ^ 2, face, force);
           }
       }
     return force;

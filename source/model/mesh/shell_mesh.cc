@@ -245,10 +245,12 @@ namespace Biface
                        const Layup                            &layup,
                        const Supports                         &supports,
                        const std::vector<NamedPoint>          &points,
-                       const StrainSampling                    sampling)
+                       const StrainSampling                    sampling,
+                       const Interpolation                     interpolation)
     : MeshNodes(communicator, std::move(surface), grid, points)
     , layup(layup)
     , sampling(sampling)
+    , interpolation(interpolation)
   {
     strips = make_strips(layup, *this->surface, grid);
     const std::vector<std::array<double, 2>> face_heights =
@@ -329,7 +331,7 @@ namespace Biface
       return {};
     };
 
-    ShellFEValues fe_values(*surface, sampling);
+    ShellFEValues fe_values(*surface, sampling, interpolation);
 
     // map from the vertices of the triangulation to the nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),

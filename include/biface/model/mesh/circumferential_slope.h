@@ -3,7 +3,6 @@
 #ifndef biface_model_mesh_circumferential_slope_h
 #define biface_model_mesh_circumferential_slope_h
 
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
@@ -31,43 +30,38 @@ namespace Biface
     {
       const double lame = mesh.nodes[cell.nodes[q]].surface.lame[1];
       const ElementGeometry::Vertex &vertex = cell.geometry.vertices[q];
-      neighbor                              = -lame * vertex.slope[1];
-      own                                   = lame * vertex.connection[1];
+      neighbor = -lame * vertex.slope[1] * vertex.turn[1];
+      own      = lame * vertex.connection[1];
       for (unsigned int i = 0; i < 3; ++i)
-        own[i][i] -= neighbor;
+        own[i][i] += lame * vertex.slope[1];
       for (unsigned int face = 0; face < 2; ++face)
-        undeformed[face] = lame * vertex.metric.zeta[face][1];
+        undeformed[face] =
+          lame * vertex.metric.zeta[face][1] * vertex.metric.tangents[face][1];
     }
 
     unsigned int q;
     /** The derivative with respect to the displacement of the vertex. */
     dealii::Tensor<2, 3> own;
-    /** The derivative with respect to the displacement of the adjacent vertex,
-     * times the unit tensor. */
-    double neighbor;
-    /** The slopes of the undeformed faces, along the second vector of the
-     * frame. */
-    std::array<double, 2> undeformed;
+    /** The derivative with respect to the displacement of the adjacent vertex.
+     */
+    dealii::Tensor<2, 3> neighbor;
+    /** The slopes of the undeformed faces. */
+    std::array<dealii::Tensor<1, 3>, 2> undeformed;
 
     /** The slope of a deformed face. */
     dealii::Tensor<1, 3>
     of(const MixedElement::NodalVector &V, const unsigned int face) const
     {
-      dealii::Tensor<1, 3> x =
-        own * MixedElement::face_displacement(V, q, face) +
-        neighbor * MixedElement::face_displacement(V, q ^ 2, face);
-      x[1] += undeformed[face];
-      return x;
+      return own * MixedElement::face_displacement(V, q, face) +
+             neighbor * MixedElement::face_displacement(V, q ^ 2, face) +
+             undeformed[face];
     }
 
     /** The two vertices on which it depends, with the derivatives. */
     std::array<std::pair<unsigned int, dealii::Tensor<2, 3>>, 2>
     parts() const
     {
-      return {{{q, own},
-               {q ^ 2,
-                neighbor *
-                  dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())}}};
+      return {{{q, own}, {q ^ 2, neighbor}}};
     }
   };
 } // namespace Biface

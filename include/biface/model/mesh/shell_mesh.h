@@ -124,7 +124,8 @@ namespace Biface
               const Layup                            &layup,
               const Supports                         &supports,
               const std::vector<NamedPoint>          &points = {},
-              const StrainSampling sampling = StrainSampling::vertices);
+              const StrainSampling sampling      = StrainSampling::vertices,
+              const Interpolation  interpolation = Interpolation::components);
 
     /** The same mesh with other plies, of which it shares all but these; null
      * if they place the faces elsewhere. Throws InputError if a ply ends
@@ -135,6 +136,7 @@ namespace Biface
     Layup layup;
 
     const StrainSampling sampling;
+    const Interpolation  interpolation;
 
     /** Between the lines of the first coordinate, in ascending order. */
     std::vector<Strip> strips;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/element/strain_sampling.h>
+#include <biface/element/element_parameters.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -19,5 +19,17 @@ namespace Biface
       "not buckle from node to node where the shell "
       "is compressed. 'vertices', from the vertices alone, is the "
       "element of Grigolyuk, Kulikov and Plotnikova (2004).");
+    add_choice(
+      prm,
+      "Interpolation",
+      interpolation,
+      {"components", "Cartesian"},
+      "What is bilinear in the element. 'components', those of the "
+      "displacements in the frames of the surface at the vertices, is the "
+      "element of Grigolyuk, Kulikov and Plotnikova (2004): it knows the "
+      "curvature inside a cell, but where the frames turn, a rigid motion "
+      "strains it. 'Cartesian', the positions of the faces and their "
+      "displacement vectors: no rigid motion strains it, and cells are flat "
+      "or warped quadrilaterals.");
   }
 } // namespace Biface

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_element_parameters_h
+#define biface_element_element_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <biface/element/interpolation.h>
+#include <biface/element/strain_sampling.h>
+
+namespace Biface
+{
+  /** Entries of the section 'Element'. */
+  struct ElementParameters
+  {
+    StrainSampling sampling      = StrainSampling::means;
+    Interpolation  interpolation = Interpolation::components;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace Biface
+
+#endif
