@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <biface/laminate/face_moments.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
 
@@ -72,14 +71,15 @@ namespace Biface
   } // namespace
 
 
-  Laminate::Laminate(std::vector<Ply>          plies,
-                     const ThicknessLaw        law,
-                     const double              reference_height,
-                     const TransverseShearLaw &shear_law)
+  Laminate::Laminate(std::vector<Ply>             plies,
+                     const ThicknessLaw           law,
+                     const double                 reference_height,
+                     const TransverseShearLaw    &shear_law,
+                     const std::array<double, 2> &curvature)
     : plies(std::move(plies))
     , rotated(rotated_stiffnesses(this->plies))
     , law(law)
-    , reference_height(reference_height)
+    , functions(thickness(), reference_height, curvature)
     , transverse_shear(shear_law, thicknesses(this->plies), rotated)
     , D(integrate_stiffness())
   {}
@@ -119,7 +119,8 @@ namespace Biface
   std::array<double, 2>
   Laminate::face_heights() const
   {
-    return {{-reference_height, thickness() - reference_height}};
+    return {{-functions.reference_height,
+             functions.thickness - functions.reference_height}};
   }
 
 
@@ -146,11 +147,11 @@ namespace Biface
       {
         const Ply                   &ply = plies[k];
         const SymmetricTensor<4, 3> &b   = rotated[k];
-        const FaceMoments            N(z, z + ply.thickness, h);
+        const StrainMoments          w(functions, z, z + ply.thickness);
         z += ply.thickness;
 
         const double b_3333 = b[2][2][2][2];
-        A += ply.thickness / b_3333;
+        A += w.inverse_area / b_3333;
 
         for (unsigned int ab = 0; ab < 3; ++ab)
           {
@@ -158,13 +159,13 @@ namespace Biface
             const double b_ab33 = b[i[0]][i[1]][2][2];
             for (unsigned int p = 0; p < 2; ++p)
               {
-                f[ab][p] += b_ab33 / b_3333 * N.first[p];
+                f[ab][p] += b_ab33 / b_3333 * w.first[ab][p];
                 if (law != ThicknessLaw::symmetric)
                   D[Resultants::thickness][tangential(ab, p)] +=
-                    b_ab33 * N.first[p];
+                    b_ab33 * w.stressed[ab][p];
                 if (law == ThicknessLaw::full)
                   D[tangential(ab, p)][Resultants::thickness] +=
-                    b_ab33 * N.first[p];
+                    b_ab33 * w.stressed[ab][p];
               }
             for (unsigned int cd = 0; cd < 3; ++cd)
               {
@@ -176,13 +177,12 @@ namespace Biface
                   for (unsigned int q = 0; q < 2; ++q)
                     D[tangential(ab, p)][tangential(cd, q)] +=
                       (law == ThicknessLaw::full ? b_abcd : q_abcd) *
-                      N.second[p][q];
+                      w.second[ab][cd][p][q];
               }
           }
 
         if (law != ThicknessLaw::symmetric)
-          D[Resultants::thickness][Resultants::thickness] +=
-            b_3333 * ply.thickness;
+          D[Resultants::thickness][Resultants::thickness] += b_3333 * w.area;
       }
 
     for (unsigned int p = 0; p < 2; ++p)
@@ -213,12 +213,11 @@ namespace Biface
   std::array<std::array<double, 2>, 2>
   Laminate::mass_moments() const
   {
-    const double                         h = thickness();
     std::array<std::array<double, 2>, 2> moments{};
     double                               z = 0;
     for (const Ply &ply : plies)
       {
-        const FaceMoments N(z, z + ply.thickness, h);
+        const FaceMoments N(functions, z, z + ply.thickness);
         z += ply.thickness;
         for (unsigned int p = 0; p < 2; ++p)
           for (unsigned int q = 0; q < 2; ++q)
@@ -232,7 +231,6 @@ namespace Biface
   Laminate::cord_points() const
   {
     const QGauss<1>        quadrature(2);
-    const double           h = thickness();
     std::vector<CordPoint> points;
     double                 z = 0;
     for (unsigned int k = 0; k < plies.size(); ++k)
@@ -243,17 +241,14 @@ namespace Biface
             const std::array<double, 3> direction = cord_direction(ply.angle);
             for (unsigned int g = 0; g < quadrature.size(); ++g)
               {
-                const double along =
-                  (z + quadrature.point(g)[0] * ply.thickness) / h;
-                CordPoint point;
+                const double at = z + quadrature.point(g)[0] * ply.thickness;
+                CordPoint    point;
                 for (unsigned int ab = 0; ab < 3; ++ab)
-                  {
-                    point.direction[Resultants::tangential(ab, 0)] =
-                      (1 - along) * direction[ab];
-                    point.direction[Resultants::tangential(ab, 1)] =
-                      along * direction[ab];
-                  }
-                point.thickness      = quadrature.weight(g) * ply.thickness;
+                  for (unsigned int p = 0; p < 2; ++p)
+                    point.direction[Resultants::tangential(ab, p)] =
+                      functions.strain(ab, p, at) * direction[ab];
+                point.thickness =
+                  quadrature.weight(g) * ply.thickness * functions.area(at);
                 point.loss           = ply.compression_loss;
                 point.initial_strain = initial_cord_strain(ply);
                 points.push_back(point);
@@ -266,16 +261,24 @@ namespace Biface
 
 
   double
+  Laminate::tangential_strain(const Resultants::Vector &E,
+                              const unsigned int        ab,
+                              const double              z) const
+  {
+    return functions.strain(ab, 0, z) * E[Resultants::tangential(ab, 0)] +
+           functions.strain(ab, 1, z) * E[Resultants::tangential(ab, 1)];
+  }
+
+
+  double
   Laminate::cord_strain(const Resultants::Vector &E,
                         const unsigned int        ply,
                         const double              z) const
   {
-    const double h     = thickness();
-    const auto   along = cord_direction(plies[ply].angle);
-    double       e     = initial_cord_strain(plies[ply]);
+    const auto along = cord_direction(plies[ply].angle);
+    double     e     = initial_cord_strain(plies[ply]);
     for (unsigned int ab = 0; ab < 3; ++ab)
-      e += along[ab] * ((1 - z / h) * E[Resultants::tangential(ab, 0)] +
-                        z / h * E[Resultants::tangential(ab, 1)]);
+      e += along[ab] * tangential_strain(E, ab, z);
     return e;
   }
 
@@ -285,14 +288,14 @@ namespace Biface
   {
     using namespace Resultants;
 
-    const double h = thickness();
-    Vector       H;
-    double       z = 0;
+    Vector H;
+    double z = 0;
     for (const Ply &ply : plies)
       {
         const SymmetricTensor<2, 3> stress =
           rotate_about_normal(ply.initial_stress, ply.angle);
-        const FaceMoments N(z, z + ply.thickness, h);
+        const StrainMoments w(functions, z, z + ply.thickness);
+        const FaceMoments   N(functions, z, z + ply.thickness);
         z += ply.thickness;
 
         for (unsigned int p = 0; p < 2; ++p)
@@ -300,11 +303,11 @@ namespace Biface
             for (unsigned int ab = 0; ab < 3; ++ab)
               H[tangential(ab, p)] +=
                 stress[tangential_pairs[ab][0]][tangential_pairs[ab][1]] *
-                N.first[p];
+                w.stressed[ab][p];
             for (unsigned int a = 0; a < 2; ++a)
               H[transverse(a, p)] += stress[a][2] * N.first[p];
           }
-        H[Resultants::thickness] += stress[2][2] * ply.thickness;
+        H[Resultants::thickness] += stress[2][2] * w.area;
       }
     return H;
   }
@@ -315,17 +318,10 @@ namespace Biface
                    const unsigned int        ply,
                    const double              z) const
   {
-    using namespace Resultants;
-
-    const double                h = this->thickness();
-    const std::array<double, 2> N{{1 - z / h, z / h}};
-    SymmetricTensor<2, 3>       strain;
-    for (unsigned int p = 0; p < 2; ++p)
-      {
-        strain[0][0] += N[p] * E[tangential(0, p)];
-        strain[1][1] += N[p] * E[tangential(1, p)];
-        strain[0][1] += N[p] * E[tangential(2, p)] / 2;
-      }
+    SymmetricTensor<2, 3> strain;
+    strain[0][0] = tangential_strain(E, 0, z);
+    strain[1][1] = tangential_strain(E, 1, z);
+    strain[0][1] = tangential_strain(E, 2, z) / 2;
     const Tensor<1, 2> shear =
       transverse_shear.strain(transverse_strains(E), ply, z);
     for (unsigned int a = 0; a < 2; ++a)
@@ -333,8 +329,9 @@ namespace Biface
     if (law == ThicknessLaw::symmetric)
       {
         const SymmetricTensor<4, 3> &b = rotated[ply];
-        strain[2][2] = (D[Resultants::thickness] * E / h - (b * strain)[2][2]) /
-                       b[2][2][2][2];
+        const double                 stress =
+          D[Resultants::thickness] * E / (thickness() * functions.area(z));
+        strain[2][2] = (stress - (b * strain)[2][2]) / b[2][2][2][2];
       }
     else
       strain[2][2] = E[Resultants::thickness];

@@ -115,6 +115,17 @@ namespace Biface
                "'constant strain' for a homogeneous shell), or a factor, a "
                "number or formula above 0 and at most 1 such as 5/6, by which "
                "'constant strain' is multiplied.");
+    add_choice(
+      prm,
+      "Integrals",
+      integrals,
+      {"plate", "shell"},
+      "The lengths and areas over which plies are integrated: "
+      "'plate', the same over the thickness, as in Grigolyuk, Kulikov "
+      "and Plotnikova (2004), or 'shell', which grow with the distance "
+      "from the centers of curvature: it matters for plies of different "
+      "stiffness on the two sides of a thick wall, by terms of the "
+      "order of the thickness over the radius.");
     add_parsed(prm,
                "Laminate/",
                "Reference surface",
@@ -505,6 +516,9 @@ namespace Biface
                const SurfaceOfPlies                  &surface)
     : law(parameters.law)
     , shear_law(parameters.shear_law)
+    , curvature(parameters.integrals == ThicknessIntegrals::shell
+                  ? surface.curvature
+                  : nullptr)
     , reference(parameters.reference)
     , initial_resultants(parameters.initial_resultants)
   {
@@ -633,7 +647,12 @@ namespace Biface
         "no ply of the entry 'Laminate/Plies' covers alpha_1 = " +
         number_to_string(within) + ".");
     const double reference_height = height(reference, present);
-    return Laminate(std::move(present), law, reference_height, shear_law);
+    return Laminate(std::move(present),
+                    law,
+                    reference_height,
+                    shear_law,
+                    curvature ? curvature(alpha_1)
+                              : std::array<double, 2>{{0, 0}});
   }
 
 

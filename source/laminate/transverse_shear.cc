@@ -7,8 +7,8 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
-#include <biface/laminate/face_moments.h>
 #include <biface/laminate/resultants.h>
+#include <biface/laminate/thickness_functions.h>
 #include <biface/laminate/transverse_shear.h>
 
 namespace Biface

@@ -10,6 +10,7 @@
 
 #include <biface/laminate/cord_point.h>
 #include <biface/laminate/resultants.h>
+#include <biface/laminate/thickness_functions.h>
 #include <biface/laminate/transverse_shear.h>
 
 namespace Biface
@@ -67,18 +68,20 @@ namespace Biface
 
   /**
    * A stack of plies at one position of the shell, inner ply first, integrated
-   * over the thickness with the linear shape functions @f$N^\pm@f$ of the two
-   * faces.
+   * over the thickness with ThicknessFunctions.
    */
   class Laminate
   {
   public:
     /** @param reference_height the height of the reference surface above the
-     * inner face. Unit: length. */
-    Laminate(std::vector<Ply>          plies,
-             const ThicknessLaw        law,
-             const double              reference_height,
-             const TransverseShearLaw &shear_law = TransverseShearLaw());
+     * inner face. Unit: length.
+     * @param curvature of the reference surface, see ThicknessFunctions; zero
+     * for the integrals of a plate. */
+    Laminate(std::vector<Ply>             plies,
+             const ThicknessLaw           law,
+             const double                 reference_height,
+             const TransverseShearLaw    &shear_law = TransverseShearLaw(),
+             const std::array<double, 2> &curvature = {{0, 0}});
 
     const std::vector<Ply> &
     get_plies() const
@@ -102,6 +105,14 @@ namespace Biface
      * across. Unit: force/length. */
     double
     membrane_stiffness() const;
+
+    /** The area at the height @p z above the inner face, relative to that of
+     * the middle surface; 1 with the integrals of a plate. */
+    double
+    area_ratio(const double z) const
+    {
+      return functions.area(z);
+    }
 
     /**
      * The thickness coordinates @f$\delta^-,\delta^+@f$ of the inner and the
@@ -200,11 +211,17 @@ namespace Biface
     Resultants::Matrix
     integrate_stiffness() const;
 
+    /** The strain 11, 22 or 2*12 at a height. */
+    double
+    tangential_strain(const Resultants::Vector &E,
+                      const unsigned int        ab,
+                      const double              z) const;
+
     std::vector<Ply> plies;
     /** Stiffness of the plies in the frame of the shell. */
     std::vector<dealii::SymmetricTensor<4, 3>> rotated;
     ThicknessLaw                               law;
-    double                                     reference_height;
+    ThicknessFunctions                         functions;
     TransverseShear                            transverse_shear;
     Resultants::Matrix                         D;
   };

@@ -127,6 +127,17 @@ namespace Biface
   parse_initial_resultants(const std::string &entry, const std::string &text);
 
 
+  /** The lengths and areas in integrals over the thickness, see
+   * ThicknessFunctions. */
+  enum class ThicknessIntegrals
+  {
+    /** Those of a plate. */
+    plate,
+    /** Those of a shell: they depend on the height. */
+    shell
+  };
+
+
   /**
    * The plies of a shell, inner ply first. The thickness and angle of a ply may
    * vary along the meridian, and it may cover only a part of the meridian. At
@@ -149,6 +160,7 @@ namespace Biface
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
       TransverseShearLaw            shear_law;
+      ThicknessIntegrals            integrals = ThicknessIntegrals::plate;
       ThicknessPosition             reference;
 
       void
@@ -212,11 +224,13 @@ namespace Biface
     }
 
   private:
-    std::vector<PlyDescription>   plies;
-    ThicknessLaw                  law;
-    TransverseShearLaw            shear_law;
-    ThicknessPosition             reference;
-    std::vector<InitialResultant> initial_resultants;
+    std::vector<PlyDescription> plies;
+    ThicknessLaw                law;
+    TransverseShearLaw          shear_law;
+    /** See SurfaceOfPlies; empty for the integrals of a plate. */
+    std::function<std::array<double, 2>(const double)> curvature;
+    ThicknessPosition                                  reference;
+    std::vector<InitialResultant>                      initial_resultants;
   };
 } // namespace Biface
 

@@ -3,6 +3,7 @@
 #ifndef biface_laminate_surface_of_plies_h
 #define biface_laminate_surface_of_plies_h
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -16,6 +17,9 @@ namespace Biface
     /** Distance from the axis of revolution; empty if there is none. Unit:
      * length. */
     std::function<double(const double)> radius;
+
+    /** The curvatures @f$k_1,k_2@f$; empty for a plane. Unit: 1/length. */
+    std::function<std::array<double, 2>(const double)> curvature;
 
     /** @f$\alpha_1@f$ of the crown, where the radius is largest. */
     double crown = 0;

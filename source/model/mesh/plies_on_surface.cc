@@ -18,6 +18,10 @@ namespace Biface
     SurfaceOfPlies plies;
     plies.end              = surface->end(0);
     plies.crown_cord_angle = surface->crown_cord_angle();
+    plies.curvature        = [surface](const double alpha_1) {
+      const double unit = surface->coordinate_unit(0);
+      return surface->evaluate(Point<2>(alpha_1 * unit, 0)).curvature;
+    };
     if (surface->axis().norm() == 0)
       return plies;
 

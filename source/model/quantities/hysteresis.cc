@@ -64,7 +64,7 @@ namespace Biface
                 const Resultants::Vector &E,
                 const Resultants::Vector &F)
     {
-      // exact also for the shear stresses of equilibrium
+      // in a plate, exact also for the shear stresses of equilibrium
       const QGauss<1>         quadrature(3);
       const std::vector<Ply> &plies  = laminate.get_plies();
       double                  bottom = 0;
@@ -75,6 +75,7 @@ namespace Biface
         {
           const double z = bottom + quadrature.point(q)[0] * plies[p].thickness;
           work += quadrature.weight(q) * plies[p].thickness *
+                  laminate.area_ratio(z) *
                   (laminate.stress(E, p, z) * laminate.strain(F, p, z));
         }
       return plies[p].loss_factor * work;
