@@ -389,8 +389,8 @@ INTERPOLATION = (
     "wide the cells; `Cartesian` is not: the torus, the cords and the spinning ring have "
     "wide cells. Cells that are flat are worse where a cylinder bends without "
     "stretching (pinched cylinder), and better under gravity (Scordelis-Lo roof), on "
-    "the hemisphere and on cylinders under point forces without ends. `components` is "
-    "the default.")
+    "the hemisphere and on cylinders under point forces without ends. Deep folds of "
+    "the semi-cylinders converge less often with them. `components` is the default.")
 
 COLORS = "#1f5fa8", "#c0392b", "#2e7d32"
 
