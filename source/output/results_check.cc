@@ -49,6 +49,26 @@ namespace Biface
     }
 
 
+    /** The largest angle between the frames at the ends of a side of a cell, in
+     * radians. */
+    double
+    largest_turn(const ShellMesh &mesh)
+    {
+      double cosine = 1;
+      for (const Cell &cell : mesh.cells)
+        for (unsigned int q = 0; q < 4; ++q)
+          for (unsigned int a = 0; a < 2; ++a)
+            cosine =
+              std::min(cosine,
+                       (trace(transpose(cell.geometry.vertices[q].axes) *
+                              cell.geometry.vertices[q ^ (1 << a)].axes) -
+                        1) /
+                         2);
+      return std::acos(
+        std::max(-1., Utilities::MPI::min(cosine, mesh.communicator)));
+    }
+
+
     /** A part, or 0 of nothing. */
     double
     part_of(const double part, const double whole)
@@ -175,7 +195,20 @@ namespace Biface
         beside_reaction(forces.interpolation, forces.largest_reaction) +
         ", is part of the balance of forces (line 'interpolation' of "
         "forces.csv); smaller cells reduce it, and 'Element/Interpolation = "
-        "Cartesian' has none.");
+        "Cartesian' with cells of 10 degrees or less has none.");
+    if (!warned_of_flat_cells &&
+        equations.mesh.interpolation == Interpolation::Cartesian)
+      {
+        constexpr double remarkable_turn = numbers::PI / 6;
+        const double     turn            = largest_turn(equations.mesh);
+        warned_of_flat_cells             = true;
+        if (turn > remarkable_turn * (1 + 1e-6))
+          warnings.push_back(
+            "Warning: cells turn by up to " +
+            in_digits(turn * 180 / numbers::PI, "%.3g") +
+            " degrees, but with 'Element/Interpolation = Cartesian' they are "
+            "flat; make them narrower, 10 degrees or less.");
+      }
     const WorstStrains worst =
       worst_strains(equations.mesh, equations.internal_forces(), state);
     if (std::min(worst.compression.value, -worst.shear.value / 3) <

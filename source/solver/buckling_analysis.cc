@@ -374,20 +374,18 @@ namespace Biface
   BucklingAnalysis::keep_buckling(const Pencil           &pencil,
                                   std::vector<Eigenpair> &pairs) const
   {
+    for (Eigenpair &pair : pairs)
+      make_real(pair);
     // the others belong to reversed loads, or to oscillations of tangents that
     // are not symmetric
-    constexpr double real = 1e-8;
     pairs.erase(std::remove_if(pairs.begin(),
                                pairs.end(),
                                [&](const Eigenpair &pair) {
                                  return !(pair.value.real() > 0) ||
-                                        std::abs(pair.value.imag()) >
-                                          real * pair.value.real() ||
+                                        pair.value.imag() != 0 ||
                                         !is_softened(pencil, pair.vector);
                                }),
                 pairs.end());
-    for (Eigenpair &pair : pairs)
-      pair.value.imag(0);
   }
 
 

@@ -408,13 +408,8 @@ namespace Biface
       result.neutral_motions.push_back(motion.name);
     for (Eigenpair &pair : pairs)
       {
-        constexpr double real = 1e-8;
-        if (std::abs(pair.value.imag()) <= real * std::abs(pair.value))
-          {
-            pair.value.imag(0);
-            if (!problem.velocity)
-              pair.imaginary.clear();
-          }
+        if (!problem.velocity)
+          make_real(pair);
         if (is_zero(problem.K, problem.square(pair), pair.vector))
           pair.value = 0;
       }

@@ -310,6 +310,11 @@ namespace Biface
     const double residual  = iterate.result.residuals.back();
     const bool   standstill =
       iterate.last_update <= parameters.update_tolerance * thickness;
+    // a shell that moves as a rigid body has no other forces than round-off
+    const auto is_roundoff = [&]() {
+      return standstill && !equations.has_given_forces() &&
+             equations.relative_roundoff(iterate.state) >= 1;
+    };
     return iterate.is_at_rest() &&
            equations.support_violation() <=
              std::max(parameters.update_tolerance * thickness,
@@ -319,7 +324,8 @@ namespace Biface
              (standstill ||
               (iterate.last_error <=
                  maximum_error * iterate.state.displacement.linfty_norm() &&
-               residual <= equations.relative_roundoff(iterate.state))))) &&
+               residual <= equations.relative_roundoff(iterate.state)))) ||
+            is_roundoff()) &&
            is_satisfied(iterate);
   }
 

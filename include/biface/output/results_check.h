@@ -34,7 +34,9 @@ namespace Biface
      * @return warnings, each at most once a stage: of a penetration of more
      * than 1 % of the thickness, of an error of the interpolation of rigid
      * motions, see forces_on_shell(), of more than 1 % of the largest reaction,
-     * and of strains below @p least_stable_strain or shear strains above 1.
+     * and of strains below @p least_stable_strain or shear strains above 1;
+     * once, of flat cells between frames that differ by more than 30 degrees,
+     * see Interpolation::Cartesian.
      */
     std::vector<std::string>
     add(const StepReport &report, const State &state);
@@ -96,6 +98,7 @@ namespace Biface
     /** The stages in which each of the warnings was given. */
     std::set<unsigned int> warned_of_penetration, warned_of_interpolation,
       warned_of_strains;
+    bool warned_of_flat_cells = false;
   };
 } // namespace Biface
 

@@ -140,7 +140,8 @@ namespace Biface
 
     rhs += load;
     rhs += constant;
-    force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+    given_forces = std::sqrt(load.norm_sqr() + constant.norm_sqr());
+    force_scale  = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
                             load.norm_sqr() + constant.norm_sqr());
   }
 
@@ -173,7 +174,8 @@ namespace Biface
       mesh.condense(*part);
     return {sum,
             std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
-                      load.norm_sqr() + constant.norm_sqr())};
+                      load.norm_sqr() + constant.norm_sqr()),
+            std::sqrt(load.norm_sqr() + constant.norm_sqr())};
   }
 
 
@@ -185,7 +187,8 @@ namespace Biface
     // after an assignment, adding to a vector is collective, but a rank without
     // cells adds nothing
     rhs.swap(balance.sum);
-    force_scale = balance.scale;
+    force_scale  = balance.scale;
+    given_forces = balance.given;
   }
 
 

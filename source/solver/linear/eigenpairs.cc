@@ -494,6 +494,19 @@ namespace Biface
   } // namespace
 
 
+  void
+  make_real(Eigenpair &pair)
+  {
+    constexpr double real = 1e-8;
+    if (!(std::abs(pair.value.imag()) <= real * std::abs(pair.value)))
+      return;
+    if (pair.value.imag() < 0)
+      pair.vector = pair.imaginary;
+    pair.value.imag(0);
+    pair.imaginary.clear();
+  }
+
+
   std::vector<Eigenpair>
   left_eigenpairs(
     const std::vector<Eigenpair>                      &right,

@@ -85,6 +85,15 @@ namespace Biface
     virtual double
     relative_roundoff(const State &state) const = 0;
 
+    /** Whether there are forces at the last assembly that do not follow from
+     * deformations, such as loads. Without them and without deformations, all
+     * forces are round-off. */
+    virtual bool
+    has_given_forces() const
+    {
+      return true;
+    }
+
     /** The maximum deviation from the prescribed displacements at the last
      * assembly. Unit: length. */
     virtual double

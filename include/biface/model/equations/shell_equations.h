@@ -157,6 +157,12 @@ namespace Biface
     double
     relative_roundoff(const State &state) const override;
 
+    bool
+    has_given_forces() const override
+    {
+      return given_forces > 0;
+    }
+
     double
     support_violation() const override
     {
@@ -197,7 +203,7 @@ namespace Biface
     struct Balance
     {
       LA::Vector sum;
-      double     scale;
+      double     scale, given;
     };
 
     Balance
@@ -229,6 +235,8 @@ namespace Biface
     std::unique_ptr<TangentMatrix> matrix;
     LA::Vector                     rhs;
     double                         force_scale = 0;
+    /** The norm of has_given_forces(). */
+    double given_forces = 0;
   };
 } // namespace Biface
 

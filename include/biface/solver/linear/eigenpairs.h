@@ -109,6 +109,16 @@ namespace Biface
 
 
   /**
+   * Make an eigenvalue of a real matrix real whose imaginary part is round-off,
+   * with a real vector. Round-off makes a conjugate pair of a double
+   * eigenvalue; the real part of the vector then goes to one of them, the
+   * imaginary part to the other, since both together span its space.
+   */
+  void
+  make_real(Eigenpair &pair);
+
+
+  /**
    * The left eigenvectors of a problem @f$\mathbf P(\lambda)@f$,
    * @f$\mathbf y^T\mathbf P=\mathbf 0@f$, such that
    * @f$\mathbf y_i^T\mathbf P'\mathbf x_j=\delta_{ij}@f$ for the right ones
