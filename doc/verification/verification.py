@@ -885,16 +885,21 @@ def section(benchmark):
     return "\n".join(parts)
 
 
+def deviations(run, expected):
+    """The deviations of a run from the published values, None if a step failed before
+    a value was reached."""
+    return [deviation(evaluate(run, quantity), reference)
+            for quantity, reference in expected if quantity != "iterations"]
+
+
 def summary(benchmarks):
     """The maximum deviation of each benchmark on each mesh."""
     rows = []
     for benchmark in benchmarks:
         row = [heading(benchmark.name)]
         for run in (run for run in benchmark.runs if run.factor):
-            deviations = [deviation(evaluate(run, expected.quantity),
-                                    expected.reference)
-                          for expected in benchmark.expected]
-            found = [d for d in deviations if d is not None]
+            found = [d for d in deviations(run, benchmark.expected)
+                     if d is not None]
             worst = max(found, key=abs, default=None)
             row.append(percent(worst) +
                        ("" if run.complete else " (part of the load)"))
@@ -909,23 +914,17 @@ def is_curved(prm):
                          prm.read_text(encoding="utf-8"), re.MULTILINE)
 
 
-def worst_deviation(run, expected):
-    """The largest deviation of the published values, None if a step failed before
-    all were reached."""
-    found = [deviation(evaluate(run, quantity), reference)
-             for quantity, reference in expected if quantity != "iterations"]
-    return None if None in found else max(found, key=abs)
-
-
 def interpolations(arguments, prms):
     """The chapter that compares the choices of 'Element/Interpolation'."""
     rows = []
     for prm in filter(is_curved, prms):
         expected = read_expected(prm)
-        worst = {name: [worst_deviation(run, expected) for run in
+        found = {name: [deviations(run, expected) for run in
                         on_meshes(arguments, prm, f" {name}",
                                   [f"Element/Interpolation={name}"])]
                  for name in INTERPOLATIONS}
+        worst = {name: [None if None in run else max(run, key=abs) for run in runs]
+                 for name, runs in found.items()}
         rows.append([heading(prm.stem)] +
                     [percent(worst[name][i]) for i in range(len(FACTORS))
                      for name in INTERPOLATIONS])

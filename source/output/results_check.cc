@@ -196,12 +196,12 @@ namespace Biface
         ", is part of the balance of forces (line 'interpolation' of "
         "forces.csv); smaller cells reduce it, and 'Element/Interpolation = "
         "Cartesian' with cells of 10 degrees or less has none.");
-    if (!warned_of_flat_cells &&
+    if (!checked_cells &&
         equations.mesh.interpolation == Interpolation::Cartesian)
       {
         constexpr double remarkable_turn = numbers::PI / 6;
         const double     turn            = largest_turn(equations.mesh);
-        warned_of_flat_cells             = true;
+        checked_cells                    = true;
         if (turn > remarkable_turn * (1 + 1e-6))
           warnings.push_back(
             "Warning: cells turn by up to " +

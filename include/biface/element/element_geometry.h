@@ -58,8 +58,8 @@ namespace Biface
 
     std::array<Vertex, 4> vertices;
 
-    /** What turns components at vertex @p s into those to which the
-     * interpolation adds them at vertex @p r, see Vertex::turn. */
+    /** What turns components at vertex @p s before the interpolation adds them
+     * to components at vertex @p r, see Vertex::turn. */
     dealii::Tensor<2, 3>
     turn(const unsigned int r, const unsigned int s) const
     {

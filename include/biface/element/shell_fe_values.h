@@ -102,11 +102,11 @@ namespace Biface
     }
 
   private:
-    const ReferenceSurface &surface;
     /** Replace the exact geometry of the faces by a bilinear one. */
     void
     interpolate_positions(const FaceHeights &face_heights);
 
+    const ReferenceSurface             &surface;
     const dealii::MappingManifold<2, 3> mapping;
     const dealii::FE_Q<2, 3>            fe;
     dealii::FEValues<2, 3>              at_vertices;

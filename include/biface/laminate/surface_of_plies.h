@@ -18,7 +18,8 @@ namespace Biface
      * length. */
     std::function<double(const double)> radius;
 
-    /** The curvatures @f$k_1,k_2@f$; empty for a plane. Unit: 1/length. */
+    /** The curvatures @f$k_1,k_2@f$; empty if they are not given. Unit:
+     * 1/length. */
     std::function<std::array<double, 2>(const double)> curvature;
 
     /** @f$\alpha_1@f$ of the crown, where the radius is largest. */

@@ -98,7 +98,8 @@ namespace Biface
     /** The stages in which each of the warnings was given. */
     std::set<unsigned int> warned_of_penetration, warned_of_interpolation,
       warned_of_strains;
-    bool warned_of_flat_cells = false;
+    /** Whether the cells were looked at; they do not change. */
+    bool checked_cells = false;
   };
 } // namespace Biface
 

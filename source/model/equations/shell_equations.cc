@@ -140,9 +140,11 @@ namespace Biface
 
     rhs += load;
     rhs += constant;
-    given_forces = std::sqrt(load.norm_sqr() + constant.norm_sqr());
-    force_scale  = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
-                            load.norm_sqr() + constant.norm_sqr());
+    const double load_square     = load.norm_sqr(),
+                 constant_square = constant.norm_sqr();
+    given_forces                 = std::sqrt(load_square + constant_square);
+    force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
+                            load_square + constant_square);
   }
 
 
@@ -172,10 +174,12 @@ namespace Biface
     load.compress(VectorOperation::add);
     for (LA::Vector *part : {&sum, &load, &constant})
       mesh.condense(*part);
+    const double load_square     = load.norm_sqr(),
+                 constant_square = constant.norm_sqr();
     return {sum,
             std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
-                      load.norm_sqr() + constant.norm_sqr()),
-            std::sqrt(load.norm_sqr() + constant.norm_sqr())};
+                      load_square + constant_square),
+            std::sqrt(load_square + constant_square)};
   }
 
 
