@@ -31,5 +31,17 @@ namespace Biface
       "strains it. 'Cartesian', the positions of the faces and their "
       "displacement vectors: no rigid motion strains it, and cells are flat "
       "or warped quadrilaterals.");
+    add_choice(
+      prm,
+      "Thickness strain",
+      thickness_strain,
+      {"by layers", "vertices", "mean director"},
+      "Where the element takes its thickness strain from. 'vertices', from the "
+      "lines between its faces at the four vertices, is the element of "
+      "Grigolyuk, Kulikov and Plotnikova (2004). 'mean director', from the "
+      "line between the faces as it is interpolated between the vertices: "
+      "contact pressure on a soft layer does not make it rock from node to "
+      "node. 'by layers': 'mean director' if there are several "
+      "'Laminate/Layers', 'vertices' otherwise.");
   }
 } // namespace Biface

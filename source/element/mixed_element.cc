@@ -139,6 +139,12 @@ namespace Biface
         vectors = geometry.undeformed;
         vectors += change;
       }
+    if (with_mean_director())
+      {
+        director_change = MeanDirector::change(geometry, gradients);
+        director        = MeanDirector::undeformed(geometry);
+        director += director_change;
+      }
   }
 
 
@@ -156,6 +162,12 @@ namespace Biface
         MeanVectors sum = vectors;
         sum += geometry.undeformed;
         StrainMeans::add_products(geometry, change, sum, 1, E);
+      }
+    if (with_mean_director())
+      {
+        MeanDirector sum = director;
+        sum += MeanDirector::undeformed(geometry);
+        MeanDirector::add_products(geometry, director_change, sum, 1, E);
       }
     return E;
   }
@@ -176,6 +188,9 @@ namespace Biface
     if (with_means())
       StrainMeans::add_products(
         geometry, vectors, StrainMeans::change(geometry, variation), 2, E);
+    if (with_mean_director())
+      MeanDirector::add_products(
+        geometry, director, MeanDirector::change(geometry, variation), 2, E);
     return E;
   }
 
@@ -194,6 +209,9 @@ namespace Biface
     Modes::Vector eta = Modes::from_vertices(at_vertices);
     if (with_means())
       StrainMeans::add_products(geometry, change, change, 1, eta);
+    if (with_mean_director())
+      MeanDirector::add_products(
+        geometry, director_change, director_change, 1, eta);
     return eta;
   }
 
@@ -239,6 +257,16 @@ namespace Biface
         means += StrainMeans::Coupling(geometry, geometry.weight * (H + H_0))
                    .apply(change);
       }
+    MeanDirector on_director;
+    if (with_mean_director())
+      {
+        using Form  = MeanDirector::Form;
+        on_director = Form::of_resultants(geometry, geometry.weight * H)
+                        .apply(MeanDirector::undeformed(geometry));
+        on_director +=
+          Form::of_resultants(geometry, geometry.weight * (H + H_0))
+            .apply(director_change);
+      }
 
     NodalVector force;
     for (unsigned int q = 0; q < 4; ++q)
@@ -250,6 +278,8 @@ namespace Biface
           GeometricCoupling(total_at_vertices[q], metric).apply(gradients[q]);
         if (with_means())
           conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
+        if (with_mean_director())
+          conjugate.beta += on_director.at_vertex(geometry, q);
         add_nodal_force(geometry, conjugate, q, force);
       }
     return force;
@@ -271,6 +301,11 @@ namespace Biface
     if (with_means())
       means = StrainMeans::Coupling(geometry, geometry.weight * H)
                 .apply(StrainMeans::change(geometry, variation));
+    MeanDirector on_director;
+    if (with_mean_director())
+      on_director =
+        MeanDirector::Form::of_resultants(geometry, geometry.weight * H)
+          .apply(MeanDirector::change(geometry, variation));
 
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     for (unsigned int q = 0; q < 4; ++q)
@@ -280,6 +315,8 @@ namespace Biface
             .apply(variation[q]);
         if (with_means())
           conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
+        if (with_mean_director())
+          conjugate.beta += on_director.at_vertex(geometry, q);
         add_nodal_force(geometry, conjugate, q, force);
       }
     return force;
@@ -466,7 +503,33 @@ namespace Biface
       add_means(const ElementGeometry   &geometry,
                 const StrainMeans::Maps &maps,
                 const Modes::Vector     &H);
+
+      /** What ThicknessStrain::mean_director adds. */
+      void
+      add_director(const ElementGeometry    &geometry,
+                   const MeanDirector::Form &form);
     };
+
+
+    void
+    SecondVariation::add_director(const ElementGeometry    &geometry,
+                                  const MeanDirector::Form &form)
+    {
+      for (unsigned int q = 0; q < 4; ++q)
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const ElementGeometry::Vertex &row    = geometry.vertices[q],
+                                          &column = geometry.vertices[r];
+            // half of 2/h at both vertices
+            const double factor = form.of_vertices(q, r) / 2 * 2 /
+                                  row.thickness * 2 / column.thickness;
+            const Tensor<2, 3> turn = transpose(row.axes) * column.axes;
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                director_difference[3 * q + i][3 * r + j] +=
+                  factor * turn[i][j];
+          }
+    }
 
 
     void
@@ -781,6 +844,24 @@ namespace Biface
 
 
   void
+  MixedElement::add_director_terms(StrainMatrix &B) const
+  {
+    for (unsigned int m = 0; m < 3; ++m)
+      {
+        const MeanDirector z =
+          MeanDirector::Form::of_group(geometry, m).apply(director);
+        for (unsigned int q = 0; q < 4; ++q)
+          {
+            const Tensor<1, 3> p =
+              2 / geometry.vertices[q].thickness * z.at_vertex(geometry, q);
+            for (unsigned int i = 0; i < 3; ++i)
+              B[MeanDirector::mode(m)][n_of_part + 3 * q + i] += p[i];
+          }
+      }
+  }
+
+
+  void
   MixedElement::subtract_slack_cords(const SlackStiffness &slack,
                                      const StrainMatrix   &B,
                                      StrainMatrix         &DB) const
@@ -846,6 +927,13 @@ namespace Biface
         const StrainMeans::Maps maps(geometry);
         add_mean_terms(maps, B);
         variation.add_means(geometry, maps, geometry.weight * H);
+      }
+    if (with_mean_director())
+      {
+        add_director_terms(B);
+        variation.add_director(
+          geometry,
+          MeanDirector::Form::of_resultants(geometry, geometry.weight * H));
       }
 
     // D B with the weights

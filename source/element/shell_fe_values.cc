@@ -13,7 +13,8 @@ namespace Biface
 
   ShellFEValues::ShellFEValues(const ReferenceSurface &surface,
                                const StrainSampling    sampling,
-                               const Interpolation     interpolation)
+                               const Interpolation     interpolation,
+                               const ThicknessStrain   thickness_strain)
     : surface(surface)
     , fe(1)
     , at_vertices(mapping,
@@ -25,14 +26,16 @@ namespace Biface
                 QMidpoint<2>(),
                 update_quadrature_points | update_JxW_values)
   {
-    geometry.sampling      = sampling;
-    geometry.interpolation = interpolation;
+    geometry.sampling         = sampling;
+    geometry.interpolation    = interpolation;
+    geometry.thickness_strain = thickness_strain;
   }
 
 
   void
   ShellFEValues::reinit(const Triangulation<2, 3>::cell_iterator &cell,
-                        const FaceHeights                        &face_heights)
+                        const FaceHeights                        &face_heights,
+                        const double wall_thickness)
   {
     at_vertices.reinit(cell);
     at_center.reinit(cell);
@@ -94,6 +97,9 @@ namespace Biface
                     std::abs(geometry.vertices[q].slope[c]) / 4;
         const double ratio      = length / thickness;
         geometry.mean_factor[a] = 1 / (1 + ratio * ratio / 12);
+        const double to_wall =
+          length / (wall_thickness > 0 ? wall_thickness : thickness);
+        geometry.director_factor[c] = 1 / (1 + to_wall * to_wall / 12);
         for (unsigned int face = 0; face < 2; ++face)
           {
             geometry.zeta_ratio[face][a] = 0;

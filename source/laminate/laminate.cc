@@ -75,12 +75,13 @@ namespace Biface
                      const ThicknessLaw           law,
                      const double                 reference_height,
                      const TransverseShearLaw    &shear_law,
-                     const std::array<double, 2> &curvature)
+                     const std::array<double, 2> &curvature,
+                     const WallOfLayer           &wall)
     : plies(std::move(plies))
     , rotated(rotated_stiffnesses(this->plies))
     , law(law)
     , functions(thickness(), reference_height, curvature)
-    , transverse_shear(shear_law, thicknesses(this->plies), rotated)
+    , transverse_shear(shear_law, thicknesses(this->plies), rotated, wall)
     , D(integrate_stiffness())
   {}
 
@@ -372,6 +373,13 @@ namespace Biface
                 [Resultants::tangential_pairs[ab][1]] -= missing * along[ab];
       }
     return stress;
+  }
+
+
+  Tensor<1, 2>
+  Laminate::shear_force(const Resultants::Vector &E) const
+  {
+    return transverse_shear.shear_force(transverse_strains(E));
   }
 
 

@@ -115,6 +115,22 @@ namespace Biface
                "'constant strain' for a homogeneous shell), or a factor, a "
                "number or formula above 0 and at most 1 such as 5/6, by which "
                "'constant strain' is multiplied.");
+    add_parsed(
+      prm,
+      "Laminate/",
+      "Layers",
+      "one",
+      layers,
+      parse_layers,
+      "The layers of the wall, in each of which displacements are "
+      "linear in the height, so that L layers have L + 1 faces: 'one' "
+      "of all plies; 'one per ply' or 'N per ply'; or the number of "
+      "plies in each layer, inner layer first, separated by commas. "
+      "Numbers may be fractions, such as 4, 1/2, 1/2: a ply is divided "
+      "there. A soft ply next to a stiff one, such as a tread or the "
+      "core of a sandwich, needs a layer of its own. With several "
+      "layers, the transverse shear strain of each has its own "
+      "stiffness, see 'Transverse shear'.");
     add_choice(
       prm,
       "Integrals",
@@ -317,6 +333,69 @@ namespace Biface
   }
 
 
+  LayerDivision
+  parse_layers(const std::string &entry, const std::string &text)
+  {
+    constexpr unsigned int max_layers = 100;
+
+    const InputError error(
+      entry,
+      text,
+      "it must be 'one', 'one per ply', 'N per ply' with N from 1 to " +
+        std::to_string(max_layers) + ", or the numbers of plies in at most " +
+        std::to_string(max_layers) + " layers, separated by commas");
+    const auto number = [&](const std::string &item) {
+      try
+        {
+          const double value = Formula(entry, item, {})({});
+          if (value > 0 && value <= max_plies)
+            return value;
+        }
+      catch (const InputError &)
+        {}
+      throw error;
+    };
+
+    if (text == "one")
+      return {};
+    const std::vector<std::string> words = split_words(text);
+    if (words.size() == 3 && words[1] == "per" && words[2] == "ply")
+      {
+        const double n = (words[0] == "one" ? 1. : number(words[0]));
+        if (n != std::floor(n) || n > max_layers)
+          throw error;
+        return {static_cast<unsigned int>(n), {}};
+      }
+    LayerDivision layers;
+    for (const std::string &item : split_list(entry, text, ',', max_layers))
+      layers.n_plies.push_back(number(item));
+    if (layers.n_plies.empty())
+      throw error;
+    return layers;
+  }
+
+
+  std::vector<double>
+  LayerDivision::sides(const unsigned int n_plies_of_wall) const
+  {
+    std::vector<double> sides{0};
+    if (per_ply)
+      for (unsigned int i = 1; i <= n_plies_of_wall * *per_ply; ++i)
+        sides.push_back(static_cast<double>(i) / *per_ply);
+    else if (n_plies.empty())
+      sides.push_back(n_plies_of_wall);
+    else
+      for (const double n : n_plies)
+        {
+          // no slivers from the rounding of fractions
+          const double side    = sides.back() + n;
+          const double rounded = std::round(side);
+          sides.push_back(std::abs(side - rounded) < 1e-9 ? rounded : side);
+        }
+    return sides;
+  }
+
+
   PlyStresses
   parse_ply_stresses(const std::string &entry, const std::string &text)
   {
@@ -441,6 +520,38 @@ namespace Biface
                        "ply " + number_to_string(reference.value),
                        "N must lie between 1 and " +
                          std::to_string(plies.size()));
+    check_layers();
+  }
+
+
+  void
+  Layup::Parameters::check_layers() const
+  {
+    constexpr unsigned int max_layers = 100;
+
+    const std::vector<double> sides    = layers.sides(plies.size());
+    const unsigned int        n_layers = sides.size() - 1;
+    if (sides.back() != plies.size())
+      throw InputError("the entry 'Laminate/Layers' contains " +
+                       number_to_string(sides.back()) +
+                       " plies, but there are " + std::to_string(plies.size()) +
+                       " in 'Laminate/Plies': they must be as many.");
+    if (n_layers > max_layers)
+      throw InputError("the entry 'Laminate/Layers' divides the wall into " +
+                       std::to_string(n_layers) + " layers, but at most " +
+                       std::to_string(max_layers) + " are allowed.");
+    if (n_layers == 1)
+      return;
+    if (shear_law.kind == TransverseShearLaw::Kind::factor)
+      throw InputError(
+        "the entry 'Laminate/Transverse shear' must be 'constant strain' or "
+        "'equilibrium' with several layers ('Laminate/Layers'): the deflection "
+        "would converge to a wrong limit with a factor.");
+    if (!initial_resultants.empty())
+      throw InputError(
+        "the entry 'Laminate/Initial resultants' must be empty with several "
+        "layers ('Laminate/Layers'), since these resultants are those of the "
+        "whole wall; use 'Laminate/Initial ply stresses' instead.");
   }
 
 
@@ -514,7 +625,8 @@ namespace Biface
   Layup::Layup(const Parameters                      &parameters,
                const std::vector<MaterialParameters> &materials,
                const SurfaceOfPlies                  &surface)
-    : law(parameters.law)
+    : sides_of_layers(parameters.layers.sides(parameters.plies.size()))
+    , law(parameters.law)
     , shear_law(parameters.shear_law)
     , curvature(parameters.integrals == ThicknessIntegrals::shell
                   ? surface.curvature
@@ -614,8 +726,8 @@ namespace Biface
   } // namespace
 
 
-  Laminate
-  Layup::laminate(const double alpha_1, const double within) const
+  std::vector<Ply>
+  Layup::plies_at(const double alpha_1, const double within) const
   {
     std::vector<Ply> present;
     for (unsigned int p = 0; p < plies.size(); ++p)
@@ -646,13 +758,71 @@ namespace Biface
       throw InputError(
         "no ply of the entry 'Laminate/Plies' covers alpha_1 = " +
         number_to_string(within) + ".");
-    const double reference_height = height(reference, present);
+    return present;
+  }
+
+
+  Laminate
+  Layup::laminate(const double alpha_1, const double within) const
+  {
+    std::vector<Ply> present          = plies_at(alpha_1, within);
+    const double     reference_height = height(reference, present);
     return Laminate(std::move(present),
                     law,
                     reference_height,
                     shear_law,
                     curvature ? curvature(alpha_1)
                               : std::array<double, 2>{{0, 0}});
+  }
+
+
+  std::vector<std::optional<Laminate>>
+  Layup::layers(const double alpha_1, const double within) const
+  {
+    const std::vector<Ply> present          = plies_at(alpha_1, within);
+    const double           reference_height = height(reference, present);
+
+    const std::array<double, 2> at =
+      (curvature ? curvature(alpha_1) : std::array<double, 2>{{0, 0}});
+
+    std::vector<std::vector<Ply>> parts(n_layers());
+    std::vector<Ply>              all;
+    for (unsigned int k = 0; k < n_layers(); ++k)
+      for (Ply ply : present)
+        {
+          ply.begin = std::max(0., sides_of_layers[k] - ply.number);
+          ply.end   = std::min(1., sides_of_layers[k + 1] - ply.number);
+          if (!(ply.begin < ply.end))
+            continue;
+          ply.thickness *= ply.end - ply.begin;
+          parts[k].push_back(ply);
+          all.push_back(ply);
+        }
+
+    WallOfLayer wall;
+    if (n_layers() > 1)
+      wall.shear = std::make_shared<const TransverseShear>(
+        Laminate(std::move(all), law, reference_height, shear_law, at)
+          .get_transverse_shear());
+    std::vector<std::optional<Laminate>> result;
+    for (std::vector<Ply> &part : parts)
+      {
+        if (part.empty())
+          {
+            result.emplace_back();
+            continue;
+          }
+        const unsigned int n_plies = part.size();
+        result.emplace_back(Laminate(std::move(part),
+                                     law,
+                                     reference_height - wall.height_below,
+                                     shear_law,
+                                     at,
+                                     wall));
+        wall.n_below += n_plies;
+        wall.height_below += result.back()->thickness();
+      }
+    return result;
   }
 
 

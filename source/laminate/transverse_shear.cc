@@ -98,8 +98,9 @@ namespace Biface
   TransverseShear::TransverseShear(
     const TransverseShearLaw                 &law,
     const std::vector<double>                &thicknesses,
-    const std::vector<SymmetricTensor<4, 3>> &stiffnesses)
-    : law(law), thickness(0)
+    const std::vector<SymmetricTensor<4, 3>> &stiffnesses,
+    const WallOfLayer                        &wall)
+    : law(law), wall(wall), thickness(0)
   {
     for (unsigned int k = 0; k < thicknesses.size(); ++k)
       {
@@ -130,7 +131,8 @@ namespace Biface
           for (unsigned int q = 0; q < 2; ++q)
             D[p][q] += law.factor * N.second[p][q] * ply.shear;
       }
-    set_distribution();
+    if (!wall.shear)
+      set_distribution();
     if (law.kind == TransverseShearLaw::Kind::equilibrium)
       set_equilibrium_stiffness();
   }
@@ -176,6 +178,9 @@ namespace Biface
   Tensor<2, 2>
   TransverseShear::distribution(const unsigned int ply, const double z) const
   {
+    if (wall.shear)
+      return wall.shear->distribution(wall.n_below + ply,
+                                      wall.height_below + z);
     const Ply        &at = plies[ply];
     const FaceMoments N(at.begin, z, thickness);
     Tensor<2, 2>      F = at.F;
@@ -224,6 +229,8 @@ namespace Biface
     const Tensor<2, 2> residual = b[2] - b[1] * s_0;
     const Tensor<2, 2> K        = inverse(compliance);
     for (unsigned int p = 0; p < 2; ++p)
+      to_amplitude[p] = K * transpose(G[p]);
+    for (unsigned int p = 0; p < 2; ++p)
       for (unsigned int q = 0; q < 2; ++q)
         D[p][q] =
           G[p] * K * transpose(G[q]) + (p == q ? 0.25 : -0.25) * residual;
@@ -242,6 +249,16 @@ namespace Biface
 
 
   Tensor<1, 2>
+  TransverseShear::amplitude(const FaceStrains &strains) const
+  {
+    // in a whole wall, F integrates to 1
+    return wall.shear
+             ? to_amplitude[0] * strains[0] + to_amplitude[1] * strains[1]
+             : shear_force(strains);
+  }
+
+
+  Tensor<1, 2>
   TransverseShear::stress(const FaceStrains &strains,
                           const unsigned int ply,
                           const double       z) const
@@ -253,7 +270,7 @@ namespace Biface
              ((1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1]);
 
     const Tensor<1, 2> difference = (strains[1] - strains[0]) / 2;
-    return equilibrium_stress(strains, ply, z) +
+    return distribution(ply, z) * amplitude(strains) +
            b * (s * difference - s_0 * difference);
   }
 

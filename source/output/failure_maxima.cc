@@ -42,12 +42,12 @@ namespace Biface
                 mesh.layup.get_plies()[ply.number];
               if (description.strengths)
                 for (unsigned int side = 0; side < 2; ++side)
-                  function(
-                    v,
-                    description,
-                    ply.number,
-                    rotate_about_normal(
-                      PlyState(laminate, p, side, E[v]).stress, -ply.angle));
+                  function(v,
+                           description,
+                           ply.number,
+                           rotate_about_normal(
+                             PlyState(laminate, p, side, E[v], {}).stress,
+                             -ply.angle));
             }
         }
     }
@@ -67,7 +67,7 @@ namespace Biface
     std::vector<std::vector<double>> of_cells(
       criteria.size(),
       std::vector<double>(mesh.cells.size(), LargestCell::none));
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       for_stresses_of_cell(equations,
                            state,
                            c,

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include <biface/laminate/material.h>
@@ -67,25 +68,32 @@ namespace Biface
 
     std::vector<double>       of_cells(mesh.cells.size(), none);
     std::vector<unsigned int> plies(mesh.cells.size());
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int wall : mesh.walls)
       {
-        const Laminate    &laminate = mesh.strips[mesh.cells[c].strip].laminate;
-        Resultants::Vector E;
-        for (const Resultants::Vector &E_v : Modes::at_vertices(
-               equations.internal_forces().total_strains(state, c)))
-          E += E_v / 4.;
-        for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
+        // layers may contain parts of a ply
+        std::map<unsigned int, double> of_plies;
+        const auto [first, end] = mesh.layers_of(wall);
+        for (unsigned int c = first; c < end; ++c)
           {
-            const double tension = members.tension(mesh.layup, laminate, p, E);
-            // the first of plies that differ by round-off
-            if (tension > of_cells[c] +
-                            LargestCell::tolerance * std::abs(of_cells[c]) ||
-                (of_cells[c] == none && !std::isnan(tension)))
-              {
-                of_cells[c] = tension;
-                plies[c]    = laminate.get_plies()[p].number;
-              }
+            const Laminate &laminate =
+              mesh.strips[mesh.cells[c].strip].laminate;
+            Resultants::Vector E;
+            for (const Resultants::Vector &E_v : Modes::at_vertices(
+                   equations.internal_forces().total_strains(state, c)))
+              E += E_v / 4.;
+            for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
+              of_plies[laminate.get_plies()[p].number] +=
+                members.tension(mesh.layup, laminate, p, E);
           }
+        for (const auto &[ply, tension] : of_plies)
+          // the first of plies that differ by round-off
+          if (tension > of_cells[wall] +
+                          LargestCell::tolerance * std::abs(of_cells[wall]) ||
+              (of_cells[wall] == none && !std::isnan(tension)))
+            {
+              of_cells[wall] = tension;
+              plies[wall]    = ply;
+            }
       }
     const auto largest = find_largest_cell(mesh, of_cells);
     if (!largest)

@@ -33,19 +33,19 @@ namespace Biface
                            const std::vector<const LA::Vector *> &shape)
     : VertexPatches<2>(names_of_data(shape.size()))
   {
-    for (const Cell &cell : mesh.cells)
-      for (unsigned int face = 0; face < 2; ++face)
+    for (const Cell &cell : mesh.wall_elements())
+      for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
         {
           Patch patch = new_patch();
           for (unsigned int v = 0; v < 4; ++v)
             {
               const Node &node = mesh.nodes[cell.nodes[v]];
               patch.vertices[v] =
-                mesh.deformed_position(displacement, node, face);
+                mesh.position_of_any_face(displacement, node, face);
               for (unsigned int part = 0; part < shape.size(); ++part)
                 {
                   const Tensor<1, 3> u = node.surface.from_frame(
-                    mesh.displacement(*shape[part], node, face));
+                    mesh.displacement_of_any_face(*shape[part], node, face));
                   for (unsigned int i = 0; i < 3; ++i)
                     patch.data(3 * part + i, v) = u[i];
                 }

@@ -72,20 +72,23 @@ namespace Biface
     const unsigned int n_heights = parameters.points_per_ply;
     const auto         names     = ply_value_names(criteria, mesh.layup);
 
-    // the number of cells, then for each height: angle, height above the
-    // reference surface, tension along the fibers, and the values
+    // the number of plies, which may be parts, and their tension along the
+    // fibers, then for each height: the number of cells, angle, height above
+    // the reference surface, and the values
     const unsigned int n_columns = 3 + names.size();
+    constexpr double   round_off = 1e-9;
     std::string text = "name,ply,material,fraction,angle,height,fiber_tension";
     for (const std::string &name : names)
       text += ',' + name;
     text += '\n';
 
+    EquilibriumShear shear(equations, state);
     for (const NamedPoint &point : mesh.points)
       {
         const unsigned int  n = mesh.node_of_point("Named points", point.name);
-        std::vector<double> sums(all_plies.size() *
-                                 (1 + n_heights * n_columns));
-        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        const unsigned int  n_of_ply = 2 + n_heights * n_columns;
+        std::vector<double> sums(all_plies.size() * n_of_ply);
+        for (const unsigned int c : mesh.layers)
           {
             const Cell &cell = mesh.cells[c];
             const auto  v = std::find(cell.nodes.begin(), cell.nodes.end(), n) -
@@ -100,17 +103,29 @@ namespace Biface
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
               {
                 const Ply &ply = laminate.get_plies()[p];
-                double *sum = &sums[ply.number * (1 + n_heights * n_columns)];
-                *sum++ += 1;
-                const double tension = fiber_tension(laminate, p, E);
+                double    *sum = &sums[ply.number * n_of_ply];
+                *sum++ += ply.end - ply.begin;
+                *sum++ += fiber_tension(laminate, p, E);
                 for (unsigned int i = 0; i < n_heights; ++i)
                   {
-                    const double fraction = height_of(i, n_heights);
+                    // the layer may contain a part of the ply
+                    const double fraction =
+                      (height_of(i, n_heights) - ply.begin) /
+                      (ply.end - ply.begin);
+                    if (!(fraction > -round_off && fraction < 1 + round_off))
+                      {
+                        sum += n_columns;
+                        continue;
+                      }
+                    *sum++ += 1;
                     *sum++ += ply.angle * 180 / numbers::PI;
                     *sum++ += height + fraction * ply.thickness;
-                    *sum++ += tension;
                     for (const double value :
-                         ply_values(PlyState(laminate, p, fraction, E),
+                         ply_values(PlyState(laminate,
+                                             p,
+                                             fraction,
+                                             E,
+                                             shear.stress(c, v, p, fraction)),
                                     ply,
                                     criteria,
                                     mesh.layup))
@@ -123,16 +138,23 @@ namespace Biface
 
         for (unsigned int p = 0; p < all_plies.size(); ++p)
           {
-            const double *sum     = &sums[p * (1 + n_heights * n_columns)];
-            const double  n_cells = *sum++;
-            for (unsigned int i = 0; n_cells > 0 && i < n_heights; ++i)
+            const double *sum     = &sums[p * n_of_ply];
+            const double  n_plies = *sum++;
+            const double  tension = *sum++ / n_plies;
+            for (unsigned int i = 0; n_plies > 0 && i < n_heights; ++i)
               {
+                const double n_cells = *sum++;
                 text += point.name + ',' + std::to_string(p + 1) + ',' +
                         all_plies[p].material + ',' +
                         csv_number(height_of(i, n_heights));
-                for (unsigned int k = 0; k < n_columns; ++k, ++sum)
-                  text += ',' + (std::isnan(*sum) ? std::string()
-                                                  : csv_number(*sum / n_cells));
+                for (unsigned int k = 1; k < n_columns; ++k, ++sum)
+                  {
+                    text +=
+                      ',' + (std::isnan(*sum) ? std::string()
+                                              : csv_number(*sum / n_cells));
+                    if (k == 2)
+                      text += ',' + csv_number(tension);
+                  }
                 text += '\n';
               }
           }

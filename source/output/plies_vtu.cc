@@ -64,7 +64,8 @@ namespace Biface
     : VertexPatches<3>(patch_data_names(criteria, equations.mesh.layup))
   {
     const ShellMesh &mesh = equations.mesh;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    EquilibriumShear shear(equations, state);
+    for (const unsigned int c : mesh.layers)
       {
         const Cell  &cell  = mesh.cells[c];
         const Strip &strip = mesh.strips[cell.strip];
@@ -86,10 +87,11 @@ namespace Biface
                 std::array<Tensor<1, 3>, 2> u;
                 for (unsigned int face = 0; face < 2; ++face)
                   {
-                    x[face] =
-                      mesh.deformed_position(state.displacement, node, face);
-                    u[face] = node.surface.from_frame(
-                      mesh.displacement(state.displacement, node, face));
+                    x[face] = mesh.position_of_any_face(
+                      state.displacement, node, cell.layer + face);
+                    u[face] =
+                      node.surface.from_frame(mesh.displacement_of_any_face(
+                        state.displacement, node, cell.layer + face));
                   }
                 for (unsigned int side = 0; side < 2; ++side)
                   {
@@ -104,7 +106,11 @@ namespace Biface
                     unsigned int d     = 6; // see set_fibers()
                     patch.data(d++, i) = ply.number + 1;
                     for (const double value :
-                         ply_values(PlyState(laminate, p, side, E[v]),
+                         ply_values(PlyState(laminate,
+                                             p,
+                                             side,
+                                             E[v],
+                                             shear.stress(c, v, p, side)),
                                     ply,
                                     criteria,
                                     mesh.layup))

@@ -60,20 +60,80 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The height above the inner face. */
+    double
+    height_in_laminate(const Laminate    &laminate,
+                       const unsigned int ply,
+                       const double       fraction)
+    {
+      const std::vector<Ply> &plies = laminate.get_plies();
+      double                  z     = fraction * plies[ply].thickness;
+      for (unsigned int p = 0; p < ply; ++p)
+        z += plies[p].thickness;
+      return z;
+    }
+  } // namespace
+
+
+  Tensor<1, 2>
+  EquilibriumShear::stress(const unsigned int layer,
+                           const unsigned int vertex,
+                           const unsigned int ply,
+                           const double       fraction)
+  {
+    const ShellMesh   &mesh    = equations.mesh;
+    const unsigned int of_cell = mesh.wall_of(layer);
+    const unsigned int line    = vertex & 1;
+    const auto [first, end]    = mesh.layers_of(of_cell);
+    if (wall != of_cell)
+      {
+        wall = of_cell;
+        strains.clear();
+        for (unsigned int c = first; c < end; ++c)
+          strains.push_back(Modes::at_vertices(
+            equations.internal_forces().total_strains(state, c)));
+      }
+
+    const auto laminate = [&](const unsigned int c) -> const Laminate & {
+      return mesh.strips[mesh.cells[c].strip].at_lines[line];
+    };
+    const double z = height_in_laminate(laminate(layer), ply, fraction);
+    if (end == first + 1)
+      return laminate(layer).interlaminar_stress(strains[0][vertex], ply, z);
+
+    std::vector<Tensor<1, 2>> shear_forces;
+    for (unsigned int c = first; c < end; ++c)
+      shear_forces.push_back(
+        laminate(c).shear_force(strains[c - first][vertex]));
+    const std::pair<unsigned int, unsigned int> key(mesh.cells[of_cell].strip,
+                                                    line);
+    auto                                        known = of_walls.find(key);
+    if (known == of_walls.end())
+      {
+        std::vector<TransverseShear> layers;
+        for (unsigned int c = first; c < end; ++c)
+          layers.push_back(laminate(c).get_transverse_shear());
+        known = of_walls.emplace(key, InterlaminarShear(layers)).first;
+      }
+    return known->second.stress(shear_forces, layer - first, ply, z);
+  }
+
+
   PlyState::PlyState(const Laminate           &laminate,
                      const unsigned int        ply,
                      const double              fraction,
-                     const Resultants::Vector &E)
+                     const Resultants::Vector &E,
+                     const Tensor<1, 2>       &interlaminar)
+    : interlaminar(interlaminar)
   {
     const std::vector<Ply> &plies = laminate.get_plies();
-    double                  z     = fraction * plies[ply].thickness;
-    for (unsigned int p = 0; p < ply; ++p)
-      z += plies[p].thickness;
-    strain = laminate.strain(E, ply, z);
-    stress = laminate.stress(E, ply, z) +
+    const double            z     = height_in_laminate(laminate, ply, fraction);
+    strain                        = laminate.strain(E, ply, z);
+    stress                        = laminate.stress(E, ply, z) +
              rotate_about_normal(plies[ply].initial_stress, plies[ply].angle);
-    interlaminar = laminate.interlaminar_stress(E, ply, z);
-    slack        = laminate.is_slack(E, ply, z);
+    slack = laminate.is_slack(E, ply, z);
   }
 
 

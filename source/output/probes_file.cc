@@ -14,15 +14,19 @@ namespace Biface
                   const LA::Vector &displacement,
                   const ShellMesh  &mesh)
   {
+    const unsigned int n_faces = mesh.n_layers() + 1;
     PointDisplacement  u;
+    u.global.resize(n_faces);
+    u.local.resize(n_faces);
     const unsigned int n = mesh.node_of_point("Named points", point.name);
     // known by the rank that owns the node
     if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
-      for (unsigned int face = 0; face < 2; ++face)
+      for (unsigned int i = 0; i < n_faces; ++i)
         {
-          const Node &node = mesh.nodes[n];
-          u.local[face]    = mesh.displacement(displacement, node, face);
-          u.global[face]   = node.surface.from_frame(u.local[face]);
+          const unsigned int face = (i == 0 ? 0 : i == 1 ? n_faces - 1 : i - 1);
+          const Node        &node = mesh.nodes[n];
+          u.local[i]  = mesh.displacement_of_any_face(displacement, node, face);
+          u.global[i] = node.surface.from_frame(u.local[i]);
         }
     for (const auto faces : {&u.global, &u.local})
       for (Tensor<1, 3> &value : *faces)
@@ -35,7 +39,7 @@ namespace Biface
                          const ShellEquations &equations)
     : StepTable("probes.csv",
                 "step,stage,load_factor,name,face,u_x,u_y,u_z,u_1,u_2,u_3",
-                3 * equations.mesh.points.size(),
+                (2 + equations.mesh.n_layers()) * equations.mesh.points.size(),
                 directory,
                 equations)
   {}
@@ -56,20 +60,30 @@ namespace Biface
       {
         const PointDisplacement u =
           displacement_at(point, state.displacement, equations.mesh);
-        const auto add = [&](const std::string &face,
-                             const double       share_of_inner) {
+        const auto add = [&](const std::string         &face,
+                             const std::vector<double> &shares) {
           lines += std::to_string(report.step) + ',' + report.stage + ',' +
                    csv_number(report.loads.factors[0]) + ',' + point.name +
                    ',' + face;
           for (const auto &faces : {u.global, u.local})
-            for (unsigned int i = 0; i < 3; ++i)
-              lines += ',' + csv_number(share_of_inner * faces[0][i] +
-                                        (1 - share_of_inner) * faces[1][i]);
+            {
+              Tensor<1, 3> value;
+              for (unsigned int k = 0; k < shares.size(); ++k)
+                value += shares[k] * faces[k];
+              for (unsigned int i = 0; i < 3; ++i)
+                lines += ',' + csv_number(value[i]);
+            }
           lines += '\n';
         };
-        add("inner", 1);
-        add("outer", 0);
-        add("middle", 0.5);
+        add("inner", {1});
+        add("outer", {0, 1});
+        add("middle", {0.5, 0.5});
+        for (unsigned int face = 1; face < equations.mesh.n_layers(); ++face)
+          {
+            std::vector<double> shares(face + 2);
+            shares.back() = 1;
+            add("face " + std::to_string(face), shares);
+          }
       }
     append(lines);
   }

@@ -68,9 +68,9 @@ namespace Biface
     const TensionMembers members(mesh.layup);
     const unsigned int   n_plies = mesh.layup.get_plies().size();
 
-    // number of cells and sum by node and ply
+    // number of plies, which may be parts, and sum by node and ply
     std::vector<double> sums(2 * mesh.grid.n_nodes(0) * n_plies);
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
         if (std::none_of(
@@ -92,7 +92,8 @@ namespace Biface
                   members.tension(mesh.layup, laminate, p, E[v]);
                 double *sum = &sums[2 * (node.grid_index[0] * n_plies +
                                          laminate.get_plies()[p].number)];
-                sum[0] += 1;
+                sum[0] +=
+                  laminate.get_plies()[p].end - laminate.get_plies()[p].begin;
                 sum[1] += tension;
               }
           }
@@ -115,7 +116,7 @@ namespace Biface
     for (unsigned int side = 0; side < 2; ++side)
       {
         const unsigned int i = node.grid_index[0] + side;
-        if (i == 0 || i > mesh.strips.size())
+        if (i == 0 || i > mesh.n_strips())
           continue;
         const Laminate &laminate = mesh.strips[i - 1].at_lines[1 - side];
         const double    bottom   = laminate.face_heights()[0];
@@ -163,12 +164,9 @@ namespace Biface
             row.insert(row.end(), {x[0], x[1], x[2]});
           }
         row.push_back(state.ground().pressure(n));
-        // displacements are linear in the height
-        const auto [inner, outer] = node.face_heights;
-        const double fraction =
-          (carcass_height(node) - inner) / (outer - inner);
-        for (unsigned int i = 0; i < 3; ++i)
-          row.push_back((1 - fraction) * row[5 + i] + fraction * row[2 + i]);
+        const Point<3> carcass = mesh.position_at_height(
+          state.displacement, node, carcass_height(node));
+        row.insert(row.end(), {carcass[0], carcass[1], carcass[2]});
         if (members.exist())
           {
             const auto begin = tensions.begin() + node.grid_index[0] * n_plies;

@@ -55,7 +55,7 @@ namespace Biface
     largest_turn(const ShellMesh &mesh)
     {
       double cosine = 1;
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (unsigned int q = 0; q < 4; ++q)
           for (unsigned int a = 0; a < 2; ++a)
             cosine =

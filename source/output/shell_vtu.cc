@@ -30,6 +30,8 @@ namespace Biface
                                      "friction"};
       if (layup.has_slack_cords())
         names.emplace_back("slack_cords");
+      if (layup.n_layers() > 1)
+        names.emplace_back("layer");
       if (rolls)
         names.insert(names.end(), 3, "slip_velocity");
       return names;
@@ -47,47 +49,52 @@ namespace Biface
     using namespace Resultants;
 
     const ShellMesh &mesh = equations.mesh;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
-        const auto  H    = Modes::at_vertices(
+        // whether nothing of the wall is beyond
+        const bool is_last = (c + 1 == mesh.cells.size() ||
+                              mesh.cells[c + 1].column != cell.column);
+        const auto H       = Modes::at_vertices(
           equations.internal_forces().total_resultants(state, c));
         const auto slack =
           equations.internal_forces().slack_fractions(state, c);
 
         for (unsigned int face = 0; face < 2; ++face)
           {
-            Patch patch = new_patch();
+            const bool is_outer = (is_last && face == outer);
+            Patch      patch    = new_patch();
             for (unsigned int v = 0; v < 4; ++v)
               {
-                const Node &node = mesh.nodes[cell.nodes[v]];
-                patch.vertices[v] =
-                  mesh.deformed_position(state.displacement, node, face);
-                const Tensor<1, 3> u = node.surface.from_frame(
-                  mesh.displacement(state.displacement, node, face));
+                const Node &node  = mesh.nodes[cell.nodes[v]];
+                patch.vertices[v] = mesh.position_of_any_face(
+                  state.displacement, node, cell.layer + face);
+                const Tensor<1, 3> u =
+                  node.surface.from_frame(mesh.displacement_of_any_face(
+                    state.displacement, node, cell.layer + face));
 
                 unsigned int d = 0;
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = u[i];
                 patch.data(d++, v) =
-                  (face == outer ? state.ground().pressure(cell.nodes[v]) : 0.);
+                  (is_outer ? state.ground().pressure(cell.nodes[v]) : 0.);
                 patch.data(d++, v) =
-                  (face == outer ? state.ground().active[cell.nodes[v]] : 0);
-                patch.data(d++, v) = face;
+                  (is_outer ? state.ground().active[cell.nodes[v]] : 0);
+                patch.data(d++, v) = is_outer;
                 for (unsigned int ab = 0; ab < 3; ++ab)
                   patch.data(d++, v) = H[v][tangential(ab, face)];
                 for (unsigned int a = 0; a < 2; ++a)
                   patch.data(d++, v) = H[v][transverse(a, face)];
                 patch.data(d++, v) = H[v][thickness];
                 Tensor<1, 3> friction;
-                if (face == outer)
+                if (is_outer)
                   friction = contact_traction(state.ground(),
                                               loads.body(0),
                                               cell.nodes[v],
                                               patch.vertices[v])
                                .friction;
                 patch.data(d++, v) =
-                  (face == outer &&
+                  (is_outer &&
                        slips(state.ground(), loads.body(0), cell.nodes[v])
                      ? 1
                      : 0);
@@ -95,10 +102,12 @@ namespace Biface
                   patch.data(d++, v) = friction[i];
                 if (mesh.layup.has_slack_cords())
                   patch.data(d++, v) = slack[v];
+                if (mesh.n_layers() > 1)
+                  patch.data(d++, v) = cell.layer + 1;
                 if (!slip_velocities.empty())
                   for (unsigned int i = 0; i < 3; ++i)
                     patch.data(d++, v) =
-                      (face == outer ? slip_velocities[cell.nodes[v]][i] : 0.);
+                      (is_outer ? slip_velocities[cell.nodes[v]][i] : 0.);
               }
             patches.push_back(patch);
           }

@@ -23,7 +23,7 @@ namespace Biface
     shortest_side_of_cells(const ShellMesh &mesh)
     {
       double shortest = std::numeric_limits<double>::infinity();
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (const unsigned int side : GeometryInfo<2>::face_indices())
           {
             const auto end = [&](const unsigned int i) {

@@ -97,14 +97,16 @@ namespace Biface
     check_memory(given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
-    return std::make_shared<const ShellMesh>(communicator,
-                                             std::move(surface),
-                                             given,
-                                             layup,
-                                             parameters.supports,
-                                             points,
-                                             parameters.element.sampling,
-                                             parameters.element.interpolation);
+    return std::make_shared<const ShellMesh>(
+      communicator,
+      std::move(surface),
+      given,
+      layup,
+      parameters.supports,
+      points,
+      parameters.element.sampling,
+      parameters.element.interpolation,
+      parameters.element.thickness_strain);
   }
 
 

@@ -153,7 +153,8 @@ namespace Biface
                       stream,
                       make_shell_mesh(parameters, communicator, &grid));
 
-    auto nested = std::make_unique<NestedPredictor>(grid, parameters.stages);
+    auto nested = std::make_unique<NestedPredictor>(
+      grid, coarse.mesh->n_layers(), parameters.stages);
     const LoadSteppingResult result = coarse.run(
       [&](const StepReport &report, const State &state) {
         nested->learn(report.instant, GridState(*coarse.mesh, state));

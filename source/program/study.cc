@@ -422,7 +422,10 @@ namespace Biface
                                    *make_surface(changed.surface));
               states =
                 std::make_unique<SampleStates::Sample>(SampleStates::Sample{
-                  samples[i], grid, NestedPredictor(grid, changed.stages)});
+                  samples[i],
+                  grid,
+                  NestedPredictor(
+                    grid, changed.laminate.n_layers(), changed.stages)});
               if (const SampleStates::Sample *nearest =
                     neighbors.nearest(samples[i], grid, scales))
                 options.predictor = &nearest->states;

@@ -12,7 +12,7 @@ namespace Biface
   rows_of(const LA::Vector &displacement, const ShellMesh &mesh)
   {
     NumberedRows rows;
-    rows.width   = 6;
+    rows.width   = mesh.n_dofs_per_node();
     rows.n_rows  = mesh.n_nodes();
     rows.numbers = numbers_of_owned_nodes(mesh);
     for (const Node &node : mesh.nodes)
@@ -29,7 +29,7 @@ namespace Biface
     AssertDimension(modes.size(), mesh.cells.size());
     NumberedRows rows;
     rows.width   = Modes::n;
-    rows.n_rows  = mesh.n_cells();
+    rows.n_rows  = mesh.n_elements();
     rows.numbers = numbers_of_cells(mesh);
     for (const Modes::Vector &mode : modes)
       for (unsigned int i = 0; i < Modes::n; ++i)
@@ -101,7 +101,7 @@ namespace Biface
   {
     NumberedRows rows;
     rows.width   = width_on_all_ranks(table, mesh);
-    rows.n_rows  = mesh.n_cells();
+    rows.n_rows  = mesh.n_elements();
     rows.numbers = numbers_of_cells(mesh);
     for (unsigned int c = 0; c < table.size(0); ++c)
       for (unsigned int i = 0; i < rows.width; ++i)

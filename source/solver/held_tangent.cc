@@ -48,7 +48,7 @@ namespace Biface
       const ShellMesh &mesh = contact.mesh;
       auto       held = std::make_unique<TangentMatrix>(mesh, mesh.constraints);
       LA::Vector nothing = mesh.owned_vector();
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const unsigned int c : mesh.walls)
         {
           const Cell               &cell = mesh.cells[c];
           MixedElement::NodalMatrix matrix{};

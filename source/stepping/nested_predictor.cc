@@ -12,8 +12,9 @@ namespace Biface
   using namespace dealii;
 
   NestedPredictor::NestedPredictor(const ChartGrid          &coarse,
+                                   const unsigned int        n_layers,
                                    const std::vector<Stage> &stages)
-    : undeformed(coarse), stages(stages)
+    : undeformed(GridState(coarse, n_layers)), stages(stages)
   {}
 
 
@@ -95,11 +96,15 @@ namespace Biface
         state.contacts[0].active[n] = (zone.contact(node.alpha) > 0.5);
         if (!node.locally_owned)
           continue;
-        const Tensor<1, 6> moved = change(
-          [&](const GridState &s) { return s.displacement(node.alpha); });
-        for (unsigned int i = 0; i < 6; ++i)
-          if (!mesh.constraints.is_constrained(node.dofs[i]))
-            increment(node.dofs[i]) = moved[i];
+        for (unsigned int part = 0; part < node.n_parts(); ++part)
+          {
+            const Tensor<1, 3> moved = change([&](const GridState &s) {
+              return s.displacement(node.alpha, part);
+            });
+            for (unsigned int i = 0; i < 3; ++i)
+              if (!mesh.constraints.is_constrained(node.dof(i, part)))
+                increment(node.dof(i, part)) = moved[i];
+          }
       }
     increment.compress(VectorOperation::insert);
     mesh.constraints.distribute(increment);
@@ -109,7 +114,7 @@ namespace Biface
     state.displacement = displacement;
 
     const auto &lines = mesh.grid.lines;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Point<2> low = mesh.nodes[mesh.cells[c].nodes[0]].alpha;
         Point<2>       high;
@@ -118,8 +123,9 @@ namespace Biface
             *std::upper_bound(lines[a].begin(), lines[a].end() - 1, low[a]);
         const std::array<Point<2>, 4> vertices{
           {low, Point<2>(high[0], low[1]), Point<2>(low[0], high[1]), high}};
-        state.resultants[c] +=
-          change([&](const GridState &s) { return s.resultants(vertices); });
+        state.resultants[c] += change([&](const GridState &s) {
+          return s.resultants(vertices, mesh.cells[c].layer);
+        });
       }
     return true;
   }

@@ -66,7 +66,7 @@ namespace
       if (node.locally_owned)
         {
           const Tensor<1, 3> force = node.surface.from_frame(
-            mesh->force_on_face(forces, node, Resultants::outer));
+            mesh->force_on_any_face(forces, node, Resultants::outer));
           sum += force;
           moment +=
             cross_product_3d(mesh->deformed_position(

@@ -118,7 +118,7 @@ struct Total
               node.surface.position +
               node.face_heights[face] * node.surface.frame[2];
             const dealii::Tensor<1, 3> f = node.surface.from_frame(
-              mesh.force_on_face(nodal_forces, node, face));
+              mesh.force_on_any_face(nodal_forces, node, face));
             force += f;
             moment += dealii::cross_product_3d(x, f);
           }

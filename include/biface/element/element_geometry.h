@@ -12,6 +12,7 @@
 #include <biface/element/mean_vectors.h>
 #include <biface/element/strain.h>
 #include <biface/element/strain_sampling.h>
+#include <biface/element/thickness_strain.h>
 
 namespace Biface
 {
@@ -78,6 +79,11 @@ namespace Biface
 
     StrainSampling sampling;
     Interpolation  interpolation;
+
+    /** Vertices or mean director. */
+    ThicknessStrain thickness_strain = ThicknessStrain::vertices;
+    /** What MeanDirector needs: @f$\varphi_a@f$. */
+    std::array<double, 2> director_factor;
 
     /** What StrainMeans needs: @f$\varphi_a@f$, */
     std::array<double, 2> mean_factor;

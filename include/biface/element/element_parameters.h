@@ -7,14 +7,16 @@
 
 #include <biface/element/interpolation.h>
 #include <biface/element/strain_sampling.h>
+#include <biface/element/thickness_strain.h>
 
 namespace Biface
 {
   /** Entries of the section 'Element'. */
   struct ElementParameters
   {
-    StrainSampling sampling      = StrainSampling::means;
-    Interpolation  interpolation = Interpolation::components;
+    StrainSampling  sampling         = StrainSampling::means;
+    Interpolation   interpolation    = Interpolation::components;
+    ThicknessStrain thickness_strain = ThicknessStrain::by_layers;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

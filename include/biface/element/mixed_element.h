@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/slack_cords.h>
@@ -29,7 +30,8 @@ namespace Biface
    * @f]
    * with @f$\eta@f$ the nonlinear part of the strains.
    *
-   * With StrainSampling::means the modes contain what StrainMeans adds.
+   * With StrainSampling::means the modes contain what StrainMeans adds, with
+   * ThicknessStrain::mean_director what MeanDirector does.
    */
   class MixedElement
   {
@@ -210,10 +212,19 @@ namespace Biface
      * from the undeformed one. */
     MeanVectors vectors, change;
 
+    /** With ThicknessStrain::mean_director: likewise. */
+    MeanDirector director, director_change;
+
     bool
     with_means() const
     {
       return geometry.sampling == StrainSampling::means;
+    }
+
+    bool
+    with_mean_director() const
+    {
+      return geometry.thickness_strain == ThicknessStrain::mean_director;
     }
 
     /** A row for each mode. The columns are sorted part by part, those of a
@@ -227,6 +238,10 @@ namespace Biface
     /** What StrainSampling::means adds. */
     void
     add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
+
+    /** What ThicknessStrain::mean_director adds. */
+    void
+    add_director_terms(StrainMatrix &B) const;
 
     /** Subtract what slack cords lack from @f$\mathbf D\mathbf B@f$ with the
      * weights of element and modes. */

@@ -50,17 +50,21 @@ namespace Biface
      */
     explicit ShellFEValues(
       const ReferenceSurface &surface,
-      const StrainSampling    sampling      = StrainSampling::vertices,
-      const Interpolation     interpolation = Interpolation::components);
+      const StrainSampling    sampling         = StrainSampling::vertices,
+      const Interpolation     interpolation    = Interpolation::components,
+      const ThicknessStrain   thickness_strain = ThicknessStrain::vertices);
 
     /**
      * Go to a cell, the sides of which must be coordinate lines.
      *
      * @param face_heights assumed bilinear in the coordinates.
+     * @param wall_thickness of which the element may be a layer; 0 for its own
+     * thickness.
      */
     void
     reinit(const dealii::Triangulation<2, 3>::cell_iterator &cell,
-           const FaceHeights                                &face_heights);
+           const FaceHeights                                &face_heights,
+           const double wall_thickness = 0);
 
     /** The reference surface at a vertex: frame, @f$A_a@f$, @f$k_a@f$,
      * @f$B_a@f$. */

@@ -63,6 +63,9 @@ namespace Biface
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
     double loss_factor = 0;
+    /** Where it starts and ends in the ply of the layup, as fractions of the
+     * thickness of that, if it is only the part that belongs to a layer. */
+    double begin = 0, end = 1;
   };
 
 
@@ -76,12 +79,25 @@ namespace Biface
     /** @param reference_height the height of the reference surface above the
      * inner face. Unit: length.
      * @param curvature of the reference surface, see ThicknessFunctions; zero
-     * for the integrals of a plate. */
+     * for the integrals of a plate.
+     * @param wall if the plies are a layer of it. */
     Laminate(std::vector<Ply>             plies,
              const ThicknessLaw           law,
              const double                 reference_height,
              const TransverseShearLaw    &shear_law = TransverseShearLaw(),
-             const std::array<double, 2> &curvature = {{0, 0}});
+             const std::array<double, 2> &curvature = {{0, 0}},
+             const WallOfLayer           &wall      = {});
+
+    const TransverseShear &
+    get_transverse_shear() const
+    {
+      return transverse_shear;
+    }
+
+    /** The shear forces @f$Q_1,Q_2@f$ of strains. Unit: force/length. */
+    dealii::Tensor<1, 2>
+    shear_force(const Resultants::Vector &E) const;
+
 
     const std::vector<Ply> &
     get_plies() const
@@ -196,7 +212,8 @@ namespace Biface
      * The transverse shear stresses @f$\sigma_{13},\sigma_{23}@f$ in
      * equilibrium with the shear forces, see
      * TransverseShear::equilibrium_stress(): zero at both faces, and continuous
-     * between plies. Unit: force/area.
+     * between plies. Only if the plies are the whole wall; for layers, see
+     * InterlaminarShear. Unit: force/area.
      */
     dealii::Tensor<1, 2>
     interlaminar_stress(const Resultants::Vector &E,

@@ -127,6 +127,30 @@ namespace Biface
   parse_initial_resultants(const std::string &entry, const std::string &text);
 
 
+  /** The layers of the wall, between L + 1 faces: the parts of the stack of
+   * plies in which displacements are linear in the height. */
+  struct LayerDivision
+  {
+    /** In how many layers each ply is divided, where they are that many. */
+    std::optional<unsigned int> per_ply;
+
+    /** The number of plies in each layer otherwise, inner layer first;
+     * fractions of plies are fractions of their thickness. Empty for a single
+     * layer of all plies. */
+    std::vector<double> n_plies;
+
+    /** The sides of the layers, as numbers of plies below them: from 0 to
+     * @p n_plies_of_wall. */
+    std::vector<double>
+    sides(const unsigned int n_plies_of_wall) const;
+  };
+
+  /** Read 'one', 'one per ply', 'N per ply', or a list of numbers of plies.
+   * Throws InputError where it is none of these. */
+  LayerDivision
+  parse_layers(const std::string &entry, const std::string &text);
+
+
   /** The lengths and areas in integrals over the thickness, see
    * ThicknessFunctions. */
   enum class ThicknessIntegrals
@@ -162,6 +186,13 @@ namespace Biface
       TransverseShearLaw            shear_law;
       ThicknessIntegrals            integrals = ThicknessIntegrals::plate;
       ThicknessPosition             reference;
+      LayerDivision                 layers;
+
+      unsigned int
+      n_layers() const
+      {
+        return layers.sides(plies.size()).size() - 1;
+      }
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -171,6 +202,10 @@ namespace Biface
       void
       check(const std::vector<MaterialParameters> &materials,
             const PlyVariables                    &variables) const;
+
+    private:
+      void
+      check_layers() const;
     };
 
     /** Throws InputError like Parameters::check(), if a table cannot be
@@ -195,6 +230,18 @@ namespace Biface
     laminate(const double alpha_1) const
     {
       return laminate(alpha_1, alpha_1);
+    }
+
+    /** The parts of this laminate in the layers of the wall, inner layer first;
+     * empty where no ply of a layer covers the position. */
+    std::vector<std::optional<Laminate>>
+    layers(const double alpha_1, const double within) const;
+
+    /** The number of layers of the wall. */
+    unsigned int
+    n_layers() const
+    {
+      return sides_of_layers.size() - 1;
     }
 
     const std::vector<PlyDescription> &
@@ -224,9 +271,15 @@ namespace Biface
     }
 
   private:
+    /** The plies that cover @p within. */
+    std::vector<Ply>
+    plies_at(const double alpha_1, const double within) const;
+
     std::vector<PlyDescription> plies;
-    ThicknessLaw                law;
-    TransverseShearLaw          shear_law;
+    /** See LayerDivision::sides(). */
+    std::vector<double> sides_of_layers;
+    ThicknessLaw        law;
+    TransverseShearLaw  shear_law;
     /** See SurfaceOfPlies; empty for the integrals of a plate. */
     std::function<std::array<double, 2>(const double)> curvature;
     ThicknessPosition                                  reference;

@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,19 @@ namespace Biface
   parse_transverse_shear(const std::string &entry, const std::string &text);
 
 
+  class TransverseShear;
+
+  /** The wall of which some plies are a layer. */
+  struct WallOfLayer
+  {
+    /** With all plies; null if there are no others. */
+    std::shared_ptr<const TransverseShear> shear;
+    /** The number of plies below the layer, and their thickness. */
+    unsigned int n_below      = 0;
+    double       height_below = 0;
+  };
+
+
   /**
    * The transverse shear of a stack of plies: its stiffness, and the
    * distribution of the stresses over the thickness.
@@ -60,15 +74,41 @@ namespace Biface
      * face. */
     using FaceStrains = std::array<dealii::Tensor<1, 2>, 2>;
 
+    struct Ply
+    {
+      /** The heights of its sides. */
+      double begin, end;
+      /** @f$q_{abcd}@f$ by the pairs 11, 22, 12. */
+      dealii::Tensor<2, 3> plane_stress;
+      /** @f$b_{a3c3}@f$ */
+      dealii::Tensor<2, 2> shear;
+      /** @f$\mathbf F@f$ at its inner side. */
+      dealii::Tensor<2, 2> F;
+    };
+
     /**
      * @param thicknesses of the plies, inner ply first. Unit: length.
      * @param stiffnesses of the plies in the frame of the shell. Unit:
      * force/area.
+     * @param wall whose stresses in equilibrium are those of the layer, too.
      */
     TransverseShear(
       const TransverseShearLaw                         &law,
       const std::vector<double>                        &thicknesses,
-      const std::vector<dealii::SymmetricTensor<4, 3>> &stiffnesses);
+      const std::vector<dealii::SymmetricTensor<4, 3>> &stiffnesses,
+      const WallOfLayer                                &wall = {});
+
+    const std::vector<Ply> &
+    get_plies() const
+    {
+      return plies;
+    }
+
+    double
+    get_thickness() const
+    {
+      return thickness;
+    }
 
     /** @f$D_{a3c3}^{pq}@f$ for the faces p and q. Unit: force/length. */
     dealii::Tensor<2, 2>
@@ -95,7 +135,8 @@ namespace Biface
            const double       z) const;
 
     /** The stresses @f$\mathbf F\mathbf Q@f$ in equilibrium with the shear
-     * forces, for every law. Unit: force/area. */
+     * forces, for every law, if the plies are the whole wall. Unit:
+     * force/area. */
     dealii::Tensor<1, 2>
     equilibrium_stress(const FaceStrains &strains,
                        const unsigned int ply,
@@ -104,7 +145,8 @@ namespace Biface
       return distribution(ply, z) * shear_force(strains);
     }
 
-    /** @f$\mathbf F@f$. Unit: 1/length. */
+    /** @f$\mathbf F@f$, of the wall if the plies are a layer of it. Unit:
+     * 1/length. */
     dealii::Tensor<2, 2>
     distribution(const unsigned int ply, const double z) const;
 
@@ -118,19 +160,13 @@ namespace Biface
     void
     set_equilibrium_stiffness();
 
-    struct Ply
-    {
-      /** The heights of its sides. */
-      double begin, end;
-      /** @f$q_{abcd}@f$ by the pairs 11, 22, 12. */
-      dealii::Tensor<2, 3> plane_stress;
-      /** @f$b_{a3c3}@f$ */
-      dealii::Tensor<2, 2> shear;
-      /** @f$\mathbf F@f$ at its inner side. */
-      dealii::Tensor<2, 2> F;
-    };
+    /** The factor of @f$\mathbf F@f$ in the stresses of the law
+     * `equilibrium`. */
+    dealii::Tensor<1, 2>
+    amplitude(const FaceStrains &strains) const;
 
     TransverseShearLaw law;
+    WallOfLayer        wall;
     std::vector<Ply>   plies;
     double             thickness;
 
@@ -140,6 +176,9 @@ namespace Biface
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> gradient;
 
     std::array<std::array<dealii::Tensor<2, 2>, 2>, 2> D;
+
+    /** Of a layer of a wall: from the strains of the faces to amplitude(). */
+    std::array<dealii::Tensor<2, 2>, 2> to_amplitude;
 
     /** Where the stiffness of constant strain vanishes: a strain proportional
      * to @f$s-\mathbf s_0@f$, with @f$s@f$ from -1 to 1, has no shear force. */

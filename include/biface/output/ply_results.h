@@ -6,11 +6,17 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <array>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <biface/laminate/interlaminar_shear.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/resultants.h>
+#include <biface/model/equations/shell_equations.h>
 
 namespace Biface
 {
@@ -54,7 +60,7 @@ namespace Biface
     dealii::SymmetricTensor<2, 3> strain;
     /** Unit: force/area. */
     dealii::SymmetricTensor<2, 3> stress;
-    /** See Laminate::interlaminar_stress(). Unit: force/area. */
+    /** In equilibrium with bending, see EquilibriumShear. Unit: force/area. */
     dealii::Tensor<1, 2> interlaminar;
     /** See Laminate::is_slack(). */
     bool slack;
@@ -64,11 +70,46 @@ namespace Biface
      * @param ply the position of the ply in it.
      * @param fraction the position in the ply as a fraction of its thickness.
      * @param E the strains of the faces at the point, see Resultants.
+     * @param interlaminar see there.
      */
-    PlyState(const Laminate           &laminate,
-             const unsigned int        ply,
-             const double              fraction,
-             const Resultants::Vector &E);
+    PlyState(const Laminate             &laminate,
+             const unsigned int          ply,
+             const double                fraction,
+             const Resultants::Vector   &E,
+             const dealii::Tensor<1, 2> &interlaminar);
+  };
+
+
+  /** The transverse shear stresses of a state in equilibrium with bending:
+   * those of Laminate::interlaminar_stress(), or with several layers those of
+   * InterlaminarShear. */
+  class EquilibriumShear
+  {
+  public:
+    /** All arguments are kept by reference. */
+    EquilibriumShear(const ShellEquations &equations, const State &state)
+      : equations(equations), state(state)
+    {}
+
+    /** Within a ply at a vertex. Unit: force/area.
+     * @param layer the position of the layer in ShellMesh::cells.
+     * @param ply,fraction see PlyState. */
+    dealii::Tensor<1, 2>
+    stress(const unsigned int layer,
+           const unsigned int vertex,
+           const unsigned int ply,
+           const double       fraction);
+
+  private:
+    const ShellEquations &equations;
+    const State          &state;
+
+    /** By the strips of the walls and their lines. */
+    std::map<std::pair<unsigned int, unsigned int>, InterlaminarShear> of_walls;
+
+    /** The strains of the layers of the wall at hand. */
+    std::optional<unsigned int>                    wall;
+    std::vector<std::array<Resultants::Vector, 4>> strains;
   };
 
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <vector>
 
 #include <biface/output/result_file.h>
 
@@ -15,7 +16,10 @@ namespace Biface
    * the coordinate lines. */
   struct PointDisplacement
   {
-    std::array<dealii::Tensor<1, 3>, 2> global, local;
+    /** Of the inner and the outer face, then of those between layers, from the
+     * inside out: Cartesian components, and those in the frame of the node.
+     * Unit: length. */
+    std::vector<dealii::Tensor<1, 3>> global, local;
   };
 
 

@@ -14,9 +14,9 @@
 namespace Biface
 {
   /**
-   * A table with one row per node or cell, identified by a number that does not
-   * depend on the number of ranks (Node::number, Cell::number). Each rank has
-   * the rows of its own nodes or cells.
+   * A table with one row per node or element, identified by a number that does
+   * not depend on the number of ranks (Node::number, Cell::number). Each rank
+   * has the rows of its own nodes or cells.
    */
   struct NumberedRows
   {
@@ -30,7 +30,7 @@ namespace Biface
   };
 
 
-  /** A row of the six unknowns per node, see MixedElement::dof(). */
+  /** A row of the unknowns of each node, in the order of Node::dofs. */
   NumberedRows
   rows_of(const LA::Vector &displacement, const ShellMesh &mesh);
 

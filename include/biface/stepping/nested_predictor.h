@@ -31,7 +31,9 @@ namespace Biface
     NestedPredictor() = default;
 
     /** At the start, before any stage. */
-    NestedPredictor(const ChartGrid &coarse, const std::vector<Stage> &stages);
+    NestedPredictor(const ChartGrid          &coarse,
+                    const unsigned int        n_layers,
+                    const std::vector<Stage> &stages);
 
     /** Record a converged step of the coarser mesh, in ascending order. */
     void

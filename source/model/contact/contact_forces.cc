@@ -11,7 +11,7 @@ namespace Biface
                          const State       &state,
                          const Loads       &loads) const
   {
-    if (!contact.body(loads))
+    if (!contact.body(loads) || !contact.mesh.cells[cell].is_wall)
       return false;
     for (const unsigned int node : contact.mesh.cells[cell].nodes)
       if (contact.state_of(state).active[node])

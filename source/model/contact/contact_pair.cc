@@ -395,7 +395,7 @@ namespace Biface
   {
     double work = 0;
     if (has_friction(loads))
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (const unsigned int n : cell.nodes)
           if (state_of(after).active[n])
             // each column of both masses adds up to a quarter
@@ -419,7 +419,7 @@ namespace Biface
                   const Function     &function)
     {
       double force = 0, integral = 0;
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (const unsigned int n : cell.nodes)
           if (zone.active[n])
             {
@@ -443,7 +443,7 @@ namespace Biface
     if (body(loads))
       {
         const Tensor<1, 3> d = body(loads)->body.direction();
-        for (const Cell &cell : mesh.cells)
+        for (const Cell &cell : mesh.wall_elements())
           for (const unsigned int n : cell.nodes)
             if (zone.active[n])
               {

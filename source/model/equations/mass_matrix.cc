@@ -13,7 +13,7 @@ namespace Biface
     : mesh(mesh), matrix(mesh, mesh.constraints)
   {
     LA::Vector nothing = mesh.owned_vector();
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
         matrix.add(c, cell_mass(cell), MixedElement::NodalVector(), nothing);
@@ -46,10 +46,11 @@ namespace Biface
   MassMatrix::inertia(const LA::Vector &V) const
   {
     LA::Vector inertia = mesh.owned_vector();
-    for (const Cell &cell : mesh.cells)
+    for (const unsigned int c : mesh.layers)
       {
-        const auto                v = mesh.cell_values(V, cell);
-        const auto                M = cell_mass(cell);
+        const Cell               &cell = mesh.cells[c];
+        const auto                v    = mesh.cell_values(V, cell);
+        const auto                M    = cell_mass(cell);
         MixedElement::NodalVector force;
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)

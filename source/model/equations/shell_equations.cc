@@ -86,7 +86,7 @@ namespace Biface
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             forces.force[i] -= forces.tangent[i][j] * dV[j];
         // the first term: the internal forces
-        if (begin == 0)
+        if (begin == 0 && cell.is_layer)
           internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
         forces.square = forces.force.norm_square();
       }

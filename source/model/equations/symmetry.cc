@@ -33,9 +33,10 @@ namespace Biface
     LA::Vector v = mesh.owned_vector();
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
-        for (unsigned int d = 0; d < 6; ++d)
+        for (unsigned int d = 0; d < node.dofs.size(); ++d)
           v(node.dofs[d]) =
-            scattered(6. * node.number + d + std::sqrt(2.) * seed);
+            scattered(static_cast<double>(node.dofs.size()) * node.number + d +
+                      std::sqrt(2.) * seed);
     v.compress(VectorOperation::insert);
     mesh.constraints.set_zero(v);
     return v;

@@ -18,12 +18,13 @@ namespace Biface
     : mesh(mesh)
     , constraints(constraints)
     , fast_cell(mesh.cells.size(), numbers::invalid_unsigned_int)
-    , scratch_matrix(MixedElement::n_dofs, MixedElement::n_dofs)
-    , scratch_vector(MixedElement::n_dofs)
-    , scratch_dofs(MixedElement::n_dofs)
+    , scratch_matrix(4 * mesh.n_dofs_per_node(), 4 * mesh.n_dofs_per_node())
+    , scratch_vector(4 * mesh.n_dofs_per_node())
+    , scratch_dofs(4 * mesh.n_dofs_per_node())
   {
     // deal.II counts the rows of a rank without any as more than an int holds
-    const unsigned int n_per_row = (mesh.locally_owned.is_empty() ? 0 : 54);
+    const unsigned int n_per_row =
+      (mesh.locally_owned.is_empty() ? 0 : 9 * mesh.n_dofs_per_node());
     TrilinosWrappers::SparsityPattern pattern(mesh.locally_owned,
                                               mesh.locally_owned,
                                               mesh.locally_relevant,
@@ -44,16 +45,22 @@ namespace Biface
     if (epetra.ExtractCrsDataPointers(row_starts, columns, values) != 0)
       return; // not stored contiguously: no fast path
 
+    const unsigned int n_of_node = mesh.n_dofs_per_node();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell &cell = mesh.cells[c];
-        bool        fast = true;
+        if (!cell.is_wall)
+          {
+            fast_cell[c] = fast_cell[c - 1];
+            continue;
+          }
+        bool fast = true;
         for (const auto dof : cell.dofs)
           fast = fast && mesh.locally_owned.is_element(dof) &&
                  !constraints.is_constrained(dof);
 
-        Places cell_places;
-        for (unsigned int i = 0; fast && i < MixedElement::n_dofs; ++i)
+        Places cell_places(fast ? cell.dofs.size() : 0);
+        for (unsigned int i = 0; fast && i < cell.dofs.size(); ++i)
           {
             const int row   = epetra.LRID(static_cast<int>(cell.dofs[i]));
             int      *begin = columns + row_starts[row];
@@ -61,19 +68,19 @@ namespace Biface
             for (unsigned int v = 0; fast && v < 4; ++v)
               {
                 // the columns of the node must be in the order of its dofs
-                const int *place = std::find(
-                  begin, end, epetra.LCID(static_cast<int>(cell.dofs[6 * v])));
-                for (unsigned int j = 0; fast && j < 6; ++j)
+                const auto *dofs = &cell.dofs[n_of_node * v];
+                const int  *place =
+                  std::find(begin, end, epetra.LCID(static_cast<int>(dofs[0])));
+                for (unsigned int j = 0; fast && j < n_of_node; ++j)
                   fast = place + j < end &&
-                         place[j] ==
-                           epetra.LCID(static_cast<int>(cell.dofs[6 * v + j]));
+                         place[j] == epetra.LCID(static_cast<int>(dofs[j]));
                 cell_places[i][v] = place - columns;
               }
           }
         if (fast)
           {
             fast_cell[c] = places.size();
-            places.push_back(cell_places);
+            places.push_back(std::move(cell_places));
           }
       }
   }
@@ -86,50 +93,77 @@ namespace Biface
                      LA::Vector                      &global_vector)
   {
     const Cell &data = mesh.cells[cell];
-    if (data.face_offsets)
+    if (data.contributions.empty())
       {
-        MixedElement::NodalMatrix cell_matrix = tangent;
-        MixedElement::NodalVector cell_vector = force;
-        data.to_nodes(cell_matrix);
-        data.to_nodes(cell_vector);
-        add_to_nodes(cell, cell_matrix, cell_vector, global_vector);
+        add_to_nodes(cell, tangent[0].data(), force.begin_raw(), global_vector);
+        return;
       }
+    data.to_nodes(tangent, matrix_of_nodes);
+    data.to_nodes(force, of_nodes);
+    add_to_nodes(cell, matrix_of_nodes.data(), of_nodes.data(), global_vector);
+  }
+
+
+  namespace
+  {
+    /** Add the rows of a cell to the values of a matrix.
+     * @param n_of_node the number of columns of a node. */
+    template <typename Places>
+    inline void
+    add_rows(const Places      &places,
+             const double      *cell_matrix,
+             const unsigned int n_of_node,
+             double            *values)
+    {
+      for (const auto &row : places)
+        for (unsigned int v = 0; v < 4; ++v, cell_matrix += n_of_node)
+          {
+            double *place = values + row[v];
+            for (unsigned int j = 0; j < n_of_node; ++j)
+              place[j] += cell_matrix[j];
+          }
+    }
+  } // namespace
+
+
+  void
+  TangentMatrix::add_to_nodes(const unsigned int cell,
+                              const double      *cell_matrix,
+                              const double      *cell_vector,
+                              LA::Vector        &global_vector)
+  {
+    const Cell &data = mesh.cells[cell];
+    if (fast_cell[cell] == numbers::invalid_unsigned_int)
+      {
+        add_with_constraints(data, cell_matrix, cell_vector, global_vector);
+        return;
+      }
+    const Places &cell_places = places[fast_cell[cell]];
+    // a length known to the compiler in the most frequent case
+    if (mesh.n_dofs_per_node() == 6)
+      add_rows(cell_places, cell_matrix, 6, values);
     else
-      add_to_nodes(cell, tangent, force, global_vector);
+      add_rows(cell_places, cell_matrix, mesh.n_dofs_per_node(), values);
+    for (unsigned int i = 0; i < data.dofs.size(); ++i)
+      global_vector(data.dofs[i]) += cell_vector[i];
   }
 
 
   void
-  TangentMatrix::add_to_nodes(const unsigned int               cell,
-                              const MixedElement::NodalMatrix &cell_matrix,
-                              const MixedElement::NodalVector &cell_vector,
-                              LA::Vector                      &global_vector)
+  TangentMatrix::add_with_constraints(const Cell   &cell,
+                                      const double *cell_matrix,
+                                      const double *cell_vector,
+                                      LA::Vector   &global_vector)
   {
-    const Cell &data = mesh.cells[cell];
-    if (fast_cell[cell] != numbers::invalid_unsigned_int)
+    const unsigned int n = cell.dofs.size();
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const Places &cell_places = places[fast_cell[cell]];
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              double *place = values + cell_places[i][v];
-              for (unsigned int j = 0; j < 6; ++j)
-                place[j] += cell_matrix[i][6 * v + j];
-            }
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          global_vector(data.dofs[i]) += cell_vector[i];
+        scratch_vector[i] = cell_vector[i];
+        scratch_dofs[i]   = cell.dofs[i];
+        for (unsigned int j = 0; j < n; ++j)
+          scratch_matrix(i, j) = cell_matrix[n * i + j];
       }
-    else
-      {
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          {
-            scratch_vector[i] = cell_vector[i];
-            scratch_dofs[i]   = data.dofs[i];
-            for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-              scratch_matrix(i, j) = cell_matrix[i][j];
-          }
-        constraints.distribute_local_to_global(
-          scratch_matrix, scratch_vector, scratch_dofs, matrix, global_vector);
-      }
+    constraints.distribute_local_to_global(
+      scratch_matrix, scratch_vector, scratch_dofs, matrix, global_vector);
   }
 } // namespace Biface

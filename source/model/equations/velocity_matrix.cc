@@ -89,13 +89,14 @@ namespace Biface
       {
         const Cell               &cell = mesh.cells[c];
         MixedElement::NodalMatrix velocity_matrix{};
-        add_gyroscopic(mesh,
-                       cell,
-                       mass_moments[cell.strip],
-                       angular_velocity,
-                       velocity_matrix);
+        if (cell.is_layer)
+          add_gyroscopic(mesh,
+                         cell,
+                         mass_moments[cell.strip],
+                         angular_velocity,
+                         velocity_matrix);
         for (const auto &pair : contact.pairs)
-          if (pair->body(loads))
+          if (cell.is_wall && pair->body(loads))
             add_friction(*pair, state, loads, cell, velocity_matrix);
         matrix.add(c, velocity_matrix, MixedElement::NodalVector(), nothing);
       }

@@ -65,7 +65,7 @@ namespace Biface
                                        : radius_of_edges())
   {
     double sampled = 0, exact = 0;
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       {
         sampled += flux(cell, MixedElement::NodalVector());
         exact += exact_flux(cell);
@@ -87,7 +87,7 @@ namespace Biface
   Cavity::volume(const State &state) const
   {
     double sum = 0;
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       sum += flux(cell, mesh.cell_values(state.displacement, cell));
     return Utilities::MPI::sum(sum, mesh.communicator) + constant;
   }
@@ -97,7 +97,7 @@ namespace Biface
   Cavity::volume_gradient(const State &state) const
   {
     LA::Vector gradient = mesh.owned_vector();
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       {
         MixedElement::NodalVector of_cell;
         flux(cell, mesh.cell_values(state.displacement, cell), &of_cell);

@@ -20,8 +20,8 @@ namespace Biface
                              const Loads &loads) const
   {
     const MassMoments &m = mass_moments[mesh.cells[cell].strip];
-    return loads.rolling && loads.rolling->angular_velocity != 0 &&
-           m[0][0] + m[1][1] > 0;
+    return mesh.cells[cell].is_layer && loads.rolling &&
+           loads.rolling->angular_velocity != 0 && m[0][0] + m[1][1] > 0;
   }
 
 

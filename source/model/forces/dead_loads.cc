@@ -195,24 +195,71 @@ namespace Biface
 
   namespace
   {
-    /** Add a fraction of a force to the nodal forces. */
+    /** Add a fraction of a force to the nodal forces.
+     * @param by_layers the derivatives of the displacement on which it does
+     * work by the half differences over the layers. */
+    void
+    add_nodal_force(const Node                &node,
+                    const DeadForce           &force,
+                    const double               share,
+                    const std::vector<double> &by_layers,
+                    LA::Vector                &nodal_forces)
+    {
+      const Tensor<1, 3> f =
+        share * (force.local ? force.components
+                             : node.surface.to_frame(force.components));
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          std::vector<double> values{f[i]};
+          for (const double derivative : by_layers)
+            values.push_back(derivative * f[i]);
+          nodal_forces.add(std::vector<types::global_dof_index>(
+                             &node.dofs[node.position(i, 0)],
+                             &node.dofs[node.position(i, 0)] + node.n_parts()),
+                           values);
+        }
+    }
+
+
+    /** The same for a force on one of the faces, or else spread evenly over the
+     * thickness. */
     void
     add_nodal_force(const Node      &node,
                     const DeadForce &force,
                     const double     share,
                     LA::Vector      &nodal_forces)
     {
-      const Tensor<1, 3> f =
-        (force.local ? force.components
-                     : node.surface.to_frame(force.components));
-      const double inner = share * force.faces[Resultants::inner];
-      const double outer = share * force.faces[Resultants::outer];
-      for (unsigned int i = 0; i < 3; ++i)
-        nodal_forces.add(std::vector<types::global_dof_index>(
-                           {node.dof(i, MixedElement::mean),
-                            node.dof(i, MixedElement::half_difference)}),
-                         std::vector<double>(
-                           {(outer + inner) * f[i], (outer - inner) * f[i]}));
+      const double inner = force.faces[Resultants::inner];
+      const double outer = force.faces[Resultants::outer];
+      add_nodal_force(node,
+                      force,
+                      share,
+                      inner == outer
+                        ? node.spread()
+                        : std::vector<double>(node.n_layers(), outer - inner),
+                      nodal_forces);
+    }
+
+
+    /** The derivatives of the displacement at a part of the thickness of the
+     * wall by the half differences over the layers. */
+    std::vector<double>
+    at_part_of_thickness(const Node &node, const double part)
+    {
+      const double height =
+        node.face_heights[0] +
+        part * (node.face_heights[1] - node.face_heights[0]);
+      std::vector<double> by_layers;
+      double              middle = node.face_heights[0];
+      for (const double half : node.half_thickness)
+        {
+          middle += half;
+          by_layers.push_back(
+            half == 0 ? 0.
+                      : std::min(1., std::max(-1., (height - middle) / half)));
+          middle += half;
+        }
+      return by_layers;
     }
 
 
@@ -241,8 +288,7 @@ namespace Biface
               const double                thickness = heights[1] - heights[0];
 
               // where the force acts, as a fraction of the thickness
-              double    part   = force.force.faces[1];
-              DeadForce shared = force.force;
+              double part = force.force.faces[1];
               if (force.ply > 0)
                 {
                   double below = 0;
@@ -256,16 +302,22 @@ namespace Biface
                     }
                   if (!found)
                     continue;
-                  part         = below / thickness;
-                  shared.faces = {{1 - part, part}};
+                  part = below / thickness;
                 }
               ++n_loaded;
               const double height = heights[0] + part * thickness;
               const double stretch =
                 (force.true_length ? 1 + node.surface.curvature[along] * height
                                    : 1.);
-              add_nodal_force(
-                node, shared, stretch * segment.length / 2, nodal_forces);
+              const double share = stretch * segment.length / 2;
+              if (force.ply > 0)
+                add_nodal_force(node,
+                                force.force,
+                                share,
+                                at_part_of_thickness(node, part),
+                                nodal_forces);
+              else
+                add_nodal_force(node, force.force, share, nodal_forces);
             }
       if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
         throw InputError(
@@ -279,7 +331,7 @@ namespace Biface
                    const DeadForce &force,
                    LA::Vector      &nodal_forces)
     {
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (const unsigned int n : cell.nodes)
           add_nodal_force(
             mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
@@ -299,7 +351,7 @@ namespace Biface
       force.local       = traction.local;
       force.faces       = {{0, 0}};
       force.faces[face] = 1;
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         for (unsigned int v = 0; v < 4; ++v)
           {
             for (unsigned int i = 0; i < 3; ++i)

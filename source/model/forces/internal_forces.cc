@@ -28,14 +28,15 @@ namespace Biface
       of_strips.push_back(Modes::constant(strip.laminate.initial_resultants()));
     std::vector<Modes::Vector> resultants;
     for (const Cell &cell : mesh.cells)
-      resultants.push_back(of_strips[cell.strip]);
+      resultants.push_back(cell.is_layer ? of_strips[cell.strip]
+                                         : Modes::Vector());
 
     const auto          &given = mesh.layup.get_initial_resultants();
     std::vector<Formula> formulas;
     for (const InitialResultant &resultant : given)
       formulas.push_back(resultant.value);
     const auto values = evaluate_at_nodes(formulas, mesh);
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         std::array<Resultants::Vector, 4> at_vertices;
         for (unsigned int v = 0; v < 4; ++v)
@@ -144,7 +145,7 @@ namespace Biface
   InternalForces::forces_of(const std::vector<Modes::Vector> &resultants) const
   {
     LA::Vector forces = mesh.owned_vector();
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const MixedElement undeformed(mesh.cells[c].geometry,
                                       MixedElement::NodalVector());
@@ -217,7 +218,8 @@ namespace Biface
     result.predicted_strains.clear();
     if (mesh.layup.has_slack_cords())
       for (const Cell &cell : mesh.cells)
-        result.predicted_strains.push_back(strains(state, cell));
+        result.predicted_strains.push_back(cell.is_layer ? strains(state, cell)
+                                                         : Modes::Vector());
     result.linearization_point = nullptr;
     return result;
   }
@@ -267,14 +269,16 @@ namespace Biface
   Modes::Vector
   InternalForces::total_strains(const State &state, const unsigned int c) const
   {
-    return strains(state, mesh.cells[c]) + initial_strain(state, c);
+    return mesh.cells[c].is_layer
+             ? strains(state, mesh.cells[c]) + initial_strain(state, c)
+             : Modes::Vector();
   }
 
 
   void
   InternalForces::settle_resultants(State &state) const
   {
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       state.resultants[c] =
         resultants_of(state, c, strains(state, mesh.cells[c]));
     state.predicted_strains.clear();
@@ -287,7 +291,7 @@ namespace Biface
   {
     if (mesh.layup.has_slack_cords())
       state.predicted_strains.resize(mesh.cells.size());
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell        &cell = mesh.cells[c];
         const MixedElement element(cell.geometry,
@@ -335,7 +339,7 @@ namespace Biface
   InternalForces::slack_fraction(const State &state) const
   {
     double slack = 0, all = 0;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell  &cell   = mesh.cells[c];
         const double volume = cell.geometry.weight * cords_of(cell).thickness();
@@ -369,7 +373,7 @@ namespace Biface
   {
     double     energy = 0;
     CellForces forces;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
         const auto  V    = mesh.cell_values(state.displacement, cell);

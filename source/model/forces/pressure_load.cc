@@ -72,7 +72,7 @@ namespace Biface
   {
     const std::vector<double> p            = values(mesh);
     LA::Vector                nodal_forces = mesh.owned_vector();
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       {
         std::array<double, 4> p_v;
         for (unsigned int v = 0; v < 4; ++v)
@@ -100,7 +100,8 @@ namespace Biface
 
   PressureForces::PressureForces(const ShellMesh    &mesh,
                                  const PressureLoad &pressure)
-    : kind(pressure.kind)
+    : mesh(mesh)
+    , kind(pressure.kind)
     , face(pressure.face)
     , distribution(pressure.values(mesh))
   {

@@ -25,38 +25,43 @@ namespace Biface
     struct Site
     {
       SurfacePoint surface;
-      /** The point in the middle between the faces. */
+      /** The point in the middle between the inner and the outer face. */
       Point<3> middle;
       double   half_thickness;
+      /** Half the thickness of each layer. */
+      const double *of_layers;
     };
 
 
-    /** Half the thickness and the height of the middle on each line of the
-     * first coordinate. */
-    std::vector<std::array<double, 2>>
+    /** Half the thickness, the height of the middle, and half the thickness of
+     * each layer on each line of the first coordinate. */
+    std::vector<std::vector<double>>
     thickness_of_lines(const ShellMesh &mesh)
     {
       // each rank knows the lines of its nodes
-      const unsigned int  n = mesh.grid.n_nodes(0);
-      std::vector<double> sums(3 * n);
+      const unsigned int  n     = mesh.grid.n_nodes(0);
+      const unsigned int  width = 3 + mesh.n_layers();
+      std::vector<double> sums(width * n);
       for (const Node &node : mesh.nodes)
         if (node.locally_owned)
           {
-            double *sum = &sums[3 * node.grid_index[0]];
-            sum[0] += (node.face_heights[Resultants::outer] -
+            double *sum = &sums[width * node.grid_index[0]];
+            sum[0] += 1;
+            sum[1] += (node.face_heights[Resultants::outer] -
                        node.face_heights[Resultants::inner]) /
                       2;
-            sum[1] += (node.face_heights[Resultants::outer] +
+            sum[2] += (node.face_heights[Resultants::outer] +
                        node.face_heights[Resultants::inner]) /
                       2;
-            sum[2] += 1;
+            for (unsigned int k = 0; k < mesh.n_layers(); ++k)
+              sum[3 + k] += node.half_thickness[k];
           }
       Utilities::MPI::sum(sums, mesh.communicator, sums);
 
-      std::vector<std::array<double, 2>> lines(n);
+      std::vector<std::vector<double>> lines(n);
       for (unsigned int i = 0; i < n; ++i)
-        lines[i] = {
-          {sums[3 * i] / sums[3 * i + 2], sums[3 * i + 1] / sums[3 * i + 2]}};
+        for (unsigned int k = 1; k < width; ++k)
+          lines[i].push_back(sums[width * i + k] / sums[width * i]);
       return lines;
     }
 
@@ -71,13 +76,13 @@ namespace Biface
         , thickness(thickness_of_lines(mesh))
         , along(short_coordinate(mesh.get_surface(), mesh.grid))
         , grid(mesh.grid)
-        , numbers(6 * grid.n_nodes(0) * grid.n_nodes(1),
+        , numbers(mesh.n_dofs_per_node() * grid.n_nodes(0) * grid.n_nodes(1),
                   numbers::invalid_dof_index)
         , locally_owned(mesh.locally_owned)
       {
         find_nodes();
         for (const auto &[node, index] : owned)
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             if (!mesh.constraints.is_constrained(node->dofs[d]))
               number(index, d) = node->dofs[d];
 
@@ -94,7 +99,7 @@ namespace Biface
         , thickness(finer.thickness)
         , along(finer.along)
         , grid(grid)
-        , numbers(6 * grid.n_nodes(0) * grid.n_nodes(1))
+        , numbers(mesh.n_dofs_per_node() * grid.n_nodes(0) * grid.n_nodes(1))
       {
         find_nodes();
         types::global_dof_index n_owned = 0;
@@ -110,7 +115,7 @@ namespace Biface
           n_owned > 0 ? locally_owned.nth_index_in_set(0) : 0;
         int next = 0;
         number_rows([&](const Node &node, const GridIndex &index) {
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             if (!mesh.constraints.is_constrained(node.dofs[d]))
               {
                 nodes.rows.push_back(next);
@@ -157,7 +162,7 @@ namespace Biface
 
       const ShellMesh &mesh;
       /** See thickness_of_lines(). */
-      const std::vector<std::array<double, 2>> thickness;
+      const std::vector<std::vector<double>> thickness;
       /** See short_coordinate(). */
       const unsigned int along;
       const ChartGrid    grid;
@@ -167,13 +172,13 @@ namespace Biface
       types::global_dof_index &
       number(const GridIndex &node, const unsigned int d)
       {
-        return numbers[6 * grid.node_number(node) + d];
+        return numbers[mesh.n_dofs_per_node() * grid.node_number(node) + d];
       }
 
       types::global_dof_index
       number(const GridIndex &node, const unsigned int d) const
       {
-        return numbers[6 * grid.node_number(node) + d];
+        return numbers[mesh.n_dofs_per_node() * grid.node_number(node) + d];
       }
 
 
@@ -237,12 +242,12 @@ namespace Biface
                            std::pair<const Node *, unsigned int>>
           place;
         for (const Node &node : mesh.nodes)
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             place[node.dofs[d]] = {&node, d};
 
         std::vector<types::global_dof_index> images(numbers.size());
         for (const auto &[node, index] : owned)
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             {
               const auto *entries =
                 mesh.constraints.get_constraint_entries(node->dofs[d]);
@@ -254,7 +259,8 @@ namespace Biface
                 continue;
               const auto &[original, i] = other->second;
               if (const auto there = index_of(*original))
-                images[6 * grid.node_number(index) + d] = number(*there, i);
+                images[mesh.n_dofs_per_node() * grid.node_number(index) + d] =
+                  number(*there, i);
             }
         Utilities::MPI::sum(images, mesh.communicator, images);
         for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -268,7 +274,8 @@ namespace Biface
       {
         return {surface,
                 surface.position + thickness[line][1] * surface.frame[2],
-                thickness[line][0]};
+                thickness[line][0],
+                &thickness[line][2]};
       }
 
 
@@ -289,6 +296,7 @@ namespace Biface
       void
       for_each_weight(const Level &coarse, const Action &action) const
       {
+        const unsigned int n_parts = mesh.n_layers() + 1;
         std::unordered_map<types::global_cell_index, Site> sites;
         const auto site_of = [&](const GridIndex &index) -> const Site & {
           const auto key   = coarse.grid.node_number(index);
@@ -330,7 +338,7 @@ namespace Biface
                 for (unsigned int c = 0; c < 3; ++c)
                   {
                     const auto number_of = [&](const unsigned int part) {
-                      return coarse.number(other, 2 * c + part);
+                      return coarse.number(other, n_parts * c + part);
                     };
                     const auto add = [&](const unsigned int  part,
                                          const unsigned int  column_part,
@@ -340,29 +348,34 @@ namespace Biface
                         return;
                       for (unsigned int k = 0; k < 3; ++k)
                         {
-                          const auto row = number(index, 2 * k + part);
+                          const auto row = number(index, n_parts * k + part);
                           if (row != numbers::invalid_dof_index)
                             action(row, column, w * (e[k] * value));
                         }
                     };
-                    add(MixedElement::mean, MixedElement::mean, f[c]);
-                    add(MixedElement::half_difference,
-                        MixedElement::half_difference,
-                        here.half_thickness / there.half_thickness * f[c]);
-                    if (w < 1)
-                      add(MixedElement::mean,
-                          MixedElement::half_difference,
-                          cross_product_3d(cross_product_3d(f[2], f[c]),
-                                           here.middle - there.middle) /
-                            (2 * there.half_thickness));
+                    add(0, 0, f[c]);
+                    for (unsigned int part = 1; part < n_parts; ++part)
+                      {
+                        const double half  = here.of_layers[part - 1],
+                                     other = there.of_layers[part - 1];
+                        if (half > 0 && other > 0)
+                          add(part, part, half / other * f[c]);
+                        // the rotation of the wall
+                        if (w < 1 && other > 0)
+                          add(0,
+                              part,
+                              cross_product_3d(cross_product_3d(f[2], f[c]),
+                                               here.middle - there.middle) /
+                                (2 * there.half_thickness));
+                      }
                   }
               }
           }
       }
 
 
-      /** The numbers of the unknowns, by six times the number of the node plus
-       * their number there. */
+      /** The numbers of the unknowns, node by node, in the order of
+       * Node::dofs. */
       std::vector<types::global_dof_index> numbers;
       IndexSet                             locally_owned;
       /** The locally owned nodes with their indices, line by line. */

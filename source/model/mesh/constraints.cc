@@ -21,8 +21,6 @@ namespace Biface
 
   namespace
   {
-    constexpr unsigned int n_unknowns = 6;
-
     /** Relative size of what remains of an equation that follows from others.
      */
     constexpr double roundoff = 1e-10;
@@ -32,10 +30,17 @@ namespace Biface
     /** A linear equation for the unknowns of a node. */
     struct Equation
     {
-      Tensor<1, n_unknowns> coefficients;
+      std::valarray<double> coefficients;
       /** See SupportEquation. */
       std::valarray<double> values;
     };
+
+
+    double
+    product(const std::valarray<double> &a, const std::valarray<double> &b)
+    {
+      return (a * b).sum();
+    }
 
 
     /** An equation for the displacements of the faces as one for the unknowns
@@ -43,17 +48,14 @@ namespace Biface
     Equation
     for_unknowns(const SupportEquation &equation)
     {
-      Equation result{{}, equation.values};
+      const unsigned int n_faces = equation.coefficients.size() / 3;
+      Equation result{std::valarray<double>(0., 3 * n_faces), equation.values};
       for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int face = 0; face < 2; ++face)
-          {
-            const double c = equation.coefficients[2 * i + face];
-            result.coefficients[MixedElement::dof(0, i, MixedElement::mean)] +=
-              c;
-            result.coefficients[MixedElement::dof(
-              0, i, MixedElement::half_difference)] +=
-              MixedElement::face_sign[face] * c;
-          }
+        for (unsigned int face = 0; face < n_faces; ++face)
+          for (unsigned int part = 0; part < n_faces; ++part)
+            result.coefficients[n_faces * i + part] +=
+              Node::sign_of_part(face, part) *
+              equation.coefficients[n_faces * i + face];
       return result;
     }
 
@@ -68,7 +70,8 @@ namespace Biface
       add(const SupportEquation &equation)
       {
         Equation     remainder = for_unknowns(equation);
-        const double norm      = remainder.coefficients.norm();
+        const double norm =
+          std::sqrt(product(remainder.coefficients, remainder.coefficients));
         // sizes of the values that cancel, and of all prescribed displacements
         const std::size_t     n_values = remainder.values.size();
         std::valarray<double> scale    = std::abs(remainder.values);
@@ -77,7 +80,8 @@ namespace Biface
         for (unsigned int pass = 0; pass < 2; ++pass)
           for (const Equation &other : orthonormal)
             {
-              const double part = remainder.coefficients * other.coefficients;
+              const double part =
+                product(remainder.coefficients, other.coefficients);
               remainder.coefficients -= part * other.coefficients;
               remainder.values -= part * other.values;
               for (std::size_t i = 0; i < n_values; ++i)
@@ -87,7 +91,8 @@ namespace Biface
                   size[i] = std::max(size[i], std::abs(other.values[i]));
                 }
             }
-        const double left = remainder.coefficients.norm();
+        const double left =
+          std::sqrt(product(remainder.coefficients, remainder.coefficients));
         if (left <= roundoff * norm)
           {
             // what the coefficients that are left, of round-off, contribute
@@ -128,7 +133,7 @@ namespace Biface
             unsigned int pivot     = 0;
             double       maximum   = 0;
             for (auto row = rows.begin(); row != rows.end(); ++row)
-              for (unsigned int i = n_unknowns; i-- > 0;)
+              for (unsigned int i = row->coefficients.size(); i-- > 0;)
                 if (std::abs(row->coefficients[i]) > (1 + roundoff) * maximum)
                   {
                     maximum   = std::abs(row->coefficients[i]);
@@ -163,24 +168,65 @@ namespace Biface
     };
 
 
-    /** @param n_factors the number of factors of values. */
-    SupportEquation
-    equation_of(const SupportCondition &condition,
-                const SurfacePoint     &point,
-                const Tensor<1, 3>     &axis,
-                const unsigned int      body,
-                const double            share,
-                const unsigned int      n_factors)
+    /** The equations of a condition at a node: one, or one for each face that
+     * it holds beside the inner one.
+     * @param n_factors the number of factors of values. */
+    std::vector<SupportEquation>
+    equations_of(const SupportCondition &condition,
+                 const Node             &node,
+                 const Tensor<1, 3>     &axis,
+                 const unsigned int      body,
+                 const double            share,
+                 const unsigned int      n_factors)
     {
-      const Tensor<1, 3> unit = direction(condition.component, point, axis);
-      SupportEquation    equation{
-        {}, std::valarray<double>(0., n_factors), body, share};
+      const Tensor<1, 3> unit =
+        direction(condition.component, node.surface, axis);
+      const unsigned int n_faces = node.n_parts();
+      SupportEquation    equation{std::valarray<double>(0., 3 * n_faces),
+                               std::valarray<double>(0., n_factors),
+                               body,
+                               share};
       equation.values[condition.factor] = condition.value;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int face = 0; face < 2; ++face)
-          equation.coefficients[2 * i + face] =
-            condition.coefficients[face] * unit[i];
-      return equation;
+      const auto set = [&](const unsigned int face, const double value) {
+        for (unsigned int i = 0; i < 3; ++i)
+          equation.coefficients[n_faces * i + face] = value * unit[i];
+      };
+      for (unsigned int face = 0; face < 2; ++face)
+        set(face * (n_faces - 1), condition.coefficients[face]);
+      std::vector<SupportEquation> equations{equation};
+
+      const bool of_outer = condition.coefficients[1] != 0;
+      if (condition.holds_all_faces && of_outer)
+        for (unsigned int face = 1; face + 1 < n_faces; ++face)
+          {
+            equation.coefficients = 0;
+            set(face, condition.coefficients[1]);
+            equations.push_back(equation);
+          }
+      return equations;
+    }
+
+
+    /** The equations by which the faces of layers that do not exist at a node
+     * stay together. */
+    std::vector<SupportEquation>
+    equations_of_absent_layers(const Node &node, const unsigned int n_factors)
+    {
+      const unsigned int           n_faces = node.n_parts();
+      std::vector<SupportEquation> equations;
+      for (unsigned int k = 0; k < node.n_layers(); ++k)
+        if (node.half_thickness[k] == 0)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              SupportEquation equation{std::valarray<double>(0., 3 * n_faces),
+                                       std::valarray<double>(0., n_factors),
+                                       numbers::invalid_unsigned_int,
+                                       1};
+              equation.coefficients[n_faces * i + k]     = -0.5;
+              equation.coefficients[n_faces * i + k + 1] = 0.5;
+              equations.push_back(equation);
+            }
+      return equations;
     }
 
 
@@ -267,17 +313,23 @@ namespace Biface
       const bool   paired = pair != first_of.end();
       const double share  = (!both_sides ? (paired ? 0. : 1.) : 0.5);
       for (const SupportCondition &condition : conditions)
-        if (!equations[paired ? pair->second : node].add(
-              equation_of(condition,
-                          mesh.nodes[node].surface,
+        for (const SupportEquation &equation :
+             equations_of(condition,
+                          mesh.nodes[node],
                           axis,
                           supported.bodies.size() - 1,
                           share,
-                          n_factors)))
-          contradiction = true;
+                          n_factors))
+          if (!equations[paired ? pair->second : node].add(equation))
+            contradiction = true;
     };
 
     supported = SupportedNodes();
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (first_of.count(n) == 0)
+        for (const SupportEquation &equation :
+             equations_of_absent_layers(mesh.nodes[n], n_factors))
+          equations[n].add(equation);
     for (const auto &item : supports.points)
       {
         check_components("Supports/Point supports", item.conditions, surface);
@@ -328,7 +380,8 @@ namespace Biface
         supported.items.push_back(
           {item.first, partner, item.second.equations()});
 
-        std::array<std::valarray<double>, n_unknowns> values;
+        const unsigned int                 n_unknowns = node.dofs.size();
+        std::vector<std::valarray<double>> values(n_unknowns);
         for (const auto &row : item.second.solved())
           {
             values[row.first] = row.second.values;

@@ -27,9 +27,15 @@ namespace Biface
           first            = mesh.cells[c].number;
           largest.position = c;
         }
-    largest.number = Utilities::MPI::min(first, mesh.communicator);
-    if (largest.number != first)
+    if (Utilities::MPI::min(first, mesh.communicator) != first)
       largest.position.reset();
+    if (largest.position)
+      {
+        largest.number = mesh.cells[*largest.position].column;
+        largest.layer  = mesh.cells[*largest.position].layer;
+      }
+    largest.number = Utilities::MPI::max(largest.number, mesh.communicator);
+    largest.layer  = Utilities::MPI::max(largest.layer, mesh.communicator);
     return largest;
   }
 } // namespace Biface

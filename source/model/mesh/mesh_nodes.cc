@@ -13,6 +13,23 @@ namespace Biface
 {
   using namespace dealii;
 
+  std::vector<double>
+  Node::spread() const
+  {
+    double thickness = 0;
+    for (const double half : half_thickness)
+      thickness += half;
+    std::vector<double> result;
+    double              below = 0;
+    for (const double half : half_thickness)
+      {
+        result.push_back((thickness - 2 * below - half) / thickness);
+        below += half;
+      }
+    return result;
+  }
+
+
   namespace
   {
     unsigned int

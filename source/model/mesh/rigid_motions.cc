@@ -52,12 +52,12 @@ namespace Biface
     }
 
 
-    /** The middle between the faces at a node, and the vector from there to
-     * the outer face. */
+    /** The middle between the inner and the outer face at a node, and the
+     * vectors from the middle of each layer to its outer face. */
     struct Director
     {
-      Point<3>     middle;
-      Tensor<1, 3> half;
+      Point<3>                  middle;
+      std::vector<Tensor<1, 3>> half;
     };
 
 
@@ -77,8 +77,9 @@ namespace Biface
             {node.surface.position +
                (heights[Resultants::outer] + heights[Resultants::inner]) / 2 *
                  normal,
-             (heights[Resultants::outer] - heights[Resultants::inner]) / 2 *
-               normal});
+             {}});
+          for (const double half : node.half_thickness)
+            directors.back().half.push_back(half * normal);
         }
       return directors;
     }
@@ -96,14 +97,21 @@ namespace Biface
             (outer -
              mesh.deformed_position(displacement, node, Resultants::inner)) /
             2;
-          directors.push_back({outer - half, half});
+          directors.push_back({outer - half, {half}});
+          if (node.n_layers() == 1)
+            continue;
+          directors.back().half.clear();
+          for (unsigned int k = 0; k < node.n_layers(); ++k)
+            directors.back().half.push_back(
+              (mesh.position_of_any_face(displacement, node, k + 1) -
+               mesh.position_of_any_face(displacement, node, k)) /
+              2);
         }
       return directors;
     }
 
 
-    /** The value of an unknown of a node for a motion, see
-     * MixedElement::dof(). */
+    /** The value of an unknown of a node for a motion. */
     double
     nodal_value(const ShellMesh   &mesh,
                 const Node        &node,
@@ -112,12 +120,14 @@ namespace Biface
                 const unsigned int motion,
                 const unsigned int dof)
     {
-      const Tensor<1, 3> &direction = node.surface.frame[dof / 2];
+      const Tensor<1, 3> &direction = node.surface.frame[dof / node.n_parts()];
+      const unsigned int  part      = dof % node.n_parts();
       // a motion is linear in the position, but for the translation
-      if (dof % 2 == MixedElement::half_difference)
-        return motion < 3 ? 0.
-                          : displacement(motion, director.half / mesh.size()) *
-                              direction;
+      if (part > 0)
+        return motion < 3
+                 ? 0.
+                 : displacement(motion, director.half[part - 1] / mesh.size()) *
+                     direction;
       return displacement(motion, (director.middle - center) / mesh.size()) *
              direction;
     }
@@ -135,13 +145,13 @@ namespace Biface
                          std::pair<unsigned int, unsigned int>>
         place;
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        for (unsigned int d = 0; d < 6; ++d)
+        for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
           place[mesh.nodes[n].dofs[d]] = {n, d};
 
       std::vector<double> squares(n_motions * n_motions);
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             {
               const Node &node = mesh.nodes[n];
               if (!mesh.constraints.is_constrained(node.dofs[d]))
@@ -167,12 +177,11 @@ namespace Biface
                 }
               // a support of the director counts by its rotation, however thin
               // the shell
+              const unsigned int part = d % node.n_parts();
+              if (part > 0 && node.half_thickness[part - 1] == 0)
+                continue; // a layer that does not exist
               const double scale =
-                (d % 2 == MixedElement::half_difference
-                   ? 2 * mesh.size() /
-                       (node.face_heights[Resultants::outer] -
-                        node.face_heights[Resultants::inner])
-                   : 1.);
+                (part > 0 ? mesh.size() / node.half_thickness[part - 1] : 1.);
               for (unsigned int i = 0; i < n_motions; ++i)
                 for (unsigned int j = 0; j < n_motions; ++j)
                   squares[n_motions * i + j] +=
@@ -260,7 +269,7 @@ namespace Biface
       std::vector<LA::Vector> motions(n_motions, mesh.owned_vector());
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
-          for (unsigned int d = 0; d < 6; ++d)
+          for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             for (unsigned int m = 0; m < n_motions; ++m)
               motions[m](mesh.nodes[n].dofs[d]) =
                 nodal_value(mesh, mesh.nodes[n], directors[n], center, m, d);
@@ -340,8 +349,7 @@ namespace Biface
     LA::Vector result = mesh.owned_vector();
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
-        for (const auto part :
-             {MixedElement::mean, MixedElement::half_difference})
+        for (unsigned int part = 0; part < node.n_parts(); ++part)
           {
             Tensor<1, 3> force;
             for (unsigned int i = 0; i < 3; ++i)

@@ -25,6 +25,40 @@ namespace Biface
 {
   using namespace dealii;
 
+  class ShellMesh::Faces
+  {
+  public:
+    Faces(const Layup            &layup,
+          const ReferenceSurface &surface,
+          const ChartGrid        &grid);
+
+    /** See ShellMesh::strips. */
+    std::vector<Strip> strips;
+
+    /** `[i][k]` is the position in @p strips of the layer k between the lines
+     * i and i + 1; an invalid number if it does not exist there. */
+    std::vector<std::vector<unsigned int>> layers;
+
+    /** The heights of all faces, inner face first. */
+    using Heights = std::vector<double>;
+
+    /** `[i][side]`: between the lines i and i + 1, at both of these. */
+    std::vector<std::array<Heights, 2>> of_strips;
+
+    /** On each line: the mean of both sides if a ply ends there. */
+    std::vector<Heights> on_lines;
+
+    /** The number of elements between the first line and each line, across the
+     * shell. */
+    std::vector<unsigned int> n_elements{0};
+
+    /** Of the inner and the outer face on one side of each line: below or
+     * above. */
+    std::vector<std::array<double, 2>>
+    on_side(const unsigned int side) const;
+  };
+
+
   namespace
   {
     std::unique_ptr<parallel::TriangulationBase<2, 3>>
@@ -68,12 +102,12 @@ namespace Biface
     }
 
 
-    /** The plies between the lines of the first coordinate. Throws InputError
+    /** The lines of the first coordinate in the user's unit. Throws InputError
      * if a ply ends between two lines. */
-    std::vector<Strip>
-    make_strips(const Layup            &layup,
-                const ReferenceSurface &surface,
-                const ChartGrid        &grid)
+    std::vector<double>
+    lines_of_plies(const Layup            &layup,
+                   const ReferenceSurface &surface,
+                   const ChartGrid        &grid)
     {
       std::vector<double> lines = grid.lines[0];
       for (double &alpha_1 : lines)
@@ -92,51 +126,7 @@ namespace Biface
               "a ply must start and end at mesh lines, and there is none at "
               "alpha_1 = " +
                 number_to_string(end));
-
-      std::vector<Strip> strips;
-      for (unsigned int i = 0; i + 1 < lines.size(); ++i)
-        {
-          const double middle = (lines[i] + lines[i + 1]) / 2;
-          strips.push_back({layup.laminate(middle),
-                            {{layup.laminate(lines[i], middle),
-                              layup.laminate(lines[i + 1], middle)}}});
-        }
-      return strips;
-    }
-
-
-    /** Laminate::face_heights() on each line of the first coordinate: the mean
-     * of both sides if a ply ends there. */
-    std::vector<std::array<double, 2>>
-    face_heights_on_lines(const std::vector<Strip> &strips)
-    {
-      std::vector<std::array<double, 2>> heights;
-      heights.push_back(strips.front().at_lines[0].face_heights());
-      for (unsigned int i = 1; i < strips.size(); ++i)
-        {
-          const auto below = strips[i - 1].at_lines[1].face_heights();
-          const auto above = strips[i].at_lines[0].face_heights();
-          heights.push_back(
-            {{below[0] / 2 + above[0] / 2, below[1] / 2 + above[1] / 2}});
-        }
-      heights.push_back(strips.back().at_lines[1].face_heights());
-      return heights;
-    }
-
-
-    /** On one side of each line: below or above. */
-    std::vector<std::array<double, 2>>
-    face_heights_on_lines(const std::vector<Strip> &strips,
-                          const unsigned int        side)
-    {
-      std::vector<std::array<double, 2>> heights;
-      for (unsigned int i = 0; i <= strips.size(); ++i)
-        {
-          const bool below = i > 0 && (side == 0 || i == strips.size());
-          heights.push_back(below ? strips[i - 1].at_lines[1].face_heights()
-                                  : strips[i].at_lines[0].face_heights());
-        }
-      return heights;
+      return lines;
     }
 
 
@@ -205,8 +195,8 @@ namespace Biface
     }
 
 
-    /** Whether any displacement of a face is free: the sum of the two unknowns
-     * of a component, with the sign of the face. */
+    /** Whether any displacement of a face is free: the sum of the unknowns of a
+     * component, with the signs of the face. */
     bool
     face_is_free(const Node                      &node,
                  const unsigned int               face,
@@ -216,13 +206,10 @@ namespace Biface
         {
           // the derivative of the sum by each unknown
           std::map<types::global_dof_index, double> change;
-          for (const auto part :
-               {MixedElement::mean, MixedElement::half_difference})
+          for (unsigned int part = 0; part < node.n_parts(); ++part)
             {
-              const auto   dof = node.dof(i, part);
-              const double sign =
-                (part == MixedElement::mean ? 1.
-                                            : MixedElement::face_sign[face]);
+              const auto   dof  = node.dof(i, part);
+              const double sign = Node::sign_of_part(face, part);
               if (!constraints.is_constrained(dof))
                 change[dof] += sign;
               else
@@ -239,6 +226,97 @@ namespace Biface
   } // namespace
 
 
+  ShellMesh::Faces::Faces(const Layup            &layup,
+                          const ReferenceSurface &surface,
+                          const ChartGrid        &grid)
+  {
+    const std::vector<double> lines = lines_of_plies(layup, surface, grid);
+    const unsigned int        n     = lines.size() - 1;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double middle = (lines[i] + lines[i + 1]) / 2;
+        strips.push_back({layup.laminate(middle),
+                          {{layup.laminate(lines[i], middle),
+                            layup.laminate(lines[i + 1], middle)}}});
+      }
+
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        of_strips.emplace_back();
+        layers.emplace_back();
+        if (layup.n_layers() == 1)
+          {
+            layers[i] = {i};
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                const auto heights = strips[i].at_lines[side].face_heights();
+                of_strips[i][side] = {heights[0], heights[1]};
+              }
+            continue;
+          }
+
+        const double middle = (lines[i] + lines[i + 1]) / 2;
+        auto         inside = layup.layers(middle, middle);
+        std::array<std::vector<std::optional<Laminate>>, 2> at_lines{
+          {layup.layers(lines[i], middle), layup.layers(lines[i + 1], middle)}};
+        unsigned int last = 0;
+        for (unsigned int k = 0; k < inside.size(); ++k)
+          if (inside[k])
+            {
+              last = k;
+              layers[i].push_back(strips.size());
+              strips.push_back(
+                {*inside[k], {{*at_lines[0][k], *at_lines[1][k]}}});
+            }
+          else
+            layers[i].push_back(numbers::invalid_unsigned_int);
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const auto wall    = strips[i].at_lines[side].face_heights();
+            Heights   &heights = of_strips[i][side];
+            heights.push_back(wall[0]);
+            for (unsigned int k = 0; k < inside.size(); ++k)
+              heights.push_back(
+                k >= last
+                  ? wall[1]
+                  : heights.back() +
+                      (inside[k] ? at_lines[side][k]->thickness() : 0.));
+          }
+      }
+
+    for (const auto &of_strip : layers)
+      n_elements.push_back(
+        n_elements.back() + (layup.n_layers() > 1 ? 1 : 0) + of_strip.size() -
+        std::count(
+          of_strip.begin(), of_strip.end(), numbers::invalid_unsigned_int));
+
+    on_lines.push_back(of_strips.front()[0]);
+    for (unsigned int i = 1; i < n; ++i)
+      {
+        const Heights &below = of_strips[i - 1][1], &above = of_strips[i][0];
+        Heights        mean;
+        for (unsigned int k = 0; k < below.size(); ++k)
+          mean.push_back(below[k] / 2 + above[k] / 2);
+        on_lines.push_back(mean);
+      }
+    on_lines.push_back(of_strips.back()[1]);
+  }
+
+
+  std::vector<std::array<double, 2>>
+  ShellMesh::Faces::on_side(const unsigned int side) const
+  {
+    std::vector<std::array<double, 2>> heights;
+    for (unsigned int i = 0; i <= of_strips.size(); ++i)
+      {
+        const bool     below = i > 0 && (side == 0 || i == of_strips.size());
+        const Heights &all   = below ? of_strips[i - 1][1] : of_strips[i][0];
+        heights.push_back({{all.front(), all.back()}});
+      }
+    return heights;
+  }
+
+
   ShellMesh::ShellMesh(const MPI_Comm                          communicator,
                        std::unique_ptr<const ReferenceSurface> surface,
                        const ChartGrid                        &grid,
@@ -246,43 +324,58 @@ namespace Biface
                        const Supports                         &supports,
                        const std::vector<NamedPoint>          &points,
                        const StrainSampling                    sampling,
-                       const Interpolation                     interpolation)
+                       const Interpolation                     interpolation,
+                       const ThicknessStrain                   thickness_strain)
     : MeshNodes(communicator, std::move(surface), grid, points)
     , layup(layup)
     , sampling(sampling)
     , interpolation(interpolation)
+    , thickness_strain(thickness_strain != ThicknessStrain::by_layers
+                         ? thickness_strain
+                       : layup.n_layers() > 1 ? ThicknessStrain::mean_director
+                                              : ThicknessStrain::vertices)
   {
-    strips = make_strips(layup, *this->surface, grid);
-    const std::vector<std::array<double, 2>> face_heights =
-      face_heights_on_lines(strips);
-    for (const auto &heights : face_heights)
-      max_thickness = std::max(max_thickness, heights[1] - heights[0]);
+    const Faces faces(layup, *this->surface, grid);
+    strips = faces.strips;
+    for (const Faces::Heights &heights : faces.on_lines)
+      max_thickness = std::max(max_thickness, heights.back() - heights.front());
     for (const unsigned int side : {0, 1})
-      check_geometry(*this->surface, grid, face_heights_on_lines(strips, side));
+      check_geometry(*this->surface, grid, faces.on_side(side));
 
     triangulation = make_triangulation(communicator, *this->surface, grid);
     const auto new_dof_handler =
       std::make_shared<DoFHandler<2, 3>>(*triangulation);
-    new_dof_handler->distribute_dofs(FESystem<2, 3>(FE_Q<2, 3>(1), 6));
+    new_dof_handler->distribute_dofs(
+      FESystem<2, 3>(FE_Q<2, 3>(1), n_dofs_per_node()));
     dof_handler   = new_dof_handler;
     locally_owned = dof_handler->locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(*dof_handler, locally_relevant);
 
     diameter = diagonal_of_box(*triangulation);
 
-    collect_cells_and_nodes(face_heights);
+    collect_cells_and_nodes(faces);
     if (supports.is_cyclic())
-      add_cyclic_nodes(face_heights);
+      add_cyclic_nodes(faces);
     locally_relevant.compress();
     for (Cell &cell : cells)
-      for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-        cell.positions[i] = locally_relevant.index_within_set(cell.dofs[i]);
+      for (const auto dof : cell.dofs)
+        cell.positions.push_back(locally_relevant.index_within_set(dof));
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      {
+        if (cells[c].is_wall)
+          walls.push_back(c);
+        if (cells[c].is_layer)
+          layers.push_back(c);
+      }
+    n_all_elements = Utilities::MPI::sum(
+      static_cast<types::global_dof_index>(cells.size()), communicator);
     find_points();
     make_constraints(supports, *this, constraints, prescribed, supported);
 
     for (Node &node : nodes)
       for (const auto face : {Resultants::inner, Resultants::outer})
-        node.face_is_free[face] = face_is_free(node, face, constraints);
+        node.face_is_free[face] =
+          face_is_free(node, face * node.n_layers(), constraints);
     types::global_dof_index n_owned_free = 0;
     for (const auto dof : locally_owned)
       if (!constraints.is_constrained(dof))
@@ -295,8 +388,11 @@ namespace Biface
   ShellMesh::with_layup(const Layup &other) const
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
-    result->layup  = other;
-    result->strips = make_strips(other, *surface, grid);
+    result->layup = other;
+    const Faces faces(other, *surface, grid);
+    result->strips = faces.strips;
+    if (strips.size() != result->strips.size())
+      return nullptr;
     for (unsigned int i = 0; i < strips.size(); ++i)
       for (unsigned int line = 0; line < 2; ++line)
         if (result->strips[i].at_lines[line].face_heights() !=
@@ -306,32 +402,63 @@ namespace Biface
   }
 
 
-  void
-  ShellMesh::collect_cells_and_nodes(
-    const std::vector<std::array<double, 2>> &face_heights)
+  namespace
   {
-    const auto face_offsets = [&](const Cell                       &cell,
-                                  const ShellFEValues::FaceHeights &heights)
-      -> decltype(Cell::face_offsets) {
-      std::array<Cell::FaceOffset, 4> offsets;
-      bool                            any = false;
-      for (unsigned int v = 0; v < 4; ++v)
-        {
-          const std::array<double, 2> &own  = heights[v];
-          const std::array<double, 2> &node = nodes[cell.nodes[v]].face_heights;
-          if (own == node)
-            continue;
-          any                    = true;
-          const double thickness = node[1] - node[0];
-          offsets[v].s = (own[1] + own[0] - node[1] - node[0]) / thickness;
-          offsets[v].r = (own[1] - own[0]) / thickness;
-        }
-      if (any)
-        return offsets;
-      return {};
-    };
+    /** The contributions of the layers at a node to an element.
+     * @param own the heights of the faces of the element at the node.
+     * @param first,last the layers of the node that it consists of. */
+    std::vector<Cell::Contribution>
+    contributions_at(const Node                  &node,
+                     const std::array<double, 2> &own,
+                     const unsigned int           first,
+                     const unsigned int           last)
+    {
+      const double inner = node.height(first), outer = node.height(last + 1);
+      const double thickness = outer - inner;
 
-    ShellFEValues fe_values(*surface, sampling, interpolation);
+      // displacements are linear in the height
+      Cell::Contribution within;
+      if (own[0] != inner || own[1] != outer)
+        {
+          within.mean = (own[1] + own[0] - outer - inner) / thickness;
+          within.half_difference = (own[1] - own[0]) / thickness;
+        }
+      std::vector<Cell::Contribution> result(node.n_layers());
+      for (unsigned int k = 0; k < result.size(); ++k)
+        if (k < first)
+          result[k] = {1, 0};
+        else if (k > last)
+          result[k] = {-1, 0};
+        else
+          result[k] = within;
+      return result;
+    }
+  } // namespace
+
+
+  Node
+  ShellMesh::make_node(const GridIndex &index, const Faces &faces) const
+  {
+    const Faces::Heights &heights = faces.on_lines[index[0]];
+    Node                  node;
+    node.grid_index   = index;
+    node.alpha        = grid.alpha(index);
+    node.face_heights = {{heights.front(), heights.back()}};
+    for (unsigned int k = 0; k + 1 < heights.size(); ++k)
+      node.half_thickness.push_back((heights[k + 1] - heights[k]) / 2);
+    node.surface       = surface->evaluate(node.alpha);
+    node.number        = grid.node_number(index);
+    node.locally_owned = false;
+    node.face_is_free  = {{true, true}};
+    return node;
+  }
+
+
+  void
+  ShellMesh::collect_cells_and_nodes(const Faces &faces)
+  {
+    ShellFEValues fe_values(
+      *surface, sampling, interpolation, thickness_strain);
 
     // map from the vertices of the triangulation to the nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),
@@ -345,19 +472,13 @@ namespace Biface
         if (index != numbers::invalid_unsigned_int)
           return index;
 
-        Node node;
-        node.grid_index   = grid_index;
-        node.alpha        = grid.alpha(grid_index);
-        node.face_heights = face_heights[grid_index[0]];
-        node.surface      = surface->evaluate(node.alpha);
-        node.number       = grid.node_number(grid_index);
+        Node node = make_node(grid_index, faces);
         Assert(node.surface.position.distance(cell->vertex(v)) <
                  1e-8 * cell->diameter(),
                ExcMessage("Coarse cells must be numbered as in the grid."));
-        for (unsigned int i = 0; i < 6; ++i)
-          node.dofs[i] = cell->vertex_dof_index(v, i);
+        for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
+          node.dofs.push_back(cell->vertex_dof_index(v, i));
         node.locally_owned = locally_owned.is_element(node.dofs[0]);
-        node.face_is_free  = {{true, true}};
         index              = nodes.size();
         nodes.push_back(node);
         return index;
@@ -404,22 +525,54 @@ namespace Biface
                  (end - start) * surface->evaluate(middle).lame[a]});
             }
 
-        Cell local;
-        local.nodes  = cell_nodes;
-        local.strip  = cell_index[0];
-        local.number = number;
-        ShellFEValues::FaceHeights heights;
-        for (unsigned int v = 0; v < 4; ++v)
-          {
-            // the vertices with the larger alpha_1 are the odd ones
-            heights[v] = strips[local.strip].at_lines[v % 2].face_heights();
-            for (unsigned int i = 0; i < 6; ++i)
-              local.dofs[6 * v + i] = cell->vertex_dof_index(v, i);
-          }
-        local.face_offsets = face_offsets(local, heights);
-        fe_values.reinit(cell, heights);
-        local.geometry = fe_values.get_geometry();
-        cells.push_back(local);
+        const unsigned int strip           = cell_index[0];
+        const std::size_t  first_of_column = cells.size();
+        const auto         add = [&](const unsigned int strip_of_plies,
+                             const unsigned int first,
+                             const unsigned int last) {
+          Cell local;
+          local.nodes    = cell_nodes;
+          local.strip    = strip_of_plies;
+          local.column   = number;
+          local.is_wall  = (first == 0 && last + 1 == n_layers());
+          local.is_layer = (first == last);
+          local.layer    = first;
+          local.number   = n_layers() == 1
+                                     ? number
+                                     : cell_index[1] * faces.n_elements.back() +
+                               faces.n_elements[strip] + cells.size() -
+                               first_of_column;
+          for (unsigned int v = 0; v < 4; ++v)
+            for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
+              local.dofs.push_back(cell->vertex_dof_index(v, i));
+
+          ShellFEValues::FaceHeights heights;
+          bool                       own_unknowns = (n_layers() > 1);
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              // the vertices with the larger alpha_1 are the odd ones
+              const Faces::Heights &all = faces.of_strips[strip][v % 2];
+              const Node           &node = nodes[cell_nodes[v]];
+              heights[v] = {{all[first], all[last + 1]}};
+              own_unknowns = own_unknowns || heights[v] != node.face_heights;
+            }
+          if (own_unknowns)
+            for (unsigned int v = 0; v < 4; ++v)
+              for (const Cell::Contribution &contribution : contributions_at(
+                     nodes[cell_nodes[v]], heights[v], first, last))
+                local.contributions.push_back(contribution);
+          double wall_thickness = 0;
+          for (const Faces::Heights &all : faces.of_strips[strip])
+            wall_thickness += (all.back() - all.front()) / 2;
+          fe_values.reinit(cell, heights, wall_thickness);
+          local.geometry = fe_values.get_geometry();
+          cells.push_back(local);
+        };
+        add(strip, 0, n_layers() - 1);
+        if (n_layers() > 1)
+          for (unsigned int k = 0; k < n_layers(); ++k)
+            if (faces.layers[strip][k] != numbers::invalid_unsigned_int)
+              add(faces.layers[strip][k], k, k);
       }
 
     for (const auto &set : adjacent)
@@ -428,9 +581,10 @@ namespace Biface
 
 
   void
-  ShellMesh::add_cyclic_nodes(
-    const std::vector<std::array<double, 2>> &face_heights)
+  ShellMesh::add_cyclic_nodes(const Faces &faces)
   {
+    const unsigned int n_dofs = n_dofs_per_node();
+
     // the two lines next to either edge: those on the other side enter the
     // equations of the nodes on an edge
     const unsigned int                last = grid.n_nodes(1) - 1;
@@ -441,16 +595,16 @@ namespace Biface
       known[nodes[n].number] = n;
 
     // the unknowns of these nodes, from the ranks that own them
-    std::vector<types::global_dof_index> dofs(4 * 6 * grid.n_nodes(0));
+    std::vector<types::global_dof_index> dofs(4 * n_dofs * grid.n_nodes(0));
     const auto position = [&](const unsigned int line, const unsigned int i) {
-      return 6 * (line * grid.n_nodes(0) + i);
+      return n_dofs * (line * grid.n_nodes(0) + i);
     };
     for (unsigned int line = 0; line < 4; ++line)
       for (unsigned int i = 0; i < grid.n_nodes(0); ++i)
         {
           const auto node = known.find(grid.node_number({{i, lines[line]}}));
           if (node != known.end() && nodes[node->second].locally_owned)
-            for (unsigned int d = 0; d < 6; ++d)
+            for (unsigned int d = 0; d < n_dofs; ++d)
               dofs[position(line, i) + d] = nodes[node->second].dofs[d];
         }
     Utilities::MPI::sum(dofs, communicator, dofs);
@@ -470,16 +624,9 @@ namespace Biface
               const GridIndex other{{i, lines[line]}};
               if (known.count(grid.node_number(other)) > 0)
                 continue;
-              Node node;
-              node.grid_index   = other;
-              node.alpha        = grid.alpha(other);
-              node.face_heights = face_heights[i];
-              node.surface      = surface->evaluate(node.alpha);
-              node.number       = grid.node_number(other);
-              for (unsigned int d = 0; d < 6; ++d)
-                node.dofs[d] = dofs[position(line, i) + d];
-              node.locally_owned = false;
-              node.face_is_free  = {{true, true}};
+              Node node = make_node(other, faces);
+              for (unsigned int d = 0; d < n_dofs; ++d)
+                node.dofs.push_back(dofs[position(line, i) + d]);
               known[node.number] = nodes.size();
               locally_relevant.add_indices(node.dofs.begin(), node.dofs.end());
               neighbors.push_back({static_cast<unsigned int>(nodes.size())});
@@ -489,57 +636,99 @@ namespace Biface
   }
 
 
-  void
-  Cell::to_own_faces(MixedElement::NodalVector &V) const
+  MixedElement::NodalVector
+  Cell::own_values(const std::vector<double> &values) const
   {
-    if (!face_offsets)
-      return;
+    MixedElement::NodalVector V;
+    if (contributions.empty())
+      {
+        std::copy(values.begin(), values.end(), V.begin_raw());
+        return V;
+      }
+    const unsigned int n_layers = contributions.size() / 4;
+    const double      *value    = values.data();
     for (unsigned int v = 0; v < 4; ++v)
       for (unsigned int i = 0; i < 3; ++i)
         {
           double &mean = V[MixedElement::dof(v, i, MixedElement::mean)];
           double &difference =
             V[MixedElement::dof(v, i, MixedElement::half_difference)];
-          mean += (*face_offsets)[v].s * difference;
-          difference *= (*face_offsets)[v].r;
+          mean = *value++;
+          for (unsigned int k = 0; k < n_layers; ++k, ++value)
+            {
+              const Contribution &part = contributions[v * n_layers + k];
+              mean += part.mean * *value;
+              difference += part.half_difference * *value;
+            }
         }
+    return V;
+  }
+
+
+  namespace
+  {
+    /** Move forces on an element to the nodes, see Cell::to_nodes().
+     * @param step between the entries of both. */
+    void
+    move_to_nodes(const std::vector<Cell::Contribution> &contributions,
+                  const double                          *forces,
+                  double                                *of_nodes,
+                  const unsigned int                     step)
+    {
+      const unsigned int n_layers = contributions.size() / 4;
+      for (unsigned int v = 0; v < 4; ++v)
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const double mean =
+              forces[step * MixedElement::dof(v, i, MixedElement::mean)];
+            const double difference =
+              forces[step *
+                     MixedElement::dof(v, i, MixedElement::half_difference)];
+            *of_nodes = mean;
+            of_nodes += step;
+            for (unsigned int k = 0; k < n_layers; ++k, of_nodes += step)
+              {
+                const Cell::Contribution &part =
+                  contributions[v * n_layers + k];
+                *of_nodes =
+                  part.mean * mean + part.half_difference * difference;
+              }
+          }
+    }
+  } // namespace
+
+
+  void
+  Cell::to_nodes(const MixedElement::NodalVector &forces,
+                 std::vector<double>             &of_nodes) const
+  {
+    of_nodes.resize(dofs.size());
+    if (contributions.empty())
+      std::copy(forces.begin_raw(), forces.end_raw(), of_nodes.begin());
+    else
+      move_to_nodes(contributions, forces.begin_raw(), of_nodes.data(), 1);
   }
 
 
   void
-  Cell::to_nodes(MixedElement::NodalVector &forces) const
+  Cell::to_nodes(const MixedElement::NodalMatrix &K,
+                 std::vector<double>             &of_nodes) const
   {
-    if (!face_offsets)
-      return;
-    for (unsigned int v = 0; v < 4; ++v)
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          const double mean =
-            forces[MixedElement::dof(v, i, MixedElement::mean)];
-          double &difference =
-            forces[MixedElement::dof(v, i, MixedElement::half_difference)];
-          difference =
-            (*face_offsets)[v].s * mean + (*face_offsets)[v].r * difference;
-        }
-  }
-
-
-  void
-  Cell::to_nodes(MixedElement::NodalMatrix &K) const
-  {
-    if (!face_offsets)
-      return;
+    const unsigned int n = dofs.size();
+    of_nodes.resize(n * n);
+    if (contributions.empty())
+      {
+        for (unsigned int k = 0; k < n; ++k)
+          std::copy(K[k].begin(), K[k].end(), &of_nodes[n * k]);
+        return;
+      }
     // rows, then columns
-    for (const bool rows : {true, false})
-      for (unsigned int k = 0; k < MixedElement::n_dofs; ++k)
-        {
-          MixedElement::NodalVector line;
-          for (unsigned int l = 0; l < MixedElement::n_dofs; ++l)
-            line[l] = (rows ? K[l][k] : K[k][l]);
-          to_nodes(line);
-          for (unsigned int l = 0; l < MixedElement::n_dofs; ++l)
-            (rows ? K[l][k] : K[k][l]) = line[l];
-        }
+    constexpr unsigned int n_own = MixedElement::n_dofs;
+    std::vector<double>    rows(n * n_own);
+    for (unsigned int l = 0; l < n_own; ++l)
+      move_to_nodes(contributions, &K[0][l], &rows[l], n_own);
+    for (unsigned int k = 0; k < n; ++k)
+      move_to_nodes(contributions, &rows[n_own * k], &of_nodes[n * k], 1);
   }
 
 
@@ -547,10 +736,12 @@ namespace Biface
   Cell::sign_of_face(const unsigned int vertex, const unsigned int face) const
   {
     const double sign = MixedElement::face_sign[face];
-    if (!face_offsets)
+    if (contributions.empty())
       return sign;
-    const FaceOffset &offset = (*face_offsets)[vertex];
-    return (sign - offset.s) / offset.r;
+    // all layers contribute in the same way
+    const Contribution &part =
+      contributions[vertex * (contributions.size() / 4)];
+    return (sign - part.mean) / part.half_difference;
   }
 
 
@@ -565,11 +756,11 @@ namespace Biface
   ShellMesh::wall_stiffness() const
   {
     double minimum = std::numeric_limits<double>::infinity();
-    for (const Strip &strip : strips)
+    for (unsigned int i = 0; i < n_strips(); ++i)
       minimum = std::min(
         {minimum,
-         strip.laminate.thickness_stiffness(),
-         1000 * strip.laminate.membrane_stiffness() / (size() * size())});
+         strips[i].laminate.thickness_stiffness(),
+         1000 * strips[i].laminate.membrane_stiffness() / (size() * size())});
     return minimum;
   }
 
@@ -602,16 +793,34 @@ namespace Biface
 
 
   Tensor<1, 3>
+  ShellMesh::displacement_of_any_face(const LA::Vector  &V,
+                                      const Node        &node,
+                                      const unsigned int face) const
+  {
+    Tensor<1, 3> v;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int part = 0; part < node.n_parts(); ++part)
+        v[i] += Node::sign_of_part(face, part) * V(node.dof(i, part));
+    return v;
+  }
+
+
+  Tensor<1, 3>
   ShellMesh::displacement(const LA::Vector  &V,
                           const Node        &node,
                           const unsigned int face) const
   {
-    Tensor<1, 3> v;
-    for (unsigned int i = 0; i < 3; ++i)
-      v[i] = V(node.dof(i, MixedElement::mean)) +
-             MixedElement::face_sign[face] *
-               V(node.dof(i, MixedElement::half_difference));
-    return v;
+    return displacement_of_any_face(V, node, face * n_layers());
+  }
+
+
+  Point<3>
+  ShellMesh::position_of_any_face(const LA::Vector  &V,
+                                  const Node        &node,
+                                  const unsigned int face) const
+  {
+    return node.surface.position + node.height(face) * node.surface.frame[2] +
+           node.surface.from_frame(displacement_of_any_face(V, node, face));
   }
 
 
@@ -620,9 +829,35 @@ namespace Biface
                                const Node        &node,
                                const unsigned int face) const
   {
-    return node.surface.position +
-           node.face_heights[face] * node.surface.frame[2] +
-           node.surface.from_frame(displacement(V, node, face));
+    return position_of_any_face(V, node, face * n_layers());
+  }
+
+
+  Point<3>
+  ShellMesh::position_at_height(const LA::Vector &V,
+                                const Node       &node,
+                                const double      height) const
+  {
+    // displacements are linear in the height within a layer
+    unsigned int layer = 0;
+    while (layer + 1 < node.n_layers() && height > node.height(layer + 1))
+      ++layer;
+    const double   low = node.height(layer), high = node.height(layer + 1);
+    const double   fraction = (high > low ? (height - low) / (high - low) : 0.);
+    const Point<3> inner    = position_of_any_face(V, node, layer),
+                   outer    = position_of_any_face(V, node, layer + 1);
+    return Point<3>((1 - fraction) * inner + fraction * outer);
+  }
+
+
+  std::pair<unsigned int, unsigned int>
+  ShellMesh::layers_of(const unsigned int wall) const
+  {
+    const unsigned int first = (cells[wall].is_layer ? wall : wall + 1);
+    unsigned int       end   = first + 1;
+    while (end < cells.size() && cells[end].column == cells[wall].column)
+      ++end;
+    return {first, end};
   }
 
 
@@ -631,10 +866,9 @@ namespace Biface
                               const MixedElement::NodalVector &force,
                               LA::Vector &nodal_forces) const
   {
-    MixedElement::NodalVector on_nodes = force;
-    cell.to_nodes(on_nodes);
-    nodal_forces.add(
-      MixedElement::n_dofs, cell.dofs.data(), on_nodes.begin_raw());
+    std::vector<double> on_nodes;
+    cell.to_nodes(force, on_nodes);
+    nodal_forces.add(cell.dofs.size(), cell.dofs.data(), on_nodes.data());
   }
 
 
@@ -660,15 +894,17 @@ namespace Biface
 
 
   Tensor<1, 3>
-  ShellMesh::force_on_face(const LA::Vector  &nodal_forces,
-                           const Node        &node,
-                           const unsigned int face) const
+  ShellMesh::force_on_any_face(const LA::Vector  &nodal_forces,
+                               const Node        &node,
+                               const unsigned int face) const
   {
-    Tensor<1, 3> force;
+    // the half differences over the layers below and above the face; beyond
+    // the inner and the outer face, the mean takes their place
+    const unsigned int below = face, above = face < n_layers() ? face + 1 : 0;
+    Tensor<1, 3>       force;
     for (unsigned int i = 0; i < 3; ++i)
-      force[i] = (nodal_forces(node.dof(i, MixedElement::mean)) +
-                  MixedElement::face_sign[face] *
-                    nodal_forces(node.dof(i, MixedElement::half_difference))) /
+      force[i] = (nodal_forces(node.dof(i, below)) +
+                  (above == 0 ? 1. : -1.) * nodal_forces(node.dof(i, above))) /
                  2;
     return force;
   }
@@ -680,12 +916,18 @@ namespace Biface
     AssertDimension(V.trilinos_vector().MyLength(),
                     static_cast<int>(locally_relevant.n_elements()));
     // not V(dof), which searches the number of each entry
-    const double *const       entries = V.begin();
-    MixedElement::NodalVector values;
-    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-      values[i] = entries[cell.positions[i]];
-    cell.to_own_faces(values);
-    return values;
+    const double *const entries = V.begin();
+    if (cell.contributions.empty())
+      {
+        MixedElement::NodalVector values;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          values[i] = entries[cell.positions[i]];
+        return values;
+      }
+    std::vector<double> values;
+    for (const unsigned int position : cell.positions)
+      values.push_back(entries[position]);
+    return cell.own_values(values);
   }
 
 

@@ -60,7 +60,7 @@ namespace Biface
           "the frame of the coordinate lines), x, y, z, and, for a surface of "
           "revolution, radial, axial (along y), circumferential (along "
           "alpha_2), in the undeformed shell; FACE is one of inner, outer, "
-          "both, middle, difference (outer minus inner). Values are multiplied "
+          "both (and those between layers), middle, difference (outer minus inner). Values are multiplied "
           "by the load factor of the stage, see 'Load factors'. A closed "
           "coordinate has no edges; leave them 'free'. Unit: length.");
     add_parsed(prm,
@@ -87,6 +87,7 @@ namespace Biface
       const unsigned int n = conditions.size();
       for (unsigned int i = 0; i < n; ++i)
         {
+          conditions[i].holds_all_faces = true;
           conditions.push_back(conditions[i]);
           conditions[i].coefficients     = inner_only;
           conditions.back().coefficients = outer_only;

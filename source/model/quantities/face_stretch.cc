@@ -28,7 +28,7 @@ namespace Biface
   {
     const LA::Vector rest = mesh.ghosted_vector();
     LA::Vector       now = mesh.owned_vector(), before = mesh.owned_vector();
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       {
         std::array<Point<3>, 4> deformed, undeformed;
         for (unsigned int v = 0; v < 4; ++v)

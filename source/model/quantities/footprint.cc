@@ -97,7 +97,7 @@ namespace Biface
       const double same = (lumped ? 2 : 1), other = (lumped ? -1 : 0);
 
       std::vector<double> values;
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         {
           if (!std::all_of(
                 cell.nodes.begin(),

@@ -24,8 +24,8 @@ namespace Biface
       n_others
     };
 
-    /** By the face, in the frame of a node. */
-    using FaceForces = std::array<Tensor<1, 3>, 2>;
+    /** By the face, from the inner to the outer one, in the frame of a node. */
+    using FaceForces = std::vector<Tensor<1, 3>>;
 
 
     FaceForces
@@ -33,8 +33,10 @@ namespace Biface
                 const LA::Vector &nodal_forces,
                 const Node       &node)
     {
-      return {{mesh.force_on_face(nodal_forces, node, 0),
-               mesh.force_on_face(nodal_forces, node, 1)}};
+      FaceForces forces;
+      for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
+        forces.push_back(mesh.force_on_any_face(nodal_forces, node, face));
+      return forces;
     }
 
 
@@ -44,10 +46,11 @@ namespace Biface
                    const FaceForces                   &total)
     {
       const unsigned int n           = equations.size();
+      const unsigned int n_faces     = total.size();
       const auto         coefficient = [&](const unsigned int k,
                                    const unsigned int i,
                                    const unsigned int face) {
-        return equations[k].coefficients[2 * i + face];
+        return equations[k].coefficients[n_faces * i + face];
       };
 
       // a pair of nodes on cyclic edges without another support
@@ -59,18 +62,18 @@ namespace Biface
         {
           for (unsigned int l = 0; l < n; ++l)
             products(k, l) =
-              equations[k].coefficients * equations[l].coefficients;
+              (equations[k].coefficients * equations[l].coefficients).sum();
           for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int face = 0; face < 2; ++face)
+            for (unsigned int face = 0; face < n_faces; ++face)
               work(k) += coefficient(k, i, face) * total[face][i];
         }
       products.gauss_jordan();
       products.vmult(multipliers, work);
 
-      std::vector<FaceForces> forces(n);
+      std::vector<FaceForces> forces(n, FaceForces(n_faces));
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int face = 0; face < 2; ++face)
+          for (unsigned int face = 0; face < n_faces; ++face)
             forces[k][face][i] = multipliers(k) * coefficient(k, i, face);
       return forces;
     }
@@ -86,14 +89,20 @@ namespace Biface
     FaceForces
     scaled(const double factor, const FaceForces &forces)
     {
-      return {{factor * forces[0], factor * forces[1]}};
+      FaceForces result(forces);
+      for (Tensor<1, 3> &force : result)
+        force *= factor;
+      return result;
     }
 
 
     FaceForces
     sum(const FaceForces &a, const FaceForces &b)
     {
-      return {{a[0] + b[0], a[1] + b[1]}};
+      FaceForces result(a);
+      for (unsigned int face = 0; face < a.size(); ++face)
+        result[face] += b[face];
+      return result;
     }
 
 
@@ -109,7 +118,7 @@ namespace Biface
       const bool       paired = item.partner != numbers::invalid_unsigned_int;
       const FaceForces here =
         face_forces(mesh, nodal_forces, mesh.nodes[item.node]);
-      FaceForces there{};
+      FaceForces there(here.size());
       if (paired)
         there = face_forces(mesh, nodal_forces, mesh.nodes[item.partner]);
 
@@ -120,6 +129,12 @@ namespace Biface
         {
           const SupportEquation &equation = item.equations[k];
           const double           share    = paired ? equation.share : 1.;
+          // faces of a layer that does not exist exchange forces
+          if (equation.body == numbers::invalid_unsigned_int)
+            {
+              rest = sum(rest, scaled(-1, held[k]));
+              continue;
+            }
           result.push_back({equation.body, item.node, scaled(share, held[k])});
           rest = sum(rest, scaled(-share, held[k]));
           if (paired)
@@ -164,12 +179,13 @@ namespace Biface
           const FaceForces  &forces,
           const double       factor = 1)
       {
-        for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int face = 0; face < forces.size(); ++face)
           {
             const Tensor<1, 3> force =
               factor * node.surface.from_frame(forces[face]);
             const Tensor<1, 3> moment = cross_product_3d(
-              mesh.deformed_position(displacement, node, face) - center, force);
+              mesh.position_of_any_face(displacement, node, face) - center,
+              force);
             for (unsigned int i = 0; i < 3; ++i)
               {
                 sums[6 * body + i] += force[i];

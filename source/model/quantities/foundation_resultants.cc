@@ -41,7 +41,7 @@ namespace Biface
       std::vector<double>                    sums(1 + rates.size());
       ForceTerm::CellForces                  forces;
       std::vector<MixedElement::NodalVector> per_load(rates.size());
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const unsigned int c : mesh.walls)
         {
           const Cell &cell = mesh.cells[c];
           const auto  V    = mesh.cell_values(state.displacement, cell);

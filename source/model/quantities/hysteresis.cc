@@ -108,10 +108,10 @@ namespace Biface
       first(middles, Hysteresis::n_first_harmonics);
 
     std::vector<std::vector<unsigned int>> own_cells(mesh.strips.size());
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int c : mesh.layers)
       own_cells[mesh.cells[c].strip].push_back(c);
     const auto around = [&](const unsigned int c) {
-      return grid.cell_index(mesh.cells[c].number)[1];
+      return grid.cell_index(mesh.cells[c].column)[1];
     };
 
     // for each ply, its energy and the part of the first harmonics

@@ -75,7 +75,7 @@ namespace Biface
     // each column of the mass adds up to a quarter
     std::vector<double> powers(2);
     const ShellMesh    &mesh = equations.mesh;
-    for (const Cell &cell : mesh.cells)
+    for (const Cell &cell : mesh.wall_elements())
       for (const unsigned int n : cell.nodes)
         if (contact.state_of(state).active[n])
           {

@@ -21,7 +21,7 @@ namespace Biface
       const ShellMesh    &mesh = pair.mesh;
       const ContactState &zone = pair.state_of(at.state);
       double              work = 0;
-      for (const Cell &cell : mesh.cells)
+      for (const Cell &cell : mesh.wall_elements())
         {
           const auto M =
             multiplier_mass(pair.condition.mass(), cell.geometry.weight);

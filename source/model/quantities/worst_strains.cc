@@ -105,6 +105,8 @@ namespace Biface
       place.alpha    = Point<2>(data[2], data[3]);
       place.position = Point<3>(data[4], data[5], data[6]);
       place.cell     = worst->number;
+      if (mesh.n_layers() > 1)
+        place.layer = worst->layer;
       return place;
     }
   } // namespace
@@ -118,6 +120,12 @@ namespace Biface
     std::vector<Candidate> compressions, shears;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
+        if (!mesh.cells[c].is_layer)
+          {
+            compressions.emplace_back();
+            shears.emplace_back();
+            continue;
+          }
         const Strains strains =
           Modes::at_vertices(forces.total_strains(state, c));
         compressions.push_back(maximum_compression(strains));
@@ -157,7 +165,9 @@ namespace Biface
                 ? ""
                 : std::string(" on the ") +
                     (*strain.face == Resultants::inner ? "inner" : "outer") +
-                    " face");
+                    " face") +
+             (!strain.layer ? ""
+                            : " of layer " + std::to_string(*strain.layer + 1));
     }
   } // namespace
 

@@ -45,58 +45,63 @@ namespace Biface
   } // namespace
 
 
-  GridState::GridState(const ChartGrid &grid) : grid(grid)
+  GridState::GridState(const ChartGrid &grid, const unsigned int n_layers)
+    : grid(grid), n_layers(n_layers)
   {
-    displacements.resize(grid.n_nodes(0) * grid.n_nodes(1));
-    contacts.resize(displacements.size());
-    cell_resultants.resize(grid.n_cells(0) * grid.n_cells(1));
+    contacts.resize(grid.n_nodes(0) * grid.n_nodes(1));
+    displacements.assign((n_layers + 1) * contacts.size(), {});
+    resultants_of_layers.resize(n_layers * grid.n_cells(0) * grid.n_cells(1));
   }
 
 
   GridState::GridState(const ShellMesh &mesh, const State &state)
-    : GridState(mesh.grid)
+    : GridState(mesh.grid, mesh.n_layers())
   {
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         const Node &node = mesh.nodes[n];
         if (!node.locally_owned)
           continue;
-        for (unsigned int i = 0; i < 6; ++i)
-          displacements[node.number][i] = state.displacement(node.dofs[i]);
+        for (unsigned int part = 0; part < node.n_parts(); ++part)
+          for (unsigned int i = 0; i < 3; ++i)
+            displacements[part * contacts.size() + node.number][i] =
+              state.displacement(node.dof(i, part));
         contacts[node.number] = state.ground().active[n];
       }
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      cell_resultants[mesh.cells[c].number] = state.resultants[c];
+    for (const unsigned int c : mesh.layers)
+      resultants_of_layers[n_layers * mesh.cells[c].column +
+                           mesh.cells[c].layer] = state.resultants[c];
 
     sum(displacements, mesh.communicator);
-    sum(cell_resultants, mesh.communicator);
+    sum(resultants_of_layers, mesh.communicator);
     Utilities::MPI::sum(contacts, mesh.communicator, contacts);
   }
 
 
-  Tensor<1, 6>
-  GridState::displacement(const Point<2> &alpha) const
+  Tensor<1, 3>
+  GridState::displacement(const Point<2> &alpha, const unsigned int part) const
   {
-    return interpolate(displacements, place(alpha));
+    return interpolate(&displacements[part * contacts.size()], place(alpha));
   }
 
 
   double
   GridState::contact(const Point<2> &alpha) const
   {
-    return interpolate(contacts, place(alpha));
+    return interpolate(contacts.data(), place(alpha));
   }
 
 
   Modes::Vector
-  GridState::resultants(const std::array<Point<2>, 4> &cell) const
+  GridState::resultants(const std::array<Point<2>, 4> &cell,
+                        const unsigned int             layer) const
   {
     Point<2> center;
     for (const Point<2> &vertex : cell)
       center += vertex / 4;
-    const GridIndex at = place(center).cell;
-    const auto      at_vertices =
-      Modes::at_vertices(cell_resultants[grid.cell_number(at)]);
+    const GridIndex at          = place(center).cell;
+    const auto      at_vertices = Modes::at_vertices(
+      resultants_of_layers[n_layers * grid.cell_number(at) + layer]);
 
     std::array<Resultants::Vector, 4> values;
     for (unsigned int v = 0; v < 4; ++v)
@@ -125,7 +130,7 @@ namespace Biface
 
   template <typename T>
   T
-  GridState::interpolate(const std::vector<T> &values, const Place &place) const
+  GridState::interpolate(const T *values, const Place &place) const
   {
     T value{};
     for (unsigned int v = 0; v < 4; ++v)

@@ -13,42 +13,50 @@ namespace Biface
 
   namespace
   {
-    constexpr unsigned int n_max = 6;
-
-    using Block = std::array<float, n_max * n_max>;
-
     constexpr unsigned int not_a_neighbor = numbers::invalid_unsigned_int;
 
 
-    /** y = block x */
     inline void
-    product(const Block &block, const float *x, float *y)
+    add_columns(const float       *block,
+                const float       *x,
+                const float        factor,
+                float             *y,
+                const unsigned int n)
     {
-      std::fill_n(y, n_max, 0.f);
-      for (unsigned int j = 0; j < n_max; ++j)
-        for (unsigned int i = 0; i < n_max; ++i)
-          y[i] += block[n_max * j + i] * x[j];
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const float part = factor * x[j];
+          for (unsigned int i = 0; i < n; ++i)
+            y[i] += block[n * j + i] * part;
+        }
     }
 
 
-    /** y -= block x */
+    /** y += factor block x, with a block of @p n rows. */
     inline void
-    subtract_product(const Block &block, const float *x, float *y)
+    add_product(const float       *block,
+                const float       *x,
+                const float        factor,
+                float             *y,
+                const unsigned int n)
     {
-      for (unsigned int j = 0; j < n_max; ++j)
-        for (unsigned int i = 0; i < n_max; ++i)
-          y[i] -= block[n_max * j + i] * x[j];
+      // a length known to the compiler in the most frequent case
+      if (n == 6)
+        add_columns(block, x, factor, y, 6);
+      else
+        add_columns(block, x, factor, y, n);
     }
 
 
-    Block
-    in_single_precision(const FullMatrix<double> &matrix)
+    /** @param block by columns. */
+    void
+    in_single_precision(const FullMatrix<double> &matrix,
+                        float                    *block,
+                        const unsigned int        n)
     {
-      Block block{};
       for (unsigned int i = 0; i < matrix.m(); ++i)
         for (unsigned int j = 0; j < matrix.n(); ++j)
-          block[n_max * j + i] = matrix(i, j);
-      return block;
+          block[n * j + i] = matrix(i, j);
     }
   } // namespace
 
@@ -61,7 +69,11 @@ namespace Biface
     this->nodes = &nodes;
 
     const unsigned int n_nodes = nodes.n_nodes();
-    factors.assign(n_nodes, Factors());
+    n_max                      = 0;
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      n_max = std::max(n_max, nodes.begin[n + 1] - nodes.begin[n]);
+    block_size = static_cast<std::size_t>(n_max) * n_max;
+    factors.assign(n_factors * block_size * n_nodes, 0.f);
     blocks.clear();
     columns.clear();
     lower.assign(1, 0);
@@ -86,17 +98,19 @@ namespace Biface
               {
                 FullMatrix<double> back(next.m(), next.n());
                 inverse.mmult(back, next);
-                factors[n].back   = in_single_precision(back);
-                factors[n].before = in_single_precision(coupling.before);
+                in_single_precision(back, factor(n, Factor::back), n_max);
+                in_single_precision(
+                  coupling.before, factor(n, Factor::before), n_max);
                 FullMatrix<double> change(coupling.own.m(), coupling.own.n());
                 coupling.before.mmult(change, back);
                 coupling.own.add(-1, change);
               }
             if (!invert(coupling.own))
               return false;
-            factors[n].inverse = in_single_precision(coupling.own);
-            inverse            = std::move(coupling.own);
-            next               = std::move(coupling.next);
+            in_single_precision(
+              coupling.own, factor(n, Factor::inverse), n_max);
+            inverse = std::move(coupling.own);
+            next    = std::move(coupling.next);
           }
       }
     return true;
@@ -131,8 +145,6 @@ namespace Biface
               action(i, places[local[k]], values[k]);
         }
     };
-    AssertIndexRange(size(n), n_max + 1);
-
     for_each_entry([&](const unsigned int, const Place &place, double) {
       if (!on_line(place.node) && position[place.node] == not_a_neighbor)
         {
@@ -147,7 +159,7 @@ namespace Biface
     for (std::size_t k = lower.back(); k < columns.size(); ++k)
       position[columns[k]] = k;
     lower.push_back(columns.size());
-    blocks.resize(columns.size(), Block());
+    blocks.resize(block_size * columns.size(), 0.f);
 
     const auto coupling_with = [&](const unsigned int m, const bool exists) {
       return exists && size(m) > 0 && size(n) > 0
@@ -157,17 +169,19 @@ namespace Biface
     Coupling coupling{coupling_with(n, true),
                       coupling_with(n - 1, n > begin),
                       coupling_with(n + 1, n + 1 < end)};
-    for_each_entry(
-      [&](const unsigned int i, const Place &place, const double value) {
-        if (place.node == n)
-          coupling.own(i, place.unknown) = value;
-        else if (!on_line(place.node))
-          blocks[position[place.node]][n_max * place.unknown + i] = value;
-        else if (place.node < n)
-          coupling.before(i, place.unknown) = value;
-        else
-          coupling.next(i, place.unknown) = value;
-      });
+    for_each_entry([&](const unsigned int i,
+                       const Place       &place,
+                       const double       value) {
+      if (place.node == n)
+        coupling.own(i, place.unknown) = value;
+      else if (!on_line(place.node))
+        blocks[block_size * position[place.node] + n_max * place.unknown + i] =
+          value;
+      else if (place.node < n)
+        coupling.before(i, place.unknown) = value;
+      else
+        coupling.next(i, place.unknown) = value;
+    });
     for (std::size_t k = lower[n]; k < lower[n + 1]; ++k)
       position[columns[k]] = not_a_neighbor;
     return coupling;
@@ -185,12 +199,16 @@ namespace Biface
       {
         float *x = &values[n_max * n], *r = &right_hand_side[n_max * n];
         if (n > begin)
-          subtract_product(factors[n].before, x - n_max, r);
-        product(factors[n].inverse, r, x);
+          add_product(factor(n, Factor::before), x - n_max, -1, r, n_max);
+        std::fill_n(x, n_max, 0.f);
+        add_product(factor(n, Factor::inverse), r, 1, x, n_max);
       }
     for (unsigned int n = end; n-- > begin + 1;)
-      subtract_product(
-        factors[n].back, &values[n_max * n], &values[n_max * (n - 1)]);
+      add_product(factor(n, Factor::back),
+                  &values[n_max * n],
+                  -1,
+                  &values[n_max * (n - 1)],
+                  n_max);
   }
 
 
@@ -202,8 +220,11 @@ namespace Biface
                                    std::vector<float>       &rest) const
   {
     for (std::size_t k = first; k < last; ++k)
-      subtract_product(
-        blocks[k], &values[n_max * columns[k]], &rest[n_max * n]);
+      add_product(&blocks[block_size * k],
+                  &values[n_max * columns[k]],
+                  -1,
+                  &rest[n_max * n],
+                  n_max);
   }
 
 

@@ -37,7 +37,7 @@ namespace Biface
     /** A node that the foundation holds. */
     struct HeldNode
     {
-      std::array<types::global_dof_index, 6> rows;
+      std::vector<types::global_dof_index> rows;
       /** The largest one that a translation of the shell exerts on it. */
       Vector<double> force;
     };
@@ -63,18 +63,19 @@ namespace Biface
       const IndexSet        rows = A.locally_owned_range_indices();
       for (unsigned int n = 0; n < nodes.n_nodes(); ++n)
         {
-          HeldNode       node{{}, Vector<double>(6)};
-          Vector<double> force(6);
-          double         diagonal = 0;
-          const int     *local    = &nodes.rows[nodes.begin[n]];
-          for (unsigned int d = 0; d < 6; ++d)
+          const unsigned int n_rows = nodes.begin[n + 1] - nodes.begin[n];
+          HeldNode           node{{}, Vector<double>(n_rows)};
+          Vector<double>     force(n_rows);
+          double             diagonal = 0;
+          const int         *local    = &nodes.rows[nodes.begin[n]];
+          for (unsigned int d = 0; d < n_rows; ++d)
             {
-              node.rows[d] = rows.nth_index_in_set(local[d]);
-              diagonal     = std::max(diagonal, A.diag_element(node.rows[d]));
+              node.rows.push_back(rows.nth_index_in_set(local[d]));
+              diagonal = std::max(diagonal, A.diag_element(node.rows[d]));
             }
           for (const LA::Vector &f : forces)
             {
-              for (unsigned int d = 0; d < 6; ++d)
+              for (unsigned int d = 0; d < n_rows; ++d)
                 force[d] = f.begin()[local[d]];
               if (force.norm_sqr() > node.force.norm_sqr())
                 node.force = force;
@@ -113,18 +114,19 @@ namespace Biface
       bool singular = false;
       for (const HeldNode &node : nodes)
         {
-          FullMatrix<double> inverse(6, 6);
-          for (unsigned int i = 0; i < 6; ++i)
-            for (unsigned int j = 0; j < 6; ++j)
+          const unsigned int n = node.rows.size();
+          FullMatrix<double> inverse(n, n);
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
               inverse(i, j) = A.el(node.rows[i], node.rows[j]);
           singular = !invert(inverse);
           if (singular)
             break;
-          Vector<double> yielding(6);
+          Vector<double> yielding(n);
           inverse.vmult(yielding, node.force);
           const double work = yielding * node.force;
-          for (unsigned int i = 0; i < 6; ++i)
-            for (unsigned int j = 0; j < 6; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
               projection.add(node.rows[i],
                              node.rows[j],
                              -truncated * yielding[i] * node.force[j] / work);

@@ -19,8 +19,8 @@ namespace Biface
   /**
    * The global tangent, to which cell matrices are added.
    *
-   * The sparsity pattern is fixed, and the six columns of a node are contiguous
-   * in every row. For a cell without constraints whose rows all belong to this
+   * The sparsity pattern is fixed, and the columns of a node are contiguous in
+   * every row. For a cell without constraints whose rows all belong to this
    * rank, the positions of its entries are therefore found once. Other cells
    * are added by AffineConstraints.
    */
@@ -65,26 +65,36 @@ namespace Biface
     }
 
   private:
-    /** Add what refers to the unknowns of the nodes. */
+    /** Add what refers to the unknowns of the nodes, in the order of
+     * Cell::dofs, the matrix row by row. */
     void
-    add_to_nodes(const unsigned int               cell,
-                 const MixedElement::NodalMatrix &cell_matrix,
-                 const MixedElement::NodalVector &cell_vector,
-                 LA::Vector                      &global_vector);
+    add_to_nodes(const unsigned int cell,
+                 const double      *cell_matrix,
+                 const double      *cell_vector,
+                 LA::Vector        &global_vector);
+
+    /** The same by AffineConstraints. */
+    void
+    add_with_constraints(const Cell   &cell,
+                         const double *cell_matrix,
+                         const double *cell_vector,
+                         LA::Vector   &global_vector);
 
     /** For each row of a cell and each of its four nodes, the position of the
-     * first of the six columns of the node among the values of the matrix. */
-    using Places = std::array<std::array<int, 4>, MixedElement::n_dofs>;
+     * first column of the node among the values of the matrix. */
+    using Places = std::vector<std::array<int, 4>>;
 
     const ShellMesh                         &mesh;
     const dealii::AffineConstraints<double> &constraints;
     LA::SparseMatrix                         matrix;
     std::vector<Places>                      places;
-    /** Position of the cell in @p places, or an invalid number. */
+    /** Position of the cell in @p places, or an invalid number; the same for
+     * all elements on a cell of the triangulation. */
     std::vector<unsigned int> fast_cell;
     /** The values of the matrix, as Epetra stores them. */
     double *values = nullptr;
 
+    std::vector<double>                          of_nodes, matrix_of_nodes;
     dealii::FullMatrix<double>                   scratch_matrix;
     dealii::Vector<double>                       scratch_vector;
     std::vector<dealii::types::global_dof_index> scratch_dofs;

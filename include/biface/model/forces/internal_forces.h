@@ -13,8 +13,9 @@
 namespace Biface
 {
   /**
-   * The internal forces of the cells, including those of initial resultants,
-   * with the corresponding strains, resultants and energy.
+   * The internal forces of the layers, including those of initial resultants,
+   * with the corresponding strains, resultants and energy. Where there are
+   * several layers, the elements of the whole wall have none.
    *
    * The forces follow from the displacements of the state, the tangent also
    * from its resultants: see NewtonIteration::mixed.
@@ -26,9 +27,11 @@ namespace Biface
     explicit InternalForces(const ShellMesh &mesh);
 
     bool
-    acts_on(const unsigned int, const State &, const Loads &) const override
+    acts_on(const unsigned int cell,
+            const State &,
+            const Loads &) const override
     {
-      return true;
+      return mesh.cells[cell].is_layer;
     }
 
     void

@@ -76,13 +76,16 @@ namespace Biface
   class PressureForces : public ForceTerm
   {
   public:
-    /** Throws InputError like PressureLoad::values(). */
+    /** The mesh is kept by reference. Throws InputError like
+     * PressureLoad::values(). */
     PressureForces(const ShellMesh &mesh, const PressureLoad &pressure);
 
     bool
-    acts_on(const unsigned int, const State &, const Loads &) const override
+    acts_on(const unsigned int cell,
+            const State &,
+            const Loads &) const override
     {
-      return kind == PressureKind::follower;
+      return kind == PressureKind::follower && mesh.cells[cell].is_wall;
     }
 
     void
@@ -108,6 +111,7 @@ namespace Biface
     FollowerPressure
     unit_pressure(const CellState &at) const;
 
+    const ShellMesh       &mesh;
     const PressureKind     kind;
     const Resultants::Face face;
     /** At the nodes of this rank, see PressureLoad::values(). */

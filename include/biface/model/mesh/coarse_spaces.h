@@ -41,9 +41,9 @@ namespace Biface
     /**
      * From the unknowns of this mesh to those of the next finer one.
      *
-     * Mean and half difference of the faces are interpolated bilinearly, the
-     * former as a Cartesian vector, the latter divided by the thickness, which
-     * is a rotation. Between the nodes, these rotations
+     * Mean and half differences of the faces are interpolated bilinearly, the
+     * former as a Cartesian vector, the latter divided by the thicknesses of
+     * their layers, which are rotations. Between the nodes, these rotations
      * @f$\boldsymbol\omega@f$ move the mean by half of
      * @f$\boldsymbol\omega\times(\mathbf x-\mathbf x_\text{node})@f$ in
      * addition, so that bending does not shear a thin shell (linked

@@ -30,13 +30,16 @@ namespace Biface
   /** An equation of a support for the displacements of the faces at a node. */
   struct SupportEquation
   {
-    /** The coefficients of @f$v_1^-,v_1^+,v_2^-,v_2^+,v_3^-,v_3^+@f$. The
-     * forces of the support on the faces are a multiple of them. */
-    dealii::Tensor<1, 6> coefficients;
+    /** The coefficients of the displacements of all faces, those of
+     * @f$v_1@f$ from the inner to the outer face, then those of @f$v_2@f$ and
+     * @f$v_3@f$. The forces of the support on the faces are a multiple of
+     * them. */
+    std::valarray<double> coefficients;
     /** The right-hand side is their sum, each multiplied by one of
      * Loads::factors. */
     std::valarray<double> values;
-    /** Which support: a position in SupportedNodes::bodies. */
+    /** Which support: a position in SupportedNodes::bodies; invalid if a layer
+     * does not exist at the node, whose faces stay together. */
     unsigned int body;
     /** Between cyclic edges, the fraction of its forces on the node itself; the
      * rest acts on the partner. */
@@ -79,6 +82,8 @@ namespace Biface
    *
    * Throws InputError if they contradict each other, or if a supported point
    * does not exist.
+   *
+   * Where a layer does not exist, its half difference is zero.
    *
    * @param constraints the supports with zero prescribed displacements, closed.
    * @param prescribed the prescribed displacements that are not zero.

@@ -13,10 +13,10 @@
 
 namespace Biface
 {
-  /** The cell of a mesh in which a value is largest. Values within 1e-6 of the
-   * largest are taken as equal, so that round-off does not decide between
-   * places that mirror each other; of these cells it is the one with the lowest
-   * number, on any number of ranks. */
+  /** The cell of a mesh, and its layer, in which a value is largest. Values
+   * within 1e-6 of the largest are taken as equal, so that round-off does not
+   * decide between places that mirror each other; of these it is the element
+   * with the lowest number, on any number of ranks. */
   struct LargestCell
   {
     /** The value of a cell that has none. */
@@ -28,7 +28,10 @@ namespace Biface
     double value = none;
     /** See ChartGrid::cell_number(). */
     dealii::types::global_cell_index number = 0;
-    /** The place of the cell among those of this rank, on the one rank that
+
+    /** The layer, from the inner face. */
+    unsigned int layer = 0;
+    /** The place of the element among those of this rank, on the one rank that
      * owns it. */
     std::optional<unsigned int> position;
 
@@ -42,7 +45,7 @@ namespace Biface
 
   /** Find it among all ranks; nothing if no cell has a value. Must be called on
    * all ranks.
-   * @param values of the cells of this rank, in their order. */
+   * @param values of the elements of this rank, see ShellMesh::cells. */
   std::optional<LargestCell>
   find_largest_cell(const ShellMesh &mesh, const std::vector<double> &values);
 } // namespace Biface

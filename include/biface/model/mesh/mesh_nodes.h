@@ -22,7 +22,18 @@
 
 namespace Biface
 {
-  /** A node of the mesh: a vertex with the displacements of both faces. */
+  /**
+   * A node of the mesh: a vertex with the displacements of all faces.
+   *
+   * With L layers between L + 1 faces, the unknowns per component are the mean
+   * of the displacements of the inner and the outer face,
+   * @f$x_0=\frac12(v_0+v_L)@f$, and half the difference over each layer,
+   * @f$d_k=\frac12(v_{k+1}-v_k)@f$, so that
+   * @f$v_k=x_0+\sum_{j<k}d_j-\sum_{j\ge k}d_j@f$. With one layer they are
+   * those of MixedElement. In the displacements of the faces themselves, the
+   * stiffness against changes of thickness would drown that against bending,
+   * more so with each layer.
+   */
   struct Node
   {
     /** The lines of the grid that meet at the node. */
@@ -37,19 +48,71 @@ namespace Biface
 
     SurfacePoint surface;
 
-    /** @f$\delta^-,\delta^+@f$, see Laminate::face_heights(): the mean of both
-     * sides if a ply ends here. Unit: length. */
+    /** @f$\delta^-,\delta^+@f$ of the inner and the outer face, see
+     * Laminate::face_heights(): the mean of both sides if a ply ends here.
+     * Unit: length. */
     std::array<double, 2> face_heights;
 
-    /** Global indices of the unknowns, in the order of dof(). */
-    std::array<dealii::types::global_dof_index, 6> dofs;
+    /** Half the thickness of each layer, inner layer first, likewise; zero
+     * where a layer does not exist. Unit: length. */
+    std::vector<double> half_thickness;
 
-    /** See MixedElement::dof(). */
-    dealii::types::global_dof_index
-    dof(const unsigned int component, const MixedElement::Part part) const
+    /** Global indices of the unknowns, in the order of dof(). */
+    std::vector<dealii::types::global_dof_index> dofs;
+
+    unsigned int
+    n_layers() const
     {
-      return dofs[MixedElement::dof(0, component, part)];
+      return half_thickness.size();
     }
+
+    /** The unknowns per component: the mean is part 0, half the difference over
+     * the layer k is part k + 1. */
+    unsigned int
+    n_parts() const
+    {
+      return n_layers() + 1;
+    }
+
+    /** The position of an unknown in @p dofs. */
+    unsigned int
+    position(const unsigned int component, const unsigned int part) const
+    {
+      return n_parts() * component + part;
+    }
+
+    dealii::types::global_dof_index
+    dof(const unsigned int component, const unsigned int part) const
+    {
+      return dofs[position(component, part)];
+    }
+
+    /** The derivative of the displacement of the face @p face, from 0 to L, by
+     * a part. */
+    static double
+    sign_of_part(const unsigned int face, const unsigned int part)
+    {
+      return part == 0 || part <= face ? 1. : -1.;
+    }
+
+    /** The height of a face. Unit: length. */
+    double
+    height(const unsigned int face) const
+    {
+      if (face == n_layers())
+        return face_heights[1];
+      double height = face_heights[0];
+      for (unsigned int k = 0; k < face; ++k)
+        height += 2 * half_thickness[k];
+      return height;
+    }
+
+    /** The parts of the thickness below and above each layer, weighted so that
+     * what is spread evenly over the thickness does work on the part k + 1: its
+     * @f$k@f$-th entry is the derivative of the mean displacement of the wall
+     * by @f$d_k@f$. */
+    std::vector<double>
+    spread() const;
 
     /** Whether the node belongs to this rank. */
     bool locally_owned;

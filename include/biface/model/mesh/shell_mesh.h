@@ -26,58 +26,76 @@
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/reference_surface.h>
 
+#include <boost/iterator/permutation_iterator.hpp>
+#include <boost/range/iterator_range.hpp>
+
 namespace Biface
 {
-  /** A locally owned cell of the mesh. */
+  /**
+   * An element on a locally owned cell of the triangulation, between two faces
+   * of the shell: one of its layers, which has stiffness and mass, or the whole
+   * wall, on which loads and contact act. In a shell with a single layer, the
+   * layer is the wall.
+   *
+   * The unknowns of the element are those of MixedElement, for its own two
+   * faces; they are linear in the unknowns of the nodes, see Node.
+   */
   struct Cell
   {
-    std::array<dealii::types::global_dof_index, MixedElement::n_dofs> dofs;
+    /** Of the nodes, vertex by vertex, in the order of Node::dofs. */
+    std::vector<dealii::types::global_dof_index> dofs;
     /** The positions of the dofs in ShellMesh::locally_relevant, and so among
      * the entries of a vector with ghosts. */
-    std::array<unsigned int, MixedElement::n_dofs> positions;
+    std::vector<unsigned int> positions;
     /** Positions in ShellMesh::nodes. */
     std::array<unsigned int, 4> nodes;
     /** Position in ShellMesh::strips. */
     unsigned int    strip;
     ElementGeometry geometry;
-    /** See ChartGrid::cell_number(). */
+    /** See ChartGrid::cell_number(): the same for the wall and its layers. */
+    dealii::types::global_cell_index column;
+    /** The number of the element, independent of the number of ranks. */
     dealii::types::global_cell_index number;
+    bool                             is_wall, is_layer;
+    /** Counted from the inner face. */
+    unsigned int layer;
 
-    /**
-     * Where a ply ends at a side of the cell, the faces of the cell differ from
-     * those of the nodes. Since displacements are linear in the height, those
-     * of the faces of the cell follow from the unknowns of the node,
-     * @f$\bar v_c=\bar v+s\tilde v@f$ and @f$\tilde v_c=r\tilde v@f$. This
-     * is exact for rigid motions.
-     */
-    struct FaceOffset
+    /** The half differences over one of the layers at a node contribute to the
+     * mean and to the half difference of the faces of the element. */
+    struct Contribution
     {
-      double s = 0, r = 1;
+      double mean = 0, half_difference = 1;
     };
 
-    /** By vertex; empty if the faces of the cell are those of the nodes. */
-    std::optional<std::array<FaceOffset, 4>> face_offsets;
+    /** By vertex and layer; empty if the unknowns of the element are those of
+     * the nodes. */
+    std::vector<Contribution> contributions;
 
-    /** From the unknowns of the nodes to those of the faces of the cell. */
+    /** From the unknowns of the nodes, in the order of @p dofs, to those of the
+     * element. */
+    MixedElement::NodalVector
+    own_values(const std::vector<double> &values) const;
+
+    /** From forces on the faces of the element to those on the nodes, in the
+     * order of @p dofs. */
     void
-    to_own_faces(MixedElement::NodalVector &V) const;
+    to_nodes(const MixedElement::NodalVector &forces,
+             std::vector<double>             &of_nodes) const;
 
-    /** From forces on the faces of the cell to those on the nodes. */
+    /** From a tangent for the faces of the element to one for the nodes, row by
+     * row. */
     void
-    to_nodes(MixedElement::NodalVector &forces) const;
+    to_nodes(const MixedElement::NodalMatrix &K,
+             std::vector<double>             &of_nodes) const;
 
-    /** From a tangent for the faces of the cell to one for the nodes. */
-    void
-    to_nodes(MixedElement::NodalMatrix &K) const;
-
-    /** The derivative of the displacement of a face of the node by the half
-     * difference of the faces of the cell. */
+    /** Of a wall: the derivative of the displacement of the inner or the outer
+     * face of the node by the half difference of the faces of the element. */
     double
     sign_of_face(const unsigned int vertex, const unsigned int face) const;
   };
 
 
-  /** The plies between two lines of the first coordinate. */
+  /** The plies of an element between two lines of the first coordinate. */
   struct Strip
   {
     /** At the middle of the strip, which gives the stiffness of the cells. */
@@ -118,14 +136,16 @@ namespace Biface
      * of a ply is not positive, if a face lies beyond a center of curvature, if
      * an edge that does not exist is supported, or if a point is not a node.
      */
-    ShellMesh(const MPI_Comm                          communicator,
-              std::unique_ptr<const ReferenceSurface> surface,
-              const ChartGrid                        &grid,
-              const Layup                            &layup,
-              const Supports                         &supports,
-              const std::vector<NamedPoint>          &points = {},
-              const StrainSampling sampling      = StrainSampling::vertices,
-              const Interpolation  interpolation = Interpolation::components);
+    ShellMesh(
+      const MPI_Comm                          communicator,
+      std::unique_ptr<const ReferenceSurface> surface,
+      const ChartGrid                        &grid,
+      const Layup                            &layup,
+      const Supports                         &supports,
+      const std::vector<NamedPoint>          &points = {},
+      const StrainSampling  sampling                 = StrainSampling::vertices,
+      const Interpolation   interpolation    = Interpolation::components,
+      const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
 
     /** The same mesh with other plies, of which it shares all but these; null
      * if they place the faces elsewhere. Throws InputError if a ply ends
@@ -137,11 +157,64 @@ namespace Biface
 
     const StrainSampling sampling;
     const Interpolation  interpolation;
+    /** Never by_layers. */
+    const ThicknessStrain thickness_strain;
 
-    /** Between the lines of the first coordinate, in ascending order. */
+    /** Of the whole wall between the lines of the first coordinate, in
+     * ascending order, followed by those of single layers if there are several.
+     */
     std::vector<Strip> strips;
 
+    /** The elements, those on the same cell of the triangulation next to each
+     * other: the wall first, then the layers that exist there. */
     std::vector<Cell> cells;
+
+    /** Positions in @p cells of the layers, and of the walls. */
+    std::vector<unsigned int> layers, walls;
+
+    /** The elements on which loads and contact act, to loop over. */
+    auto
+    wall_elements() const
+    {
+      return boost::make_iterator_range(
+        boost::make_permutation_iterator(cells.begin(), walls.begin()),
+        boost::make_permutation_iterator(cells.begin(), walls.end()));
+    }
+
+    /** The first of the layers of a wall, given by its position in @p cells,
+     * and the one after the last. */
+    std::pair<unsigned int, unsigned int>
+    layers_of(const unsigned int wall) const;
+
+    /** The wall to which a layer belongs. */
+    unsigned int
+    wall_of(unsigned int layer) const
+    {
+      while (!cells[layer].is_wall)
+        --layer;
+      return layer;
+    }
+
+    /** The number of layers, where all exist. */
+    unsigned int
+    n_layers() const
+    {
+      return layup.n_layers();
+    }
+
+    /** The number of unknowns of a node. */
+    unsigned int
+    n_dofs_per_node() const
+    {
+      return 3 * (n_layers() + 1);
+    }
+
+    /** The number of strips across the shell. */
+    unsigned int
+    n_strips() const
+    {
+      return grid.n_cells(0);
+    }
 
     /** Nodes that share a cell with the node of the same position, including
      * itself. Complete for locally owned nodes. Not across cyclic edges. */
@@ -199,14 +272,21 @@ namespace Biface
     dealii::types::global_dof_index
     n_nodes() const
     {
-      return dof_handler->n_dofs() / 6;
+      return dof_handler->n_dofs() / n_dofs_per_node();
     }
 
-    /** The number of cells on all ranks. */
+    /** The number of cells of the triangulation on all ranks. */
     dealii::types::global_dof_index
     n_cells() const
     {
       return triangulation->n_global_active_cells();
+    }
+
+    /** The number of elements on all ranks, see Cell. */
+    dealii::types::global_dof_index
+    n_elements() const
+    {
+      return n_all_elements;
     }
 
     /** A vector with entries for all nodes of this rank, including ghosts. */
@@ -217,17 +297,37 @@ namespace Biface
     LA::Vector
     owned_vector() const;
 
-    /** Displacement of a face at a node, in the frame of the node. */
+    /** Displacement of the inner or outer face at a node, in the frame of the
+     * node. */
     dealii::Tensor<1, 3>
     displacement(const LA::Vector  &V,
                  const Node        &node,
                  const unsigned int face) const;
+
+    /** Displacement of any face at a node, from 0 to L, see Node. */
+    dealii::Tensor<1, 3>
+    displacement_of_any_face(const LA::Vector  &V,
+                             const Node        &node,
+                             const unsigned int face) const;
 
     /** Position of a face at a node in the deformed shell. */
     dealii::Point<3>
     deformed_position(const LA::Vector  &V,
                       const Node        &node,
                       const unsigned int face) const;
+
+    /** Position of any face at a node in the deformed shell. */
+    dealii::Point<3>
+    position_of_any_face(const LA::Vector  &V,
+                         const Node        &node,
+                         const unsigned int face) const;
+
+    /** Position in the deformed shell of the point of a node at a height, see
+     * Node::face_heights. */
+    dealii::Point<3>
+    position_at_height(const LA::Vector &V,
+                       const Node       &node,
+                       const double      height) const;
 
     /** Add forces on the faces of a cell at its vertices to those of all nodes,
      * regardless of supports. */
@@ -241,12 +341,12 @@ namespace Biface
     void
     condense(LA::Vector &nodal_forces) const;
 
-    /** The force on a face at a node, in the frame of the node.
+    /** The force on any face at a node, from 0 to L, in the frame of the node.
      * @param nodal_forces conjugate to the unknowns, see Node::dofs. */
     dealii::Tensor<1, 3>
-    force_on_face(const LA::Vector  &nodal_forces,
-                  const Node        &node,
-                  const unsigned int face) const;
+    force_on_any_face(const LA::Vector  &nodal_forces,
+                      const Node        &node,
+                      const unsigned int face) const;
 
     /** The displacements of the faces of a cell, see MixedElement::Part.
      * @param V a vector with ghosts. */
@@ -257,20 +357,26 @@ namespace Biface
     /** A copy on the same triangulation. */
     ShellMesh(const ShellMesh &) = default;
 
-    /** @param face_heights on each line of the first coordinate. */
+    /** The strips, and the heights of the faces. */
+    class Faces;
+
     void
-    collect_cells_and_nodes(
-      const std::vector<std::array<double, 2>> &face_heights);
+    collect_cells_and_nodes(const Faces &faces);
 
     /** Add the nodes to which cyclic edges couple those of this rank. */
     void
-    add_cyclic_nodes(const std::vector<std::array<double, 2>> &face_heights);
+    add_cyclic_nodes(const Faces &faces);
+
+    /** A node without its unknowns. */
+    Node
+    make_node(const GridIndex &index, const Faces &faces) const;
 
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;
     std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;
-    dealii::types::global_dof_index                 n_free        = 0;
-    double                                          max_thickness = 0;
+    dealii::types::global_dof_index                 n_free         = 0;
+    dealii::types::global_dof_index                 n_all_elements = 0;
+    double                                          max_thickness  = 0;
   };
 
 

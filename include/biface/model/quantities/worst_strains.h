@@ -19,6 +19,8 @@ namespace Biface
     double value = 0;
     /** The inner or the outer face; none for the thickness strain. */
     std::optional<unsigned int> face;
+    /** The layer, if there are several. */
+    std::optional<unsigned int> layer;
     /** Coordinates in the unit of parameter files. */
     dealii::Point<2> alpha;
     /** Position on the undeformed reference surface. */

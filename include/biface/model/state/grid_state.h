@@ -20,31 +20,32 @@ namespace Biface
    * A state stored by grid lines, which can be evaluated at any position of the
    * surface and on any rank, independently of the distribution of its mesh.
    * Displacements are interpolated bilinearly, with components in the frame of
-   * the surface; resultants are those of each cell.
+   * the surface; resultants are those of each cell and layer.
    */
   class GridState
   {
   public:
     /** The undeformed state of a grid. */
-    explicit GridState(const ChartGrid &grid);
+    explicit GridState(const ChartGrid &grid, const unsigned int n_layers = 1);
 
     /** Must be called on all ranks. */
     GridState(const ShellMesh &mesh, const State &state);
 
-    /** The unknowns of a node, in the order of MixedElement::dof(), at a
+    /** The unknowns of a node that belong to a part, see Node::n_parts(), at a
      * position within the grid. Unit: length. */
-    dealii::Tensor<1, 6>
-    displacement(const dealii::Point<2> &alpha) const;
+    dealii::Tensor<1, 3>
+    displacement(const dealii::Point<2> &alpha, const unsigned int part) const;
 
     /** The indicator of contact: 1 at active nodes, 0 at the others, bilinear
      * in between. */
     double
     contact(const dealii::Point<2> &alpha) const;
 
-    /** The modes of the resultants in a cell with the given vertices that lies
-     * within a cell of this grid. */
+    /** The modes of the resultants of a layer in a cell with the given vertices
+     * that lies within a cell of this grid. */
     Modes::Vector
-    resultants(const std::array<dealii::Point<2>, 4> &vertices) const;
+    resultants(const std::array<dealii::Point<2>, 4> &vertices,
+               const unsigned int                     layer) const;
 
   private:
     /** A cell of the grid, and reference coordinates from 0 to 1 in it. */
@@ -59,14 +60,16 @@ namespace Biface
 
     template <typename T>
     T
-    interpolate(const std::vector<T> &values, const Place &place) const;
+    interpolate(const T *values, const Place &place) const;
 
-    ChartGrid grid;
+    ChartGrid    grid;
+    unsigned int n_layers;
+    /** Part by part, by node numbers. */
+    std::vector<dealii::Tensor<1, 3>> displacements;
     /** By node numbers. */
-    std::vector<dealii::Tensor<1, 6>> displacements;
-    std::vector<double>               contacts;
-    /** By cell numbers. */
-    std::vector<Modes::Vector> cell_resultants;
+    std::vector<double> contacts;
+    /** By cell numbers, layer by layer. */
+    std::vector<Modes::Vector> resultants_of_layers;
   };
 } // namespace Biface
 

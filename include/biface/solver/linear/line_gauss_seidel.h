@@ -44,9 +44,6 @@ namespace Biface
     backward(LA::Vector &x, const LA::Vector &b) const;
 
   private:
-    /** By columns; nodes with fewer unknowns have zeros. */
-    using Block = std::array<float, 36>;
-
     /** Where an unknown is among those of its node. */
     struct Place
     {
@@ -74,7 +71,7 @@ namespace Biface
 
     /** Subtract the products of the blocks from @p first to @p last of the node
      * @p n.
-     * @param values,rest six for each node. */
+     * @param values,rest @p n_max for each node. */
     void
     subtract_blocks(const unsigned int        n,
                     const std::size_t         first,
@@ -83,18 +80,18 @@ namespace Biface
                     std::vector<float>       &rest) const;
 
     /** Solve for the unknowns of a line, whose right hand side is replaced.
-     * @param values six for each node. */
+     * @param values @p n_max for each node. */
     void
     solve_line(const unsigned int  line,
                std::vector<float> &right_hand_side,
                std::vector<float> &values) const;
 
     /** Subtract the product with the unknowns of other ranks.
-     * @param rest six values for each node. */
+     * @param rest @p n_max for each node. */
     void
     subtract_others(const LA::Vector &x, std::vector<float> &rest) const;
 
-    /** The entries of a vector, six for each node. */
+    /** The entries of a vector, @p n_max for each node. */
     std::vector<float>
     by_nodes(const LA::Vector &x) const;
 
@@ -104,21 +101,44 @@ namespace Biface
     const LA::SparseMatrix *matrix = nullptr;
     const GridLineNodes    *nodes  = nullptr;
 
+    /** The largest number of unknowns of a node. All blocks have as many rows
+     * and columns; those of nodes with fewer unknowns are padded with zeros. */
+    unsigned int n_max      = 0;
+    std::size_t  block_size = 0;
+
     /** What couples a node of this rank with others than its neighbors on the
-     * line. The blocks of the node @p n with earlier lines start at
-     * @p lower[n], all others at @p upper[n]. */
-    std::vector<Block>        blocks;
+     * line, block by block and by columns. The blocks of the node @p n with
+     * earlier lines start at number @p lower[n], all others at @p upper[n]. */
+    std::vector<float>        blocks;
     std::vector<unsigned int> columns;
     std::vector<std::size_t>  lower, upper;
 
     /** The factors of the elimination along each line: the inverse after
      * elimination of the previous nodes, the block with the previous node, and
      * the product of the inverse of that node with the opposite block. */
-    struct Factors
+    enum class Factor
     {
-      Block inverse, before, back;
+      inverse,
+      before,
+      back
     };
-    std::vector<Factors> factors;
+    static constexpr unsigned int n_factors = 3;
+    /** Node by node. */
+    std::vector<float> factors;
+
+    float *
+    factor(const unsigned int node, const Factor factor)
+    {
+      return &factors[(n_factors * node + static_cast<unsigned int>(factor)) *
+                      block_size];
+    }
+
+    const float *
+    factor(const unsigned int node, const Factor factor) const
+    {
+      return &factors[(n_factors * node + static_cast<unsigned int>(factor)) *
+                      block_size];
+    }
   };
 } // namespace Biface
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_thickness_strain_h
+#define biface_element_thickness_strain_h
+
+namespace Biface
+{
+  /** Where the element takes its thickness strain from. */
+  enum class ThicknessStrain
+  {
+    /** From the vertices if the wall is a single layer, from the mean director
+     * otherwise. */
+    by_layers,
+    /** From the directors at the four vertices, as in
+     * @cite GrigolyukKulikovPlotnikova2004. */
+    vertices,
+    /** From the director interpolated between them, see MeanDirector. */
+    mean_director
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/laminate/interlaminar_shear.h>
+#include <biface/laminate/thickness_functions.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Scale rows and columns to a largest entry of 1.
+     * @return the factors of the rows and of the columns. */
+    std::array<Vector<double>, 2>
+    equilibrate(FullMatrix<double> &matrix)
+    {
+      const unsigned int            n = matrix.m();
+      std::array<Vector<double>, 2> scales{
+        {Vector<double>(n), Vector<double>(n)}};
+      for (const bool rows : {false, true})
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            double largest = 0;
+            for (unsigned int j = 0; j < n; ++j)
+              largest =
+                std::max(largest, std::abs(rows ? matrix(i, j) : matrix(j, i)));
+            const double scale = (largest > 0 ? 1 / largest : 1.);
+            for (unsigned int j = 0; j < n; ++j)
+              (rows ? matrix(i, j) : matrix(j, i)) *= scale;
+            scales[rows ? 0 : 1][i] = scale;
+          }
+      return scales;
+    }
+  } // namespace
+
+
+  InterlaminarShear::InterlaminarShear(
+    const std::vector<TransverseShear> &layers)
+    : layers(layers)
+  {
+    const unsigned int n_layers = layers.size();
+    const unsigned int n        = 2 * (n_layers + 1);
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        // the strains with gradients, and the stresses of equilibrium along
+        // alpha_c and across
+        const std::array<unsigned int, 2> strains{{c, 2}};
+
+        // by equation; a column for each strain of each face
+        FullMatrix<double> matrix(n, n);
+        for (unsigned int k = 0; k < n_layers; ++k)
+          {
+            const double h = layers[k].get_thickness();
+            for (const TransverseShear::Ply &ply : layers[k].get_plies())
+              {
+                const FaceMoments N(ply.begin, ply.end, h);
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    for (unsigned int p = 0; p < 2; ++p)
+                      {
+                        const unsigned int column = 2 * (k + p) + j;
+                        const double       q =
+                          ply.plane_stress[strains[i]][strains[j]];
+                        // membrane force
+                        matrix(i, column) += q * N.first[p];
+                        // shear forces of this layer: what is below adds its
+                        // change of the membrane force over the whole height,
+                        // each height z what is left above it
+                        matrix(2 + 2 * k + i, column) -= q * h * N.second[0][p];
+                        for (unsigned int m = k + 1; m < n_layers; ++m)
+                          matrix(2 + 2 * m + i, column) -=
+                            q * N.first[p] * layers[m].get_thickness();
+                      }
+              }
+          }
+        const auto scales = equilibrate(matrix);
+        matrix.gauss_jordan();
+
+        for (unsigned int k = 0; k < n_layers; ++k)
+          {
+            std::vector<Tensor<1, 3>> of_faces(n_layers + 1);
+            const unsigned int        row = 2 + 2 * k;
+            for (unsigned int face = 0; face <= n_layers; ++face)
+              for (unsigned int j = 0; j < 2; ++j)
+                {
+                  const unsigned int column = 2 * face + j;
+                  of_faces[face][strains[j]] =
+                    scales[1][column] * matrix(column, row) * scales[0][row];
+                }
+            gradients[c].push_back(of_faces);
+          }
+      }
+  }
+
+
+  Tensor<1, 2>
+  InterlaminarShear::stress(const std::vector<Tensor<1, 2>> &shear_forces,
+                            const unsigned int               layer,
+                            const unsigned int               ply,
+                            const double                     z) const
+  {
+    AssertDimension(shear_forces.size(), layers.size());
+    Tensor<1, 2> stress;
+    for (unsigned int k = 0; k <= layer; ++k)
+      {
+        const auto        &plies = layers[k].get_plies();
+        const unsigned int last  = (k < layer ? plies.size() - 1 : ply);
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            std::array<Tensor<1, 3>, 2> of_faces;
+            for (unsigned int m = 0; m < shear_forces.size(); ++m)
+              for (unsigned int p = 0; p < 2; ++p)
+                of_faces[p] += shear_forces[m][c] * gradients[c][m][k + p];
+            for (unsigned int i = 0; i <= last; ++i)
+              {
+                const double end = (k == layer && i == ply ? z : plies[i].end);
+                const FaceMoments N(
+                  plies[i].begin, end, layers[k].get_thickness());
+                const Tensor<1, 3> change =
+                  plies[i].plane_stress *
+                  (N.first[0] * of_faces[0] + N.first[1] * of_faces[1]);
+                stress[c] -= change[c];
+                stress[1 - c] -= change[2];
+              }
+          }
+      }
+    return stress;
+  }
+} // namespace Biface
