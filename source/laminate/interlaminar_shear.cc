@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -41,9 +42,31 @@ namespace Biface
 
 
   InterlaminarShear::InterlaminarShear(
-    const std::vector<TransverseShear> &layers)
+    const std::vector<TransverseShear> &layers, const TransverseShear &wall)
     : layers(layers)
   {
+    // exact for a distribution that is quadratic in each ply
+    const QGauss<1> quadrature(2);
+    unsigned int    number = 0;
+    double          bottom = 0;
+    for (const TransverseShear &layer : layers)
+      {
+        Tensor<2, 2> part;
+        for (const TransverseShear::Ply &ply : layer.get_plies())
+          {
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const double z =
+                  ply.begin + (ply.end - ply.begin) * quadrature.point(q)[0];
+                part += quadrature.weight(q) * (ply.end - ply.begin) *
+                        wall.distribution(number, bottom + z);
+              }
+            ++number;
+          }
+        parts_of_wall.push_back(part);
+        bottom += layer.get_thickness();
+      }
+
     const unsigned int n_layers = layers.size();
     const unsigned int n        = 2 * (n_layers + 1);
     for (unsigned int c = 0; c < 2; ++c)
@@ -82,10 +105,9 @@ namespace Biface
         const auto scales = equilibrate(matrix);
         matrix.gauss_jordan();
 
-        for (unsigned int k = 0; k < n_layers; ++k)
+        for (unsigned int row = 2; row < n; ++row)
           {
             std::vector<Tensor<1, 3>> of_faces(n_layers + 1);
-            const unsigned int        row = 2 + 2 * k;
             for (unsigned int face = 0; face <= n_layers; ++face)
               for (unsigned int j = 0; j < 2; ++j)
                 {
@@ -106,6 +128,10 @@ namespace Biface
                             const double                     z) const
   {
     AssertDimension(shear_forces.size(), layers.size());
+    Tensor<1, 2> total;
+    for (const Tensor<1, 2> &Q : shear_forces)
+      total += Q;
+
     Tensor<1, 2> stress;
     for (unsigned int k = 0; k <= layer; ++k)
       {
@@ -115,8 +141,15 @@ namespace Biface
           {
             std::array<Tensor<1, 3>, 2> of_faces;
             for (unsigned int m = 0; m < shear_forces.size(); ++m)
-              for (unsigned int p = 0; p < 2; ++p)
-                of_faces[p] += shear_forces[m][c] * gradients[c][m][k + p];
+              {
+                const Tensor<2, 2> &part = parts_of_wall[m];
+                const double        along =
+                  shear_forces[m][c] - part[c][1 - c] * total[1 - c];
+                const double across = part[1 - c][c] * total[c];
+                for (unsigned int p = 0; p < 2; ++p)
+                  of_faces[p] += along * gradients[c][2 * m][k + p] +
+                                 across * gradients[c][2 * m + 1][k + p];
+              }
             for (unsigned int i = 0; i <= last; ++i)
               {
                 const double end = (k == layer && i == ply ? z : plies[i].end);

@@ -115,7 +115,14 @@ namespace Biface
         std::vector<TransverseShear> layers;
         for (unsigned int c = first; c < end; ++c)
           layers.push_back(laminate(c).get_transverse_shear());
-        known = of_walls.emplace(key, InterlaminarShear(layers)).first;
+        known =
+          of_walls
+            .emplace(
+              key,
+              InterlaminarShear(
+                layers,
+                mesh.strips[key.first].at_lines[line].get_transverse_shear()))
+            .first;
       }
     return known->second.stress(shear_forces, layer - first, ply, z);
   }

@@ -82,7 +82,7 @@ namespace Biface
           {
             std::vector<double> shares(face + 2);
             shares.back() = 1;
-            add("face " + std::to_string(face), shares);
+            add("face_" + std::to_string(face), shares);
           }
       }
     append(lines);

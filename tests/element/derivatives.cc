@@ -6,6 +6,7 @@
 #include <biface/laminate/layup.h>
 
 #include "one_cell.h"
+#include "some_vector.h"
 #include <cord_ply.h>
 #include <tests.h>
 
@@ -14,17 +15,6 @@ using namespace Biface;
 
 namespace
 {
-  template <int n>
-  Tensor<1, n>
-  some_vector(const double size, const unsigned int seed)
-  {
-    Tensor<1, n> vector;
-    for (unsigned int i = 0; i < n; ++i)
-      vector[i] = size * some_number(100 * seed + i);
-    return vector;
-  }
-
-
   using NodalVector = MixedElement::NodalVector;
 
   void

@@ -56,7 +56,7 @@ some_displacement(const Biface::ShellMesh &mesh,
   Biface::LA::Vector V = mesh.owned_vector();
   for (const Biface::Node &node : mesh.nodes)
     if (node.locally_owned)
-      for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int i = 0; i < node.dofs.size(); ++i)
         if (!mesh.constraints.is_constrained(node.dofs[i]))
           V(node.dofs[i]) = size * std::sin(seed + 131.7 * node.alpha[0] +
                                             77.3 * node.alpha[1] + 2.1 * i);

@@ -34,10 +34,12 @@ namespace
        const Shape          foundation    = Shape::plane,
        const std::string   &shear         = "constant strain",
        const std::string   &compression   = "E_L",
-       const Interpolation  interpolation = Interpolation::components)
+       const Interpolation  interpolation = Interpolation::components,
+       const std::string   &layers        = "one")
   {
     Layup::Parameters parameters;
     parameters.plies             = parse_plies("plies", plies);
+    parameters.layers            = parse_layers("layers", layers);
     parameters.law               = law;
     parameters.shear_law         = parse_transverse_shear("shear", shear);
     auto materials               = cord_ply();
@@ -226,6 +228,21 @@ main(int argc, char *argv[])
        "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
        "cord: 1 @ 52 from " +
          number_to_string(begin) + " to " + number_to_string(end));
+  for (const auto theory : {StrainTheory::nonlinear, StrainTheory::linear})
+    test(std::string("layers, one of which ends") +
+           (theory == StrainTheory::linear ? ", linear theory" : ""),
+         ThicknessLaw::symmetric,
+         MultiplierMass::lumped,
+         theory,
+         PressureKind::follower,
+         "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
+         "cord: 1 @ 52 from " +
+           number_to_string(begin) + " to " + number_to_string(end),
+         Shape::plane,
+         "constant strain",
+         "E_L/100",
+         Interpolation::components,
+         "1/2, 3/2, 1");
   for (const auto mass : {MultiplierMass::lumped, MultiplierMass::consistent})
     {
       const std::string name =

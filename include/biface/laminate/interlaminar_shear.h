@@ -19,10 +19,12 @@ namespace Biface
    * In cylindrical bending that varies along @f$\alpha_c@f$, the strains
    * @f$cc@f$ and 12 of the L + 1 faces have gradients, which are linear between
    * the faces of a layer. They follow from the 2(L + 1) conditions that the
-   * gradients of both membrane forces vanish, and that the stresses
-   * @f$\sigma_{c3}@f$ of equilibrium in each layer have its shear force, and
-   * the other stresses none. The stresses vanish at the inner and the outer
-   * face of the wall and are continuous. With one layer they are those of
+   * gradients of both membrane forces vanish, and that the stresses of
+   * equilibrium in each layer have given shear forces along and across: that of
+   * the layer along @f$\alpha_c@f$, and where plies at an angle couple both
+   * coordinates, the parts of TransverseShear::distribution() of the whole wall
+   * across. The stresses vanish at the inner and the outer face of the wall and
+   * are continuous. With one layer they are those of
    * TransverseShear::equilibrium_stress().
    *
    * The stresses that follow from the law of each layer jump between the layers
@@ -31,8 +33,10 @@ namespace Biface
   class InterlaminarShear
   {
   public:
-    /** @param layers inner layer first; copied. */
-    explicit InterlaminarShear(const std::vector<TransverseShear> &layers);
+    /** @param layers inner layer first; copied.
+     * @param wall with the plies of all of them. */
+    InterlaminarShear(const std::vector<TransverseShear> &layers,
+                      const TransverseShear              &wall);
 
     /**
      * The stresses @f$\sigma_{13},\sigma_{23}@f$. Unit: force/area.
@@ -51,10 +55,13 @@ namespace Biface
   private:
     std::vector<TransverseShear> layers;
 
-    /** `gradients[c][k][face]`: the gradients along @f$\alpha_c@f$ of the
-     * strains 11, 22, 2*12 of the faces for a unit shear force @f$Q_c@f$ of the
-     * layer k. */
+    /** `gradients[c][2 k + i][face]`: the gradients along @f$\alpha_c@f$ of the
+     * strains 11, 22, 2*12 of the faces for a unit shear force of the layer k
+     * along @f$\alpha_c@f$, i = 0, or across. */
     std::array<std::vector<std::vector<dealii::Tensor<1, 3>>>, 2> gradients;
+
+    /** The integrals of @f$\mathbf F@f$ of the wall over each layer. */
+    std::vector<dealii::Tensor<2, 2>> parts_of_wall;
   };
 } // namespace Biface
 

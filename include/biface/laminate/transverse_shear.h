@@ -110,6 +110,14 @@ namespace Biface
       return thickness;
     }
 
+    /** That of the wall of which the plies are a layer, or else of the plies.
+     */
+    const TransverseShear &
+    of_wall() const
+    {
+      return wall.shear ? *wall.shear : *this;
+    }
+
     /** @f$D_{a3c3}^{pq}@f$ for the faces p and q. Unit: force/length. */
     dealii::Tensor<2, 2>
     stiffness(const unsigned int p, const unsigned int q) const
