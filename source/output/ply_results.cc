@@ -117,11 +117,7 @@ namespace Biface
           layers.push_back(laminate(c).get_transverse_shear());
         known =
           of_walls
-            .emplace(
-              key,
-              InterlaminarShear(
-                layers,
-                mesh.strips[key.first].at_lines[line].get_transverse_shear()))
+            .emplace(key, InterlaminarShear(layers, layers.front().of_wall()))
             .first;
       }
     return known->second.stress(shear_forces, layer - first, ply, z);
