@@ -25,12 +25,12 @@ namespace Biface
     std::array<double, 2> coefficients;
     /** @f$\bar v@f$ for the load factor 1. Unit: length. */
     double value;
-    /** Whether the faces between layers are held like the outer one. */
-    bool holds_all_faces = false;
     /** Whether the value was given. */
     bool is_prescribed = false;
     /** The position of its factor in Loads::factors. */
     unsigned int factor = 0;
+    /** Whether the faces between layers are held like the outer one. */
+    bool holds_all_faces = false;
   };
 
 
