@@ -205,8 +205,6 @@ namespace
         "1.5 per ply",
         "101 per ply",
         "one per",
-        "1, 1",
-        "1/2",
         "nan",
         "1/0",
         "1e999"}}}},
