@@ -5,6 +5,8 @@
 // side to which it leans; and the forces of ground, rim and pressure are in
 // balance.
 
+#include <iomanip>
+
 #include <biface/model/quantities/rolling_summary.h>
 
 #include "forces.h"
@@ -64,5 +66,7 @@ main(int argc, char *argv[])
     }
   // the wheel leans to the left
   check_range("camber thrust", a.force[1] / a.force[2], 0.005, 0.2);
-  std::cout << "forces: " << a.force[1] << ' ' << a.force[2] << std::endl;
+  // more digits than are compared: no rounding of the last one
+  std::cout << std::setprecision(9) << "forces: " << a.force[1] << ' '
+            << a.force[2] << std::endl;
 }
