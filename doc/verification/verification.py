@@ -398,6 +398,33 @@ INTERPOLATION = (
     "the hemisphere and on cylinders under point forces without ends. Deep folds of "
     "the semi-cylinders converge less often with them. `components` is the default.")
 
+# Thick laminates, and the walls that are compared on them
+STACKED = [
+    "nafems_strip", "nafems_cylinder", "nafems_sandwich", "nafems_sandwich_soft",
+    "pagano_4_equilibrium", "pagano_10_equilibrium", "pagano_20_equilibrium",
+    "pagano_50", "pagano_100", "pagano_0_4", "pagano_0_10", "pagano_0_90_4",
+    "pagano_0_90_10", "pagano_square_4", "pagano_square_10", "ren_panel_4",
+    "ren_panel_10", "ren_panel_50", "ren_panel_0_90_10", "ren_panel_0_90_50"]
+WALLS = {
+    "one layer": ["Laminate/Layers=one", "Laminate/Transverse shear=constant strain"],
+    "one layer, equilibrium": ["Laminate/Layers=one",
+                               "Laminate/Transverse shear=equilibrium"],
+    "one per ply": ["Laminate/Layers=one per ply",
+                    "Laminate/Transverse shear=constant strain"],
+    "four per ply": ["Laminate/Layers=4 per ply",
+                     "Laminate/Transverse shear=constant strain"],
+}
+STACKS = (
+    "Every thick laminate of this page on the mesh of its file, as a single layer "
+    "with both laws of transverse shear, and as a stack with one and with four "
+    "layers per ply and a constant shear strain in each (`Laminate/Layers`, see "
+    "[theory.md](theory.md)): first the largest deviation of a deflection, then that "
+    "of a stress. Deflections of stacks are those in the middle of the thickness "
+    "where a face lies there, and otherwise the mean of the outermost faces. A dash "
+    "means that there is no such published value. The published value of the sandwich "
+    "plate R0031/3 is rounded; the parameter file with three layers has one with more "
+    "digits.")
+
 COLORS = "#1f5fa8", "#c0392b", "#2e7d32"
 
 # The reference of a path, by the start of its file name
@@ -940,9 +967,45 @@ def interpolations(arguments, prms):
     return ["## Interpolation\n", fill(INTERPOLATION), table(header, rows, 1)]
 
 
+def in_the_middle(expected, run):
+    """Published values in the middle surface, as those of the face there, if there is
+    one among the faces between layers."""
+    faces = {row["face"] for row in run.probes if row["face"].startswith("face_")}
+    if len(faces) % 2 == 0:
+        return expected
+    middle = f" face_{(len(faces) + 1) // 2} "
+    return [Expected(quantity.replace(" middle ", middle), reference)
+            for quantity, reference in expected]
+
+
+def stacks(arguments, prms):
+    """The chapter that compares one layer with several."""
+    rows = []
+    for prm in (prm for name in STACKED for prm in prms if prm.stem == name):
+        # the first value of a quantity is the published one
+        expected = list({item.quantity: item
+                         for item in reversed(read_expected(prm))}.values())
+        row = [heading(prm.stem)]
+        _, mesh = mesh_of(prm, 1)
+        runs = [make_run(arguments, prm, 1, f"{mesh} {name}", settings)
+                for name, settings in WALLS.items()]
+        for wanted in (True, False):
+            for run in runs:
+                chosen = [item for item in in_the_middle(expected, run)
+                          if (" u_" in item.quantity) == wanted]
+                found = deviations(run, chosen)
+                row.append(percent(None if not found or None in found
+                                   else max(found, key=abs)))
+        rows.append(row)
+    header = ["Largest deviation (%)"] + [
+        f"{what}: {name}" for what in ("deflection", "stress") for name in WALLS]
+    return ["## Stacks of layers\n", fill(STACKS), table(header, rows, 1)]
+
+
 def contents():
     """The list of purposes."""
     return "\n".join(f"- {title}" for title, _, _ in PURPOSES) + (
+        "\n- Stacks of layers: thick laminates as one layer and as several, compared"
         "\n- Interpolation: what the element interpolates, compared\n")
 
 
@@ -989,7 +1052,7 @@ def main():
         if benchmark.name in PATHS:
             draw_path(benchmark, arguments.data, pictures)
     page = "\n".join([INTRODUCTION, contents(), *chapters(benchmarks),
-                      *interpolations(arguments, prms)])
+                      *stacks(arguments, prms), *interpolations(arguments, prms)])
     (arguments.output / "verification.md").write_text(page, encoding="utf-8")
 
 

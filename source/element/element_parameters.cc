@@ -35,13 +35,15 @@ namespace Biface
       prm,
       "Thickness strain",
       thickness_strain,
-      {"by layers", "vertices", "mean director"},
+      {"by layers", "vertices", "mean director", "normal"},
       "Where the element takes its thickness strain from. 'vertices', from the "
       "lines between its faces at the four vertices, is the element of "
       "Grigolyuk, Kulikov and Plotnikova (2004). 'mean director', from the "
       "line between the faces as it is interpolated between the vertices: "
       "contact pressure on a soft layer does not make it rock from node to "
-      "node. 'by layers': 'mean director' if there are several "
-      "'Laminate/Layers', 'vertices' otherwise.");
+      "node. 'normal', from the part of that line which is normal to the "
+      "faces: nor does pressure make a layer soft in shear. 'by layers': "
+      "'normal' if there are several 'Laminate/Layers', 'vertices' "
+      "otherwise.");
   }
 } // namespace Biface

@@ -145,11 +145,23 @@ namespace Biface
         director        = MeanDirector::undeformed(geometry);
         director += director_change;
       }
+    if (with_normal_thickness())
+      shear = NormalThickness::shear(strain_of_directors());
   }
 
 
   Modes::Vector
   MixedElement::strain() const
+  {
+    Modes::Vector E = strain_of_directors();
+    if (with_normal_thickness())
+      NormalThickness::subtract_products(shear, shear, 0.5, E);
+    return E;
+  }
+
+
+  Modes::Vector
+  MixedElement::strain_of_directors() const
   {
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
@@ -191,6 +203,9 @@ namespace Biface
     if (with_mean_director())
       MeanDirector::add_products(
         geometry, director, MeanDirector::change(geometry, variation), 2, E);
+    if (with_normal_thickness())
+      NormalThickness::subtract_products(
+        shear, NormalThickness::shear(E), 1, E);
     return E;
   }
 
@@ -212,6 +227,8 @@ namespace Biface
     if (with_mean_director())
       MeanDirector::add_products(
         geometry, director_change, director_change, 1, eta);
+    if (with_normal_thickness())
+      NormalThickness::subtract_products(shear, shear, 0.5, eta);
     return eta;
   }
 
@@ -243,9 +260,13 @@ namespace Biface
 
 
   MixedElement::NodalVector
-  MixedElement::internal_force(const Modes::Vector &H,
+  MixedElement::internal_force(const Modes::Vector &resultants,
                                const Modes::Vector &H_0) const
   {
+    Modes::Vector H = resultants;
+    if (with_normal_thickness())
+      H += NormalThickness::resultants(shear, resultants + H_0);
+
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     const auto total_at_vertices =
       Modes::to_vertices(geometry.weight * (H + H_0));
@@ -288,11 +309,21 @@ namespace Biface
 
   MixedElement::NodalVector
   MixedElement::tangent_product(const ModeStiffness &stiffness,
-                                const Modes::Vector &H,
+                                const Modes::Vector &resultants,
                                 const NodalVector   &dV) const
   {
-    NodalVector force = internal_force(
-      stiffness.resultants(strain_variation(dV)), Modes::Vector());
+    const Modes::Vector dE    = strain_variation(dV);
+    const Modes::Vector dH    = stiffness.resultants(dE);
+    NodalVector         force = internal_force(dH, Modes::Vector());
+    Modes::Vector       H     = resultants;
+    if (with_normal_thickness())
+      {
+        H += NormalThickness::resultants(shear, resultants);
+        // only modes of shear
+        force += internal_force(
+          NormalThickness::resultants(NormalThickness::shear(dE), resultants),
+          Modes::Vector());
+      }
 
     std::array<DisplacementGradient, 4> variation;
     for (unsigned int q = 0; q < 4; ++q)
@@ -911,13 +942,73 @@ namespace Biface
   }
 
 
+  void
+  MixedElement::shear_matrix(const StrainMatrix &B, ShearMatrix &G) const
+  {
+    for (auto &rows : G)
+      for (auto &row : rows)
+        row.fill(0);
+    NormalThickness::for_shear_modes([&](const unsigned int  a,
+                                         const unsigned int  i,
+                                         const Modes::Group &group) {
+      for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+        {
+          const double value = Modes::value_at_gauss_point(group, g) / 2;
+          for (unsigned int k = 0; k < n_dofs; ++k)
+            G[g][a][k] += value * B[i][k];
+        }
+    });
+  }
+
+
+  void
+  MixedElement::subtract_shear(const ShearMatrix &G, StrainMatrix &B) const
+  {
+    for (unsigned int m = 0; m < 4; ++m)
+      for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+        {
+          const double factor =
+            Modes::value_at_gauss_point(Modes::groups[m], g) /
+            (Modes::n_gauss_points * Modes::groups[m].weight());
+          for (unsigned int a = 0; a < 2; ++a)
+            for (unsigned int k = 0; k < n_dofs; ++k)
+              B[NormalThickness::mode(m)][k] -=
+                factor * shear[g][a] * G[g][a][k];
+        }
+  }
+
+
+  void
+  MixedElement::subtract_leaning(const ShearMatrix   &G,
+                                 const Modes::Vector &H,
+                                 StrainMatrix        &DB) const
+  {
+    NormalThickness::for_shear_modes([&](const unsigned int  a,
+                                         const unsigned int  i,
+                                         const Modes::Group &group) {
+      for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+        {
+          const double factor = geometry.weight / (2 * Modes::n_gauss_points) *
+                                Modes::value_at_gauss_point(group, g) *
+                                NormalThickness::thickness_resultant(H, g);
+          for (unsigned int k = 0; k < n_dofs; ++k)
+            DB[i][k] -= factor * G[g][a][k];
+        }
+    });
+  }
+
+
   BIFACE_VECTORIZED
   void
   MixedElement::add_tangent(const ModeStiffness  &stiffness,
-                            const Modes::Vector  &H,
+                            const Modes::Vector  &resultants,
                             NodalMatrix          &K,
                             const SlackStiffness *slack) const
   {
+    Modes::Vector H = resultants;
+    if (with_normal_thickness())
+      H += NormalThickness::resultants(shear, resultants);
+
     alignas(64) StrainMatrix B;
     strain_matrix(B);
     SecondVariation variation;
@@ -934,6 +1025,12 @@ namespace Biface
         variation.add_director(
           geometry,
           MeanDirector::Form::of_resultants(geometry, geometry.weight * H));
+      }
+    alignas(64) ShearMatrix G;
+    if (with_normal_thickness())
+      {
+        shear_matrix(B, G);
+        subtract_shear(G, B);
       }
 
     // D B with the weights
@@ -954,6 +1051,8 @@ namespace Biface
 
     if (slack)
       subtract_slack_cords(*slack, B, DB);
+    if (with_normal_thickness())
+      subtract_leaning(G, H, DB);
 
     // rows of the tangent, with columns part by part
     const auto add_row = [&](const unsigned int vertex,

@@ -9,6 +9,7 @@
 
 #include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
+#include <biface/element/normal_thickness.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/slack_cords.h>
 #include <biface/element/strain.h>
@@ -30,8 +31,9 @@ namespace Biface
    * @f]
    * with @f$\eta@f$ the nonlinear part of the strains.
    *
-   * With StrainSampling::means the modes contain what StrainMeans adds, with
-   * ThicknessStrain::mean_director what MeanDirector does.
+   * With StrainSampling::means the modes contain what StrainMeans adds; with
+   * ThicknessStrain::mean_director what MeanDirector does, and with
+   * ThicknessStrain::normal also what NormalThickness subtracts.
    */
   class MixedElement
   {
@@ -176,21 +178,22 @@ namespace Biface
     /** The internal force: the derivative of the virtual work above with
      * respect to the nodal displacements. */
     NodalVector
-    internal_force(const Modes::Vector &H, const Modes::Vector &H_0) const;
+    internal_force(const Modes::Vector &resultants,
+                   const Modes::Vector &H_0) const;
 
     /**
      * Add the tangent @f$\mathbf B^T\mathbf D\mathbf B + \mathbf G[\mathbf
      * H]@f$.
      *
      * @param stiffness the constitutive law.
-     * @param H all resultants that do work on the second variation of the
+     * @param resultants all that do work on the second variation of the
      * strains, including initial ones.
      * @param K what it is added to.
      * @param slack what slack cords lack of the stiffness; null for nothing.
      */
     void
     add_tangent(const ModeStiffness  &stiffness,
-                const Modes::Vector  &H,
+                const Modes::Vector  &resultants,
                 NodalMatrix          &K,
                 const SlackStiffness *slack = nullptr) const;
 
@@ -201,7 +204,7 @@ namespace Biface
      */
     NodalVector
     tangent_product(const ModeStiffness &stiffness,
-                    const Modes::Vector &H,
+                    const Modes::Vector &resultants,
                     const NodalVector   &dV) const;
 
   private:
@@ -212,8 +215,11 @@ namespace Biface
      * from the undeformed one. */
     MeanVectors vectors, change;
 
-    /** With ThicknessStrain::mean_director: likewise. */
+    /** With ThicknessStrain::mean_director or normal: likewise. */
     MeanDirector director, director_change;
+
+    /** With ThicknessStrain::normal. */
+    NormalThickness::Shear shear{};
 
     bool
     with_means() const
@@ -224,8 +230,18 @@ namespace Biface
     bool
     with_mean_director() const
     {
-      return geometry.thickness_strain == ThicknessStrain::mean_director;
+      return geometry.thickness_strain != ThicknessStrain::vertices;
     }
+
+    bool
+    with_normal_thickness() const
+    {
+      return geometry.thickness_strain == ThicknessStrain::normal;
+    }
+
+    /** The strain modes before NormalThickness changes them. */
+    Modes::Vector
+    strain_of_directors() const;
 
     /** A row for each mode. The columns are sorted part by part, those of a
      * part vertex by vertex. */
@@ -242,6 +258,26 @@ namespace Biface
     /** What ThicknessStrain::mean_director adds. */
     void
     add_director_terms(StrainMatrix &B) const;
+
+    /** The variation of NormalThickness::Shear, in the columns of
+     * StrainMatrix. */
+    using ShearMatrix = std::array<std::array<std::array<double, n_dofs>, 2>,
+                                   Modes::n_gauss_points>;
+
+    void
+    shear_matrix(const StrainMatrix &B, ShearMatrix &G) const;
+
+    /** What ThicknessStrain::normal subtracts from the rows of the thickness
+     * strain. */
+    void
+    subtract_shear(const ShearMatrix &G, StrainMatrix &B) const;
+
+    /** Subtract the second variation of its products, weighted by resultants,
+     * from the rows of the shear strains. */
+    void
+    subtract_leaning(const ShearMatrix   &G,
+                     const Modes::Vector &H,
+                     StrainMatrix        &DB) const;
 
     /** Subtract what slack cords lack from @f$\mathbf D\mathbf B@f$ with the
      * weights of element and modes. */

@@ -8,14 +8,17 @@ namespace Biface
   /** Where the element takes its thickness strain from. */
   enum class ThicknessStrain
   {
-    /** From the vertices if the wall is a single layer, from the mean director
-     * otherwise. */
+    /** From the vertices if the wall is a single layer, from the distance of
+     * the faces along their normal otherwise. */
     by_layers,
     /** From the directors at the four vertices, as in
      * @cite GrigolyukKulikovPlotnikova2004. */
     vertices,
     /** From the director interpolated between them, see MeanDirector. */
-    mean_director
+    mean_director,
+    /** From the part of that which is normal to the faces, see
+     * NormalThickness. */
+    normal
   };
 } // namespace Biface
 

@@ -332,7 +332,7 @@ namespace Biface
     , interpolation(interpolation)
     , thickness_strain(thickness_strain != ThicknessStrain::by_layers
                          ? thickness_strain
-                       : layup.n_layers() > 1 ? ThicknessStrain::mean_director
+                       : layup.n_layers() > 1 ? ThicknessStrain::normal
                                               : ThicknessStrain::vertices)
   {
     const Faces faces(layup, *this->surface, grid);

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tables of doc/rolling.md about the tire with a tread: the tire of
+rolling_tire.prm with the rubber of tread_tire.prm, as a ply of a single layer
+and as a layer of its own, rolls freely with slip angles from -6 to 6 degrees.
+
+    python3 doc/rolling/tread_tire.py --program build/biface
+"""
+
+import argparse
+import csv
+import math
+import pathlib
+import subprocess
+import tempfile
+
+PRM = pathlib.Path(__file__).parents[2] / "prm" / "rolling_tire.prm"
+SPEED = 1e4  # mm/s, in the parameter file
+WALLS = (("no tread", {}),
+         ("one layer", {"Laminate/Layers": "one"}),
+         ("two layers", {"Laminate/Layers": "4, 1"}))
+TREAD = {
+    "Materials": "cord, rubber",
+    "Material rubber/Type": "isotropic",
+    "Material rubber/E": 1.8,
+    "Material rubber/nu": 0.49,
+    "Material rubber/Density": 1.2e-9,
+    "Laminate/Plies": "2 x (cord: 1.2 @ +-52), rubber: 8 @ 0 from -60 to 60",
+    "Mesh/Intervals alpha_1": "-120:-60:9, -60:60:24, 60:120:9",
+    "Element/Strain sampling": "means",
+}
+# without braking
+CORNERING = {"Number of stages": 5, "Output/Write VTU": "false"}
+# s_c over the speed
+FRACTIONS = (0.02, 0.01, 0.005, 0.0025, 0.00125)
+
+
+def run(program, directory, entries):
+    """The last lines of rolling.csv by slip angle; what the program says if it
+    fails."""
+    command = [program, PRM, "--quiet", "--output", directory]
+    for entry, value in {**CORNERING, **entries}.items():
+        command += ["--set", f"{entry}={value}"]
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
+    lines = {}
+    with open(directory / "rolling.csv", newline="", encoding="utf-8") as file:
+        for line in csv.DictReader(file):
+            if line["stage"] in ("free", "right", "left"):
+                lines[round(float(line["slip_angle"]), 6)] = line
+    if done.returncode != 0:
+        print(done.stdout, done.stderr)
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--program", required=True)
+    program = pathlib.Path(parser.parse_args().program).resolve()
+
+    with tempfile.TemporaryDirectory() as scratch:
+        directory = pathlib.Path(scratch)
+        print("| | load, N | at 1°, over the load | at −1° | at 6° | at −6° "
+              "| slip angles that converge |")
+        print("| --- | --- | --- | --- | --- | --- | --- |")
+        for name, wall in WALLS:
+            entries = {} if name == "no tread" else {**TREAD, **wall}
+            lines = run(program, directory, entries)
+
+            def ratio(angle):
+                line = lines.get(angle)
+                return ("failed" if line is None else
+                        f"{float(line['F_y']) / float(line['F_z']):.3f}")
+            print(f"| {name} | {float(lines[0]['F_z']):.1f} | "
+                  + " | ".join(ratio(angle) for angle in (1, -1, 6, -6))
+                  + f" | {len(lines)} of 13 |", flush=True)
+
+        print("\n| s_c over the speed | one layer: cornering stiffness, N per "
+              "degree | change | two layers | change |")
+        print("| --- | --- | --- | --- | --- |")
+        before = [math.nan, math.nan]
+        for fraction in FRACTIONS:
+            cells = []
+            for i, (_, wall) in enumerate(WALLS[1:]):
+                entries = {"Contact/Critical velocity": fraction * SPEED,
+                           "Stage 4/Slip angle": -0.5, "Stage 4/Steps": 1,
+                           "Stage 5/Slip angle": 0.5, "Stage 5/Steps": 1}
+                lines = run(program, directory, {**TREAD, **wall, **entries})
+                slope = (float(lines[-0.5]["F_y"]) - float(lines[0.5]["F_y"])
+                         if {-0.5, 0.5} <= set(lines) else math.nan)
+                cells += [f"{slope:.1f}", "" if math.isnan(before[i]) else
+                          f"{100 * (slope / before[i] - 1):+.1f} %"]
+                before[i] = slope
+            print(f"| {fraction:g} | " + " | ".join(cells) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

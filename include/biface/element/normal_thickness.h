@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_element_normal_thickness_h
+#define biface_element_normal_thickness_h
+
+#include <array>
+
+#include <biface/element/modes.h>
+
+namespace Biface
+{
+  /**
+   * What ThicknessStrain::normal subtracts from the modes of
+   * @f$\varepsilon_{33}=(\mathbf n\cdot\mathbf n-1)/2@f$.
+   *
+   * The director @f$\mathbf n@f$ leans where the wall is sheared, so that its
+   * length is not the distance of the faces. With the shear strains as means
+   * over the faces, @f$g_a=\varepsilon_{a3}^-+\varepsilon_{a3}^+@f$,
+   * @f[
+   *   \hat\varepsilon_{33}=\varepsilon_{33}-(g_1^2+g_2^2)/2
+   * @f]
+   * is the strain of the distance, up to terms of third order. Without it, a
+   * wall that is sheared under a given normal stress becomes thinner, and a
+   * pressure p reduces its tangent shear modulus from G to @f$G-p@f$.
+   *
+   * The squares are evaluated at the Gauss points of the element, which carry
+   * the four modes of the thickness strain.
+   */
+  namespace NormalThickness
+  {
+    /** @f$g_1,g_2@f$ at the Gauss points. */
+    using Shear = std::array<std::array<double, 2>, Modes::n_gauss_points>;
+
+    /** Call a function with the direction a, the number of the mode, and the
+     * group of each mode of the transverse shear strains. */
+    template <typename Function>
+    void
+    for_shear_modes(const Function &function)
+    {
+      for (const Modes::Group &group : Modes::groups)
+        for (unsigned int i = 0; i < group.sampled; ++i)
+          for (unsigned int a = 0; a < 2; ++a)
+            for (unsigned int face = 0; face < 2; ++face)
+              if (group.strains[i] == Resultants::transverse(a, face))
+                function(a, group.first_mode + i, group);
+    }
+
+    /** The mode of the thickness strain in a group. */
+    constexpr unsigned int
+    mode(const unsigned int group)
+    {
+      return Modes::mode_of[group][Resultants::thickness];
+    }
+
+    inline Shear
+    shear(const Modes::Vector &strain)
+    {
+      Shear x{};
+      for_shear_modes([&](const unsigned int  a,
+                          const unsigned int  i,
+                          const Modes::Group &group) {
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          x[g][a] += Modes::value_at_gauss_point(group, g) * strain[i] / 2;
+      });
+      return x;
+    }
+
+    /** Subtract @p factor times the modes of @f$x_1y_1+x_2y_2@f$ from those of
+     * the thickness strain. */
+    inline void
+    subtract_products(const Shear   &x,
+                      const Shear   &y,
+                      const double   factor,
+                      Modes::Vector &strain)
+    {
+      for (unsigned int m = 0; m < 4; ++m)
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          strain[mode(m)] -=
+            factor * Modes::value_at_gauss_point(Modes::groups[m], g) /
+            (Modes::n_gauss_points * Modes::groups[m].weight()) *
+            (x[g][0] * y[g][0] + x[g][1] * y[g][1]);
+    }
+
+    /** The resultant @f$H_{33}@f$ at a Gauss point. */
+    inline double
+    thickness_resultant(const Modes::Vector &H, const unsigned int g)
+    {
+      double sum = 0;
+      for (unsigned int m = 0; m < 4; ++m)
+        sum += Modes::value_at_gauss_point(Modes::groups[m], g) * H[mode(m)];
+      return sum;
+    }
+
+    /** Resultants whose work on a variation of the strains is that of @p H on
+     * the thickness strain, @f$-H_{33}\,\mathbf x\cdot\delta\mathbf g@f$. */
+    inline Modes::Vector
+    resultants(const Shear &x, const Modes::Vector &H)
+    {
+      Modes::Vector result;
+      for_shear_modes([&](const unsigned int  a,
+                          const unsigned int  i,
+                          const Modes::Group &group) {
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          result[i] -= Modes::value_at_gauss_point(group, g) /
+                       (2 * Modes::n_gauss_points * group.weight()) *
+                       thickness_resultant(H, g) * x[g][a];
+      });
+      return result;
+    }
+  } // namespace NormalThickness
+} // namespace Biface
+
+#endif
