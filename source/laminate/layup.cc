@@ -115,6 +115,18 @@ namespace Biface
                "'constant strain' for a homogeneous shell), or a factor, a "
                "number or formula above 0 and at most 1 such as 5/6, by which "
                "'constant strain' is multiplied.");
+    add_parsed(prm,
+               "Laminate/",
+               "Gradient factor",
+               "by layers",
+               gradient_factor,
+               parse_gradient_factor,
+               "Multiplies the stiffness of each layer against opposite "
+               "transverse shear strains of its faces, those of a gradient of "
+               "the thickness strain, which keeps a face that is compressed "
+               "from wrinkling on cells shorter than the layer is thick: a "
+               "number from 1 (the law itself) to 1000, or 'by layers', 8 if "
+               "there are several 'Layers', 1 otherwise.");
     add_parsed(
       prm,
       "Laminate/",
@@ -627,7 +639,7 @@ namespace Biface
                const SurfaceOfPlies                  &surface)
     : sides_of_layers(parameters.layers.sides(parameters.plies.size()))
     , law(parameters.law)
-    , shear_law(parameters.shear_law)
+    , shear_law(parameters.shear_law_of_layers())
     , curvature(parameters.integrals == ThicknessIntegrals::shell
                   ? surface.curvature
                   : nullptr)

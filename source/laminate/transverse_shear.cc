@@ -43,6 +43,28 @@ namespace Biface
   }
 
 
+  std::optional<double>
+  parse_gradient_factor(const std::string &entry, const std::string &text)
+  {
+    if (text == "by layers")
+      return {};
+    const InputError error(
+      entry, text, "it must be 'by layers' or a number from 1 to 1000");
+    double factor = 0;
+    try
+      {
+        factor = Formula(entry, text, {})({});
+      }
+    catch (const InputError &)
+      {
+        throw error;
+      }
+    if (!(factor >= 1 && factor <= 1000))
+      throw error;
+    return factor;
+  }
+
+
   namespace
   {
     /** The solution of a system with a symmetric positive definite matrix,
@@ -135,6 +157,30 @@ namespace Biface
       set_distribution();
     if (law.kind == TransverseShearLaw::Kind::equilibrium)
       set_equilibrium_stiffness();
+    if (law.gradient_factor != 1)
+      {
+        const Tensor<2, 2> R = law.factor * set_residual();
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int q = 0; q < 2; ++q)
+            D[p][q] += (p == q ? 0.25 : -0.25) * (law.gradient_factor - 1) * R;
+      }
+  }
+
+
+  Tensor<2, 2>
+  TransverseShear::set_residual()
+  {
+    // the integrals of b_a3c3, s b_a3c3 and s^2 b_a3c3
+    std::array<Tensor<2, 2>, 3> b;
+    for (const Ply &ply : plies)
+      {
+        const auto N = FaceMoments(ply.begin, ply.end, thickness).second;
+        b[0] += (N[0][0] + 2 * N[0][1] + N[1][1]) * ply.shear;
+        b[1] += (N[1][1] - N[0][0]) * ply.shear;
+        b[2] += (N[0][0] - 2 * N[0][1] + N[1][1]) * ply.shear;
+      }
+    s_0 = inverse(b[0]) * b[1];
+    return b[2] - b[1] * s_0;
   }
 
 
@@ -263,15 +309,20 @@ namespace Biface
                           const unsigned int ply,
                           const double       z) const
   {
-    const Tensor<2, 2> &b = plies[ply].shear;
-    const double        s = 2 * z / thickness - 1;
+    const Tensor<2, 2> &b          = plies[ply].shear;
+    const double        s          = 2 * z / thickness - 1;
+    const Tensor<1, 2>  difference = (strains[1] - strains[0]) / 2;
+    const Tensor<1, 2>  residual   = s * difference - s_0 * difference;
     if (law.kind != TransverseShearLaw::Kind::equilibrium)
-      return law.factor * b *
-             ((1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1]);
-
-    const Tensor<1, 2> difference = (strains[1] - strains[0]) / 2;
+      {
+        Tensor<1, 2> strain =
+          (1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1];
+        if (law.gradient_factor != 1)
+          strain += (law.gradient_factor - 1) * residual;
+        return law.factor * b * strain;
+      }
     return distribution(ply, z) * amplitude(strains) +
-           b * (s * difference - s_0 * difference);
+           law.gradient_factor * b * residual;
   }
 
 

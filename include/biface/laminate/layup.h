@@ -184,14 +184,26 @@ namespace Biface
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
       TransverseShearLaw            shear_law;
-      ThicknessIntegrals            integrals = ThicknessIntegrals::plate;
-      ThicknessPosition             reference;
-      LayerDivision                 layers;
+      /** See TransverseShearLaw; by the number of layers if there is none. */
+      std::optional<double> gradient_factor;
+      ThicknessIntegrals    integrals = ThicknessIntegrals::plate;
+      ThicknessPosition     reference;
+      LayerDivision         layers;
 
       unsigned int
       n_layers() const
       {
         return layers.sides(plies.size()).size() - 1;
+      }
+
+      /** With the gradient factor. */
+      TransverseShearLaw
+      shear_law_of_layers() const
+      {
+        TransverseShearLaw result = shear_law;
+        result.gradient_factor =
+          gradient_factor.value_or(n_layers() > 1 ? 8 : 1);
+        return result;
       }
 
       void

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,21 @@ namespace Biface
     Kind kind = Kind::constant_strain;
     /** Above 0 and at most 1. */
     double factor = 1;
+    /** At least 1: multiplies the stiffness against a difference of the strains
+     * of both faces that has no shear force, which is that against a gradient
+     * of the thickness strain. */
+    double gradient_factor = 1;
   };
 
   /** Read 'constant strain', 'equilibrium' or a factor, a number or a formula
    * such as 5/6. Throws InputError where it is none of these. */
   TransverseShearLaw
   parse_transverse_shear(const std::string &entry, const std::string &text);
+
+  /** Read TransverseShearLaw::gradient_factor, or nothing from 'by layers'.
+   * Throws InputError where it is neither this nor a number from 1 to 1000. */
+  std::optional<double>
+  parse_gradient_factor(const std::string &entry, const std::string &text);
 
 
   class TransverseShear;
@@ -162,6 +172,11 @@ namespace Biface
     /** Set gradient and @p F of the plies. */
     void
     set_distribution();
+
+    /** Set s_0. @return the stiffness against a difference of the strains of
+     * both faces that has no shear force, @f$\mathbf R@f$. */
+    dealii::Tensor<2, 2>
+    set_residual();
 
     /** Replace the stiffness D of constant strain by that of the energy of the
      * equilibrium stresses. */
