@@ -349,18 +349,20 @@ namespace Biface
   parse_layers(const std::string &entry, const std::string &text)
   {
     constexpr unsigned int max_layers = 100;
+    constexpr double       least      = 1e-3;
 
     const InputError error(
       entry,
       text,
       "it must be 'one', 'one per ply', 'N per ply' with N from 1 to " +
         std::to_string(max_layers) + ", or the numbers of plies in at most " +
-        std::to_string(max_layers) + " layers, separated by commas");
+        std::to_string(max_layers) +
+        " layers, each at least 0.001, separated by commas");
     const auto number = [&](const std::string &item) {
       try
         {
           const double value = Formula(entry, item, {})({});
-          if (value > 0 && value <= max_plies)
+          if (value >= least && value <= max_plies)
             return value;
         }
       catch (const InputError &)
@@ -554,6 +556,11 @@ namespace Biface
                        std::to_string(max_layers) + " are allowed.");
     if (n_layers == 1)
       return;
+    if (law == ThicknessLaw::asymmetric)
+      throw InputError(
+        "the entry 'Laminate/Thickness law' must be 'symmetric' or 'full' with "
+        "several layers ('Laminate/Layers'): the thickness stress would "
+        "converge to a wrong limit with 'asymmetric'.");
     if (shear_law.kind == TransverseShearLaw::Kind::factor)
       throw InputError(
         "the entry 'Laminate/Transverse shear' must be 'constant strain' or "

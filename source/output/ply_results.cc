@@ -188,8 +188,10 @@ namespace Biface
     values.push_back(state.interlaminar[1]);
     values.push_back(state.interlaminar[0]);
     if (layup.has_cords())
+      // cords run in the whole ply, of which a layer may have a part
       values.push_back(ply.cord_pitch > 0
-                         ? stress[0][0] * ply.thickness * ply.cord_pitch
+                         ? stress[0][0] * ply.thickness /
+                             (ply.end - ply.begin) * ply.cord_pitch
                          : nan);
     if (layup.has_slack_cords())
       values.push_back(state.slack ? 1 : 0);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/quantities/inverted_layers.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/newton.h>
@@ -207,6 +208,15 @@ namespace Biface
                 continue;
               }
             TimerOutput::Scope scope(timer, "Update of the state");
+            if (const auto inverted =
+                  find_inverted_layer(equations.mesh, state))
+              return fail({FailureCause::divergence,
+                           "the iteration converged to a shape in which " +
+                             (equations.mesh.n_layers() > 1
+                                ? "layer " + std::to_string(inverted->layer + 1)
+                                : std::string("the wall")) +
+                             " is turned inside out in cell " +
+                             std::to_string(inverted->cell)});
             equations.settle(state);
             result.converged = true;
             return result;

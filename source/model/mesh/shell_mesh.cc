@@ -48,9 +48,20 @@ namespace Biface
     /** On each line: the mean of both sides if a ply ends there. */
     std::vector<Heights> on_lines;
 
+    /** On each line: the layer on both sides with the largest stiffness in the
+     * shell. Of those that differ by less than a percent, the innermost one. */
+    std::vector<unsigned int> stiffest;
+
     /** The number of elements between the first line and each line, across the
      * shell. */
     std::vector<unsigned int> n_elements{0};
+
+    /** Whether there is the layer @p k between the lines @p i and i + 1. */
+    bool
+    exists(const unsigned int i, const unsigned int k) const
+    {
+      return layers[i][k] != numbers::invalid_unsigned_int;
+    }
 
     /** Of the inner and the outer face on one side of each line: below or
      * above. */
@@ -300,6 +311,33 @@ namespace Biface
         on_lines.push_back(mean);
       }
     on_lines.push_back(of_strips.back()[1]);
+
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const unsigned int below = (i == 0 ? 0 : i - 1),
+                           above = std::min(i, n - 1);
+        std::vector<double> stiffness(layup.n_layers(), 0.);
+        for (unsigned int k = 0; k < layup.n_layers(); ++k)
+          if (exists(below, k) && exists(above, k))
+            for (const unsigned int side : {below, above})
+              stiffness[k] +=
+                strips[layers[side][k]].laminate.membrane_stiffness();
+        const double largest =
+          *std::max_element(stiffness.begin(), stiffness.end());
+        if (!(largest > 0))
+          throw InputError(
+            "the entry 'Laminate/Layers' has no layer with plies on both sides "
+            "of alpha_1 = " +
+            number_to_string(lines[i]) +
+            ", where the wall would be a hinge: put the plies on both sides into "
+            "one layer.");
+        stiffest.push_back(std::find_if(stiffness.begin(),
+                                        stiffness.end(),
+                                        [&](const double value) {
+                                          return value >= 0.99 * largest;
+                                        }) -
+                           stiffness.begin());
+      }
   }
 
 
@@ -404,33 +442,58 @@ namespace Biface
 
   namespace
   {
-    /** The contributions of the layers at a node to an element.
-     * @param own the heights of the faces of the element at the node.
-     * @param first,last the layers of the node that it consists of. */
+    /** The contributions of the layers at a node to the whole wall beside it,
+     * over which displacements are linear in the height.
+     * @param own the heights of its two faces. */
     std::vector<Cell::Contribution>
-    contributions_at(const Node                  &node,
-                     const std::array<double, 2> &own,
-                     const unsigned int           first,
-                     const unsigned int           last)
+    contributions_to_wall(const Node &node, const std::array<double, 2> &own)
     {
-      const double inner = node.height(first), outer = node.height(last + 1);
-      const double thickness = outer - inner;
-
-      // displacements are linear in the height
-      Cell::Contribution within;
+      const double       inner     = node.face_heights[0];
+      const double       outer     = node.face_heights[1];
+      const double       thickness = outer - inner;
+      Cell::Contribution part;
       if (own[0] != inner || own[1] != outer)
         {
-          within.mean = (own[1] + own[0] - outer - inner) / thickness;
-          within.half_difference = (own[1] - own[0]) / thickness;
+          part.mean            = (own[1] + own[0] - outer - inner) / thickness;
+          part.half_difference = (own[1] - own[0]) / thickness;
         }
-      std::vector<Cell::Contribution> result(node.n_layers());
-      for (unsigned int k = 0; k < result.size(); ++k)
-        if (k < first)
-          result[k] = {1, 0};
-        else if (k > last)
-          result[k] = {-1, 0};
-        else
-          result[k] = within;
+      return std::vector<Cell::Contribution>(node.n_layers(), part);
+    }
+
+
+    /** The contributions of the layers at a node to a layer beside it. Where a
+     * ply ends, the heights of the faces there are not those of the node. The
+     * stiffest layer goes on along its director; the others remain connected
+     * with it, each with its own director.
+     * @param own the heights of all faces beside the node. */
+    std::vector<Cell::Contribution>
+    contributions_to_layer(const Node                &node,
+                           const std::vector<double> &own,
+                           const unsigned int         stiffest,
+                           const unsigned int         layer)
+    {
+      const unsigned int n_layers = node.n_layers();
+      const auto         ratio    = [&](const unsigned int k) {
+        return (own[k + 1] - own[k]) / (2 * node.half_thickness[k]);
+      };
+
+      // the displacement of the middle of the stiffest layer
+      std::vector<Cell::Contribution> result(n_layers, {0, 0});
+      for (unsigned int k = 0; k < n_layers; ++k)
+        result[k].mean = (k < stiffest ? 1 : -1);
+      result[stiffest].mean = (own[stiffest] - node.height(stiffest) +
+                               own[stiffest + 1] - node.height(stiffest + 1)) /
+                              (2 * node.half_thickness[stiffest]);
+
+      // from there to the middle of this one
+      if (layer != stiffest)
+        for (unsigned int k = std::min(layer, stiffest);
+             k <= std::max(layer, stiffest);
+             ++k)
+          if (node.half_thickness[k] > 0)
+            result[k].mean += (layer > stiffest ? 1 : -1) *
+                              (k == layer || k == stiffest ? 1 : 2) * ratio(k);
+      result[layer].half_difference = ratio(layer);
       return result;
     }
   } // namespace
@@ -558,9 +621,17 @@ namespace Biface
             }
           if (own_unknowns)
             for (unsigned int v = 0; v < 4; ++v)
-              for (const Cell::Contribution &contribution : contributions_at(
-                     nodes[cell_nodes[v]], heights[v], first, last))
-                local.contributions.push_back(contribution);
+              {
+                const Node &node = nodes[cell_nodes[v]];
+                for (const Cell::Contribution &contribution :
+                     local.is_wall ? contributions_to_wall(node, heights[v])
+                                           : contributions_to_layer(
+                                       node,
+                                       faces.of_strips[strip][v % 2],
+                                       faces.stiffest[node.grid_index[0]],
+                                       first))
+                  local.contributions.push_back(contribution);
+              }
           double wall_thickness = 0;
           for (const Faces::Heights &all : faces.of_strips[strip])
             wall_thickness += (all.back() - all.front()) / 2;
@@ -571,7 +642,7 @@ namespace Biface
         add(strip, 0, n_layers() - 1);
         if (n_layers() > 1)
           for (unsigned int k = 0; k < n_layers(); ++k)
-            if (faces.layers[strip][k] != numbers::invalid_unsigned_int)
+            if (faces.exists(strip, k))
               add(faces.layers[strip][k], k, k);
       }
 
