@@ -32,12 +32,6 @@ FRICTION = 0.8  # of the rolling tire
 SLIP_ANGLE = 1  # degrees
 SPEEDS = (2, 10, 100)  # over the critical velocity, for free rolling
 DEFLECTIONS = (0.5, 0.75, 1, 1.25)  # over the rated one
-# what the laminate is, by entries beside those of the rules
-WALLS = {
-    "two layers": {},
-    "one layer": {"Laminate/Layers": "one"},
-    "equilibrium": {"Laminate/Transverse shear": "equilibrium"},
-}
 # of which the cornering power is computed with other inputs
 STUDIED = ("32x8.8 14PR", "18x4.4 6PR", "18x5.5 10PR", "49x17 26PR")
 
@@ -149,12 +143,6 @@ class Construction:
             + [f"rubber: {SIDEWALL} + {self.tread - SIDEWALL:.6g}"
                "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
 
-    def layers(self):
-        """The entry 'Laminate/Layers': the tread and the sidewall, which shear in
-        series with all other plies."""
-        turn_up = 2 * (self.plies // 4) + (self.plies % 4 > 0)
-        return f"{1 + self.plies + 2 * turn_up}, 1"
-
     def slide(self):
         """The motion of the ground by which stiffnesses are computed."""
         return self.deflection / 100
@@ -169,7 +157,6 @@ class Construction:
             meridian + "End half width": f"{self.end_half_width:.10g}",
             "Laminate/Reference surface": f"ply {1 + self.plies // 2}",
             "Laminate/Plies": self.layup(),
-            "Laminate/Layers": self.layers(),
             "Stage 1/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Travel": f"{self.deflection:.10g}",
@@ -337,43 +324,37 @@ def cornering_power(directory):
 
 
 def compute_cornering(arguments, rows, varied):
-    """For each row: construction, cornering power, and that with a single layer;
-    then, for the row to be varied, that at each deflection."""
+    """For each row: construction and cornering power; then, for the row to be
+    varied, that at each deflection."""
     def one(case):
-        row, deflection, layers = case
+        row, deflection = case
         tire = Construction(row)
-        settings = tire.cornering_settings(deflection)
         power = cornering_power(run(
-            arguments, f"{row['name']} cornering {deflection:g} {layers}",
-            {**settings, **WALLS[layers]}))
-        print(f"{row['name']:16} {layers}, {deflection:g} of the deflection: "
-              "cornering power "
-              f"{power / nasa_cornering_power(tire, deflection):.3f} of NASA's",
-              flush=True)
+            arguments, f"{row['name']} cornering {deflection:g}",
+            tire.cornering_settings(deflection)))
+        print(f"{row['name']:16} {deflection:g} of the deflection: cornering "
+              f"power {power / nasa_cornering_power(tire, deflection):.3f} of "
+              "NASA's", flush=True)
         return tire, power
 
-    cases = [(row, 1, "two layers") for row in rows]
-    cases += [(row, 1, "one layer") for row in rows]
-    cases += [(varied, deflection, "two layers") for deflection in DEFLECTIONS]
+    cases = [(row, 1) for row in rows]
+    cases += [(varied, deflection) for deflection in DEFLECTIONS]
     with ThreadPoolExecutor(arguments.jobs) as pool:
         results = list(pool.map(one, cases))
-    n = len(rows)
-    return ([(tire, power, single) for (tire, power), (_, single)
-             in zip(results[:n], results[n:2 * n])],
-            [power for _, power in results[2 * n:]])
+    return results[:len(rows)], [power for _, power in results[len(rows):]]
 
 
 def vary_cornering(arguments, rows):
     """For each case of other inputs: words, and for each tire of STUDIED force
     over rated load and cornering power over NASA's."""
+    shear = {"Laminate/Transverse shear": "equilibrium"}
     cases = [
         ("by the rules", {}),
-        ("all plies in one layer", WALLS["one layer"]),
-        ("transverse shear from equilibrium", WALLS["equilibrium"]),
         ("cords as stiff in compression as in tension",
          {"Material cord/E_L compression": "E_L"}),
         ("cords with a tenth of their stiffness in compression",
          {"Material cord/E_L compression": "E_L/10"}),
+        ("transverse shear from equilibrium", shear),
         ("rubber of 4 instead of 6 MPa", {"Material cord/E_rubber": "4",
                                           "Material rubber/E": "4"})]
 
@@ -412,19 +393,18 @@ def fill(text):
                        for part in text.strip().split("\n\n"))
 
 
-def compute(arguments, rows, wall="two layers"):
-    """For each row: the construction, force, and footprint, rolling radius and
-    stiffnesses; None where the run fails."""
+def compute(arguments, rows):
+    """For each row: the construction, force over rated load, footprint; None
+    where the run fails."""
     def one(row):
         tire = Construction(row)
-        directory = run(arguments, f"{row['name']} {wall}",
-                        {**tire.settings(), **WALLS[wall]})
+        directory = run(arguments, row["name"], tire.settings())
         if directory is None:
             return tire, None, None
         result = (last_force(directory),
                   [*footprint(directory), rolling_radius(directory),
                    *stiffnesses(directory, tire.slide())])
-        print(f"{row['name']:16} {wall}, {tire.plies:3} plies, "
+        print(f"{row['name']:16} {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
         return tire, *result
@@ -468,40 +448,34 @@ def vary(arguments, row):
         return list(pool.map(one, cases))
 
 
-def results_table(results, singles):
+def results_table(results):
     lines = []
-    for (tire, force, sizes), (_, single, _) in zip(results, singles):
+    for tire, force, sizes in results:
         name = tire.row["name"]
         if force is None:
             lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
-                          f"{tire.load:.1f}", "failed", "", "", "", "", "", ""])
+                          f"{tire.load:.1f}", "failed", "", "", "", "", ""])
             continue
         nasa_force, length, width, radius = nasa(tire)[:4]
         lines.append([
             name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
             f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
-            "failed" if single is None else f"{single / tire.load:.3f}",
             f"{nasa_force / tire.load:.3f}",
             f"{sizes[0]:.0f} ({sizes[0] / length:.2f})",
             f"{sizes[1]:.0f} ({sizes[1] / width:.2f})",
             f"{sizes[2]:.1f} ({sizes[2] / radius:.3f})"])
     return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
-                  "Ratio", "One layer", "NASA", "Length, mm", "Width, mm",
+                  "Ratio", "NASA", "Length, mm", "Width, mm",
                   "Rolling radius, mm"], lines)
 
 
-def stiffness_table(results, singles):
-    def ratio(tire, sizes, i):
-        return ("failed" if sizes is None or math.isnan(sizes[i]) else
-                f"{sizes[i] / nasa(tire)[i + 1]:.2f}")
-
+def stiffness_table(results):
     lines = []
-    for (tire, force, sizes), (_, _, single) in zip(results, singles):
+    for tire, force, sizes in results:
         if force is not None:
             lines.append([tire.row["name"]] + [
                 "failed" if math.isnan(sizes[i]) else
-                f"{sizes[i]:.3g} ({ratio(tire, sizes, i)}; "
-                f"{ratio(tire, single, i)})"
+                f"{sizes[i]:.3g} ({sizes[i] / nasa(tire)[i + 1]:.2f})"
                 for i in (3, 4, 5)])
     return table(["Tire", "Lateral, kN/mm", "Fore-and-aft, kN/mm",
                   "Torsional, kN m per degree"], lines)
@@ -509,15 +483,14 @@ def stiffness_table(results, singles):
 
 def cornering_table(cornering):
     lines = []
-    for tire, power, single in cornering:
+    for tire, power in cornering:
         law = nasa_cornering_power(tire)
         lines.append([
             tire.row["name"], f"{tire.deflection / tire.diameter:.4f}",
             "failed" if math.isnan(power) else f"{power:.3g}", f"{law:.3g}",
-            "" if math.isnan(power) else f"{power / law:.2f}",
-            "failed" if math.isnan(single) else f"{single / law:.2f}"])
+            "" if math.isnan(power) else f"{power / law:.2f}"])
     return table(["Tire", "Deflection/D", "Cornering power, kN per degree",
-                  "NASA", "Ratio", "One layer"], lines)
+                  "NASA", "Ratio"], lines)
 
 
 def deflection_table(tire, powers):
@@ -546,23 +519,26 @@ def cornering_inputs(studied):
         Cords in compression do most: in the footprint, where the carcass bends flat,
         some are compressed, and if they are as stiff as in tension, the tire is too
         stiff for a side force. Their modulus in compression is not known from the
-        databook, and that of the rubber is an estimate, too.
+        databook; with a tenth of that in tension in place of a hundredth the
+        cornering power is 12 to 24 % larger. The modulus of the rubber is an estimate, too.
 
-        With all plies in one layer the traction of the ground shears all of them
-        alike, with the sum of their stiffnesses, while the tread of a tire shears by
-        itself, in series with the carcass.
+        The tread of 6 to 15 mm is a part of the shell, whose tangential
+        displacements are linear over the thickness: the traction of the ground
+        shears all layers alike, with the sum of their stiffnesses, while the tread
+        of a tire shears by itself, in series with the carcass. `Transverse shear =
+        equilibrium` is the law of layers in series, for the shear forces of bending;
+        with it some of the other tires do not converge, since their treads shear by
+        more than 0.5.
         """)])
 
 
 def cornering_section(cornering, powers, studied, varied):
     """The section on cornering, and the words that sum it up."""
-    tire = next(item[0] for item in cornering if item[0].row["name"] == varied)
-    good = [item for item in cornering if not math.isnan(item[1])]
-    ratios = [power / nasa_cornering_power(tire) for tire, power, _ in good]
+    tire = next(tire for tire, _ in cornering if tire.row["name"] == varied)
+    good = [(tire, power) for tire, power in cornering
+            if not math.isnan(power)]
+    ratios = [power / nasa_cornering_power(tire) for tire, power in good]
     mean, deviation = mean_and_deviation(ratios)
-    old, old_deviation = mean_and_deviation(
-        [single / nasa_cornering_power(tire) for tire, _, single in cornering
-         if not math.isnan(single)])
     within = sum(abs(ratio - 1) <= 0.25 for ratio in ratios)
     return "\n\n".join([
         "## Cornering power",
@@ -574,7 +550,6 @@ def cornering_section(cornering, powers, studied, varied):
         forces over that of the angles, is {mean:.2f} ± {deviation:.2f} of
         NASA's C (p + 0.44 p_r) W² (1.2 δ/D - 8.8 (δ/D)²) with C = 57 per radian
         and the rated pressure p_r: {within} of {len(good)} tires are within 25 %.
-        With all plies in one layer it is {old:.2f} ± {old_deviation:.2f}.
         Beyond δ/D = 0.0875 the law continues along its tangent. Tires with a large
         ratio have one of the lateral stiffness above, too: a side force bends the
         same carcass.
@@ -609,9 +584,7 @@ def summary(results):
     return len(good), ratio, law, length, width
 
 
-def page(results, singles, equilibrium, variations, cornering, varied):
-    _, single_ratio, _, _, _ = summary(singles)
-    n_equilibrium, equilibrium_ratio, _, _, _ = summary(equilibrium)
+def page(results, variations, cornering, varied):
     n, ratio, law, length, width = summary(results)
     failed = [tire.row["name"] for tire, force, _ in results if force is None]
     least = min((f / t.load, t.row["name"]) for t, f, _ in results if f)
@@ -648,8 +621,6 @@ def page(results, singles, equilibrium, variations, cornering, varied):
             a ply has a hundredth of its stiffness along them.""",
             f"""Liner {LINER} mm, sidewall {SIDEWALL} mm, tread 4 mm + 0.022 W over the
             middle 40 % of the section, tapering to the sidewall at 60 %.""",
-            """Two layers: the sidewall with the tread, and all plies inside it. The
-            tread shears in series with the carcass.""",
             """Turn-ups: half the plies again on the outer 30 % of each side. The
             ends are clamped.""",
             """The known shape is that under pressure (`Start from prestress`).
@@ -672,28 +643,19 @@ def page(results, singles, equilibrium, variations, cornering, varied):
         radius is {ratio_to_nasa(results, 2, 3)} of NASA's, D/2 less a third of the
         deflection.
         """),
-        fill(f"""
-        With all plies in one layer (`Laminate/Layers = one`), the ratio beside it in
-        the table, it is {single_ratio[0]:.3f} and {single_ratio[1]:.3f}; with two
-        layers and `Transverse shear = equilibrium` {equilibrium_ratio[0]:.3f} and
-        {equilibrium_ratio[1]:.3f}, where {n_equilibrium} of {len(equilibrium)} runs
-        converge.
-        """),
-        results_table(results, singles),
+        results_table(results),
         "## Stiffness of the loaded tire",
         fill(f"""
         The ground slides by 1 % of the deflection along the axle, then along the
         tread, and turns by 0.2°; the nodes in contact do not slip. In parentheses: relative to
-        NASA's formulas, and the same with all plies in one layer. The mean ratios are
-        {ratio_to_nasa(results, 3)} (lateral), {ratio_to_nasa(results, 4)}
-        (fore-and-aft) and {ratio_to_nasa(results, 5)} (torsional); with one layer
-        {ratio_to_nasa(singles, 3)}, {ratio_to_nasa(singles, 4)} and
-        {ratio_to_nasa(singles, 5)}. Measured stiffnesses are secants
+        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 3)}
+        (lateral), {ratio_to_nasa(results, 4)} (fore-and-aft) and
+        {ratio_to_nasa(results, 5)} (torsional). Measured stiffnesses are secants
         over larger displacements, in which a part of the footprint slips, so
         that they are lower than those without slip. A stage that does not
         converge would be marked as failed.
         """),
-        stiffness_table(results, singles),
+        stiffness_table(results),
         cornering_section(*cornering, varied),
         "## What an input does",
         fill(f"""
@@ -752,9 +714,7 @@ def main():
         cornering = (*compute_cornering(arguments, rows, row),
                      vary_cornering(arguments, rows))
         (arguments.output / "real_tires.md").write_text(
-            page(results, compute(arguments, rows, "one layer"),
-                 compute(arguments, rows, "equilibrium"), variations, cornering,
-                 varied), encoding="utf-8")
+            page(results, variations, cornering, varied), encoding="utf-8")
     return 0 if all(force is not None for _, force, _ in results) else 1
 
 

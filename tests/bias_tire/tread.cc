@@ -40,6 +40,7 @@ namespace
                      "Laminate/Plies=2 x (cord: 1.2 @ +-52), rubber: 8 @ 0",
                      "Element/Strain sampling=means",
                      "Element/Thickness strain=mean director",
+                     "Laminate/Gradient factor=1",
                      "Laminate/Layers=" + layers,
                      "Number of stages=5",
                      "Stage 3/Name=fore-aft",

@@ -101,6 +101,5 @@ main(int argc, char *argv[])
         of_one_layer = condition;
       std::cout << "layers: " << layers << std::endl;
       check_range("  conditioning", condition / of_one_layer, 0.5, 2);
-      std::cerr << condition << std::endl;
     }
 }
