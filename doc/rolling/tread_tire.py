@@ -31,7 +31,7 @@ TREAD = {
 # without braking
 CORNERING = {"Number of stages": 5, "Output/Write VTU": "false"}
 # s_c over the speed
-FRACTIONS = (0.02, 0.01, 0.005, 0.0025, 0.00125)
+FRACTIONS = (0.02, 0.01, 0.005)
 
 
 def run(program, directory, entries):
@@ -71,7 +71,8 @@ def main():
                         f"{float(line['F_y']) / float(line['F_z']):.3f}")
             print(f"| {name} | {float(lines[0]['F_z']):.1f} | "
                   + " | ".join(ratio(angle) for angle in (1, -1, 6, -6))
-                  + f" | {len(lines)} of 13 |", flush=True)
+                  + f" | {sum(angle in lines for angle in range(-6, 7))} of 13 |",
+                  flush=True)
 
         print("\n| s_c over the speed | one layer: cornering stiffness, N per "
               "degree | change | two layers | change |")
