@@ -32,7 +32,7 @@ namespace Biface
   std::optional<InvertedLayer>
   find_inverted_layer(const ShellMesh &mesh, const State &state)
   {
-    if (state.linearization_point)
+    if (state.linearization_point || mesh.n_layers() == 1)
       return {};
     constexpr auto none = std::numeric_limits<types::global_cell_index>::max();
     types::global_cell_index first = none;
