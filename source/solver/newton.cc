@@ -211,10 +211,9 @@ namespace Biface
             if (const auto inverted =
                   find_inverted_layer(equations.mesh, state))
               return fail({FailureCause::divergence,
-                           "the iteration converged to a shape in which " +
-                             (equations.mesh.n_layers() > 1
-                                ? "layer " + std::to_string(inverted->layer + 1)
-                                : std::string("the wall")) +
+                           "the iteration converged to a shape in which "
+                           "layer " +
+                             std::to_string(inverted->layer + 1) +
                              " is turned inside out in cell " +
                              std::to_string(inverted->cell)});
             equations.settle(state);

@@ -25,8 +25,9 @@ namespace Biface
    * A layer that is turned inside out, or nothing: a shape that Green's
    * strains, which are quadratic in the director, do not distinguish from the
    * one with the opposite director. Of several, that in the first cell. In
-   * linear strain theory there are none. The same on all ranks, on which it
-   * must be called.
+   * linear strain theory there are none, and a single layer is not examined: a
+   * fold may crush it on the way to a sound shape. The same on all ranks, on
+   * which it must be called.
    */
   std::optional<InvertedLayer>
   find_inverted_layer(const ShellMesh &mesh, const State &state);
