@@ -15,6 +15,27 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** A number or a formula without variables. Throws @p error if it is
+     * neither. */
+    double
+    number(const std::string &entry,
+           const std::string &text,
+           const InputError  &error)
+    {
+      try
+        {
+          return Formula(entry, text, {})({});
+        }
+      catch (const InputError &)
+        {
+          throw error;
+        }
+    }
+  } // namespace
+
+
   TransverseShearLaw
   parse_transverse_shear(const std::string &entry, const std::string &text)
   {
@@ -28,15 +49,7 @@ namespace Biface
                            text,
                            "it must be 'constant strain', 'equilibrium' or a "
                            "factor above 0 and at most 1, such as 5/6");
-    double           factor = 0;
-    try
-      {
-        factor = Formula(entry, text, {})({});
-      }
-    catch (const InputError &)
-      {
-        throw error;
-      }
+    const double     factor = number(entry, text, error);
     if (!(factor > 0 && factor <= 1))
       throw error;
     return {Kind::factor, factor};
@@ -50,15 +63,7 @@ namespace Biface
       return {};
     const InputError error(
       entry, text, "it must be 'by layers' or a number from 1 to 1000");
-    double factor = 0;
-    try
-      {
-        factor = Formula(entry, text, {})({});
-      }
-    catch (const InputError &)
-      {
-        throw error;
-      }
+    const double factor = number(entry, text, error);
     if (!(factor >= 1 && factor <= 1000))
       throw error;
     return factor;
@@ -157,7 +162,7 @@ namespace Biface
       set_distribution();
     if (law.kind == TransverseShearLaw::Kind::equilibrium)
       set_equilibrium_stiffness();
-    if (law.gradient_factor != 1)
+    else if (law.gradient_factor != 1)
       {
         const Tensor<2, 2> R = law.factor * set_residual();
         for (unsigned int p = 0; p < 2; ++p)
@@ -247,11 +252,9 @@ namespace Biface
   void
   TransverseShear::set_equilibrium_stiffness()
   {
-    // G^p, the compliance of the shear forces, and the integrals of b_a3c3,
-    // s b_a3c3 and s^2 b_a3c3
+    // G^p, and the compliance of the shear forces
     std::array<Tensor<2, 2>, 2> G;
     Tensor<2, 2>                compliance;
-    std::array<Tensor<2, 2>, 3> b;
 
     const QGauss<1> quadrature(3);
     for (unsigned int k = 0; k < plies.size(); ++k)
@@ -266,13 +269,9 @@ namespace Biface
           for (unsigned int p = 0; p < 2; ++p)
             G[p] += weight * (p == 0 ? 1 - s : 1 + s) / 2 * F;
           compliance += weight * transpose(F) * inverse(ply.shear) * F;
-          b[0] += weight * ply.shear;
-          b[1] += weight * s * ply.shear;
-          b[2] += weight * s * s * ply.shear;
         }
 
-    s_0                         = inverse(b[0]) * b[1];
-    const Tensor<2, 2> residual = b[2] - b[1] * s_0;
+    const Tensor<2, 2> residual = law.gradient_factor * set_residual();
     const Tensor<2, 2> K        = inverse(compliance);
     for (unsigned int p = 0; p < 2; ++p)
       to_amplitude[p] = K * transpose(G[p]);
