@@ -105,7 +105,7 @@ namespace Biface
         std::vector<char> buffer;
         for (unsigned int rank = 1; rank < n_ranks; ++rank)
           {
-            std::uint64_t left;
+            std::uint64_t left = 0;
             MPI_Recv(
               &left, 1, MPI_UINT64_T, rank, 0, communicator, MPI_STATUS_IGNORE);
             while (left > 0)

@@ -81,7 +81,6 @@ namespace Biface
                                      LinearSolver             &linear_solver,
                                      TimerOutput              &timer)
     : equations(equations)
-    , contact(contact)
     , linear_solver(linear_solver)
     , timer(timer)
     , tangent(equations, contact, timer)

@@ -236,11 +236,10 @@ namespace Biface
     bool
     is_softened(const Pencil &pencil, const LA::Vector &shape) const;
 
-    ShellEquations           &equations;
-    const ContactInteraction &contact;
-    LinearSolver             &linear_solver;
-    dealii::TimerOutput      &timer;
-    HeldTangent               tangent;
+    ShellEquations      &equations;
+    LinearSolver        &linear_solver;
+    dealii::TimerOutput &timer;
+    HeldTangent          tangent;
     /** Arbitrary displacements. */
     const LA::Vector        start;
     std::vector<LA::Vector> fields;
