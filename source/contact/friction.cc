@@ -33,14 +33,25 @@ namespace Biface
       "tangential traction t moves by t/epsilon_t. A positive number, or "
       "'automatic': 70 k with the stiffness k of 'Regularization'. Unit: "
       "pressure/length.");
-    prm.add_parameter("Critical velocity",
-                      critical_velocity,
-                      "The velocity s_c in the law of friction of a rolling "
-                      "wheel, t = -mu p s/sqrt(|s|^2 + s_c^2) with the slip "
-                      "velocity s: nodes that stick creep more slowly than "
-                      "s_c. About 5e-3 times the ground velocity; stages "
-                      "that roll with friction need it. Unit: length/time.",
-                      Patterns::Double());
+    add_choice(prm,
+               "Rolling friction",
+               rolling,
+               {"slip velocity", "bristles"},
+               "The law of friction of a rolling wheel. 'bristles' is the law "
+               "of the wheel that stands: what sticks to the ground is carried "
+               "along, and the traction is 'Tangential regularization' times "
+               "the way that the tread has moved over the ground since it "
+               "entered the footprint, at most mu p. 'slip velocity' is a "
+               "function of the velocity, see 'Critical velocity'.");
+    prm.add_parameter(
+      "Critical velocity",
+      critical_velocity,
+      "The velocity s_c in the law 'slip velocity' of a rolling "
+      "wheel, t = -mu p s/sqrt(|s|^2 + s_c^2) with the slip "
+      "velocity s: nodes that stick creep more slowly than "
+      "s_c. About 5e-3 times the ground velocity; stages "
+      "that roll with this law need it. Unit: length/time.",
+      Patterns::Double());
   }
 
 
@@ -107,6 +118,14 @@ namespace Biface
       }
     else
       check_somewhere_finite(*this->coefficient);
+  }
+
+
+  bool
+  FrictionLaw::depends_on_speed() const
+  {
+    const std::vector<std::string> names = coefficient->used_names();
+    return std::find(names.begin(), names.end(), "s") != names.end();
   }
 
 

@@ -170,7 +170,7 @@ namespace Biface
 
 
   std::array<Tensor<1, 3>, 2>
-  RigidBody::tangents(const Tensor<1, 3> &normal) const
+  RigidBody::tangents_of_direction() const
   {
     const Tensor<1, 3> &d        = shape->direction;
     unsigned int        farthest = 0;
@@ -181,14 +181,38 @@ namespace Biface
     first[farthest] += 1;
     first /= first.norm();
     std::array<Tensor<1, 3>, 2> result{{first, cross_product_3d(d, first)}};
+    if (displacement)
+      for (Tensor<1, 3> &t : result)
+        t = displacement->rotation * t;
+    return result;
+  }
 
+
+  std::array<Tensor<1, 3>, 2>
+  RigidBody::tangents(const Tensor<1, 3> &normal) const
+  {
     // the shortest rotation from the direction to the normal
-    const Tensor<1, 3> present = direction();
+    const Tensor<1, 3>          present = direction();
+    std::array<Tensor<1, 3>, 2> result  = tangents_of_direction();
     for (Tensor<1, 3> &t : result)
+      t -= (normal * t) / (1 + normal * present) * (normal + present);
+    return result;
+  }
+
+
+  std::array<Tensor<2, 3>, 2>
+  RigidBody::tangent_derivatives(const Tensor<1, 3> &normal) const
+  {
+    const Tensor<1, 3>          present  = direction();
+    const auto                  tangents = tangents_of_direction();
+    const double                sum      = 1 + normal * present;
+    std::array<Tensor<2, 3>, 2> result;
+    for (unsigned int i = 0; i < 2; ++i)
       {
-        if (displacement)
-          t = displacement->rotation * t;
-        t -= (normal * t) / (1 + normal * present) * (normal + present);
+        const double part = normal * tangents[i] / sum;
+        result[i]         = -outer_product(normal + present,
+                                   (tangents[i] - part * present) / sum) -
+                    part * Tensor<2, 3>(unit_symmetric_tensor<3>());
       }
     return result;
   }

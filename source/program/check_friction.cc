@@ -42,6 +42,30 @@ namespace Biface
                          "= true', since the nodes in contact at its end "
                          "are glued");
     }
+
+
+    /** Check a stage that rolls on bristles. */
+    void
+    check_bristles(const Parameters &parameters, const unsigned int i)
+    {
+      const Stage      &stage   = parameters.stages[i];
+      const std::string section = "Stage " + std::to_string(i + 1);
+      const std::string entry   = section + "/Friction";
+      const FrictionLaw law =
+        parameters.contact.friction.of_stage(entry, stage.friction);
+      if (law.depends_on_speed())
+        throw InputError(stage.friction.empty() ? "Contact/Friction" : entry,
+                         stage.friction.empty()
+                           ? parameters.contact.friction.coefficient
+                           : stage.friction,
+                         "with 'Rolling friction = bristles' it must not "
+                         "depend on the slip velocity s");
+      if (stage.n_modes > 0)
+        throw InputError(section + "/Modes",
+                         std::to_string(stage.n_modes),
+                         "it must be 0 where the wheel rolls with 'Rolling "
+                         "friction = bristles'");
+    }
   } // namespace
 
 
@@ -71,7 +95,9 @@ namespace Biface
                            "it must be 'ignore' or 'report' where the wheel "
                            "rolls with friction, whose tangent is not "
                            "symmetric");
-        if (contact.friction.critical_velocity == 0)
+        if (contact.friction.rolling == RollingFriction::bristles)
+          check_bristles(*this, i);
+        else if (contact.friction.critical_velocity == 0)
           throw InputError("Contact/Critical velocity",
                            "0",
                            "it must be positive for the friction of the wheel "

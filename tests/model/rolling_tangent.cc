@@ -26,7 +26,8 @@ namespace
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
        const double                       omega,
-       const Interpolation interpolation = Interpolation::components)
+       const Interpolation   interpolation = Interpolation::components,
+       const RollingFriction friction      = RollingFriction::slip_velocity)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
@@ -35,8 +36,12 @@ namespace
       coarse_torus(layup, StrainSampling::vertices, true, interpolation);
 
     ContactPair::Parameters parameters;
-    parameters.condition.regularization   = 1;
-    parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
+    parameters.condition.regularization = 1;
+    parameters.friction.coefficient     = (friction == RollingFriction::bristles
+                                             ? "0.4 + 0.1*p"
+                                             : "(0.4 + 0.1*p)*(1 + exp(-s/200))/2");
+    parameters.friction.rolling         = friction;
+    parameters.friction.regularization  = 0.3;
     parameters.friction.critical_velocity = 20;
     parameters.body.line.direction        = Tensor<1, 3>({1, 0.2, -0.1});
     parameters.body.shape                 = shape;
@@ -175,4 +180,12 @@ main(int argc, char *argv[])
   test("rolling on a drum", Shape::drum, 5);
   test(
     "rolling, vectors interpolated", Shape::plane, 5, Interpolation::Cartesian);
+  for (const auto shape : {Shape::plane, Shape::drum})
+    for (const double omega : {5., -5.})
+      test((omega < 0 ? "backward on bristles, body " : "on bristles, body ") +
+             std::to_string(static_cast<int>(shape)),
+           shape,
+           omega,
+           Interpolation::components,
+           RollingFriction::bristles);
 }

@@ -29,6 +29,16 @@ namespace Biface
   };
 
 
+  /** The law of friction of a shell that rolls. */
+  enum class RollingFriction
+  {
+    /** See SlipVelocityLaw. */
+    slip_velocity,
+    /** See BristleLaw. */
+    bristles
+  };
+
+
   /**
    * Coulomb's law of friction, regularized like the contact condition of
    * @cite GrigolyukKulikovPlotnikova2004, eq. (14.1).
@@ -53,6 +63,7 @@ namespace Biface
       /** The parameter @f$\varepsilon_t@f$; if not set, it follows from the
        * stiffness of the wall. Unit: pressure/length. */
       std::optional<double> regularization;
+      RollingFriction       rolling = RollingFriction::slip_velocity;
       /** See FrictionLaw::critical_velocity; 0 if not given. */
       double critical_velocity = 0;
 
@@ -107,6 +118,10 @@ namespace Biface
     {
       return constant && *constant == 0;
     }
+
+    /** Whether the coefficient depends on the slip velocity. */
+    bool
+    depends_on_speed() const;
 
     /** The maximum traction @f$\tau@f$, with its derivatives. */
     struct Limit

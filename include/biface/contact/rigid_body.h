@@ -101,6 +101,10 @@ namespace Biface
     std::array<dealii::Tensor<1, 3>, 2>
     tangents(const dealii::Tensor<1, 3> &normal) const;
 
+    /** Their derivatives by the normal. */
+    std::array<dealii::Tensor<2, 3>, 2>
+    tangent_derivatives(const dealii::Tensor<1, 3> &normal) const;
+
     double
     clearance(const dealii::Point<3> &x) const
     {
@@ -147,6 +151,10 @@ namespace Biface
     /** The same foundation after a further motion. */
     RigidBody
     after(Displacement further) const;
+
+    /** The tangents where the normal is the direction of the foundation. */
+    std::array<dealii::Tensor<1, 3>, 2>
+    tangents_of_direction() const;
 
     /** A point before this motion. */
     dealii::Point<3>

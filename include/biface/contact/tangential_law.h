@@ -16,6 +16,8 @@
 
 namespace Biface
 {
+  class BristleLaw;
+
   /** A node where it may touch a rigid body. */
   struct NodeInContact
   {
@@ -165,6 +167,21 @@ namespace Biface
                  const unsigned int /*node*/) const
     {
       return {};
+    }
+
+    /** The law of the bristles on the lines of flow from which the tractions
+     * follow, all at once, and their stiffness; null if each node has a
+     * traction of its own. */
+    virtual const BristleLaw *
+    bristles() const
+    {
+      return nullptr;
+    }
+
+    virtual double
+    stiffness_of_bristles() const
+    {
+      return 0;
     }
 
     /** The critical velocity of a law that has one, and the law with another

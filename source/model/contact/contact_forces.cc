@@ -102,6 +102,39 @@ namespace Biface
 
 
   void
+  ContactForces::add_coupled_forces(const State &state,
+                                    const Loads &loads,
+                                    LA::Vector  &nodal_forces) const
+  {
+    if (contact.has_bristles(loads))
+      contact.bristle_lines(state, loads).add_forces(nodal_forces);
+  }
+
+
+  void
+  ContactForces::add_couplings(const State           &state,
+                               const Loads           &loads,
+                               std::vector<Coupling> &couplings) const
+  {
+    if (contact.has_bristles(loads))
+      contact.bristle_lines(state, loads).add_couplings(couplings);
+  }
+
+
+  void
+  ContactForces::add_load_derivative_of_couplings(
+    const State     &state,
+    const Loads     &loads,
+    const LoadRates &rates,
+    LA::Vector      &nodal_forces) const
+  {
+    if (rates.change_contact() && contact.has_bristles(loads))
+      contact.bristle_lines(state, loads)
+        .add_load_derivative(rates, nodal_forces);
+  }
+
+
+  void
   ContactForces::add_load_derivative(const CellState           &at,
                                      const LoadRates           &rates,
                                      MixedElement::NodalVector &force) const

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <biface/base/errors.h>
+#include <biface/contact/friction_by_bristles.h>
 #include <biface/contact/friction_by_slip_velocity.h>
 #include <biface/contact/friction_with_history.h>
 #include <biface/model/contact/contact_pair.h>
@@ -76,6 +77,8 @@ namespace Biface
       friction_parameters.of_stage(entry, coefficient, mesh.wall_stiffness());
     if (law.is_zero() && !glued)
       return std::make_shared<const TangentialLaw>();
+    if (rolls && friction_parameters.rolling == RollingFriction::bristles)
+      return std::make_shared<const FrictionByBristles>(law, condition);
     if (rolls)
       return std::make_shared<const FrictionBySlipVelocity>(law, condition);
     return std::make_shared<const FrictionWithHistory>(law, condition, glued);
@@ -215,6 +218,7 @@ namespace Biface
           ++n_changes;
         set_tangential_multipliers(state, *placed->law, at);
       }
+    set_multipliers_of_bristles(state, loads);
     return n_changes;
   }
 
@@ -294,6 +298,27 @@ namespace Biface
           set_tangential_multipliers(
             state, *placed->law, at_node(state, loads, n));
       }
+    set_multipliers_of_bristles(state, loads);
+  }
+
+
+  void
+  ContactPair::set_multipliers_of_bristles(State       &state,
+                                           const Loads &loads) const
+  {
+    if (!has_bristles(loads))
+      return;
+    const BristleLines lines     = bristle_lines(state, loads);
+    const double       stiffness = body(loads)->law->stiffness_of_bristles();
+    ContactState      &zone      = state_of(state);
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (const BristleLaw::Bristle *bristle = lines.at(n))
+        {
+          zone.statuses[n] =
+            (bristle->slips() ? ContactStatus::slip : ContactStatus::stick);
+          for (unsigned int i = 0; i < 2; ++i)
+            zone.multipliers[n][1 + i] = -stiffness * bristle->deflection[i];
+        }
   }
 
 

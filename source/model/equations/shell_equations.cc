@@ -111,10 +111,16 @@ namespace Biface
   ShellEquations::assemble(const State &state, const Loads &loads)
   {
     update_constraints(state, loads);
-    if (!matrix)
-      matrix = std::make_unique<TangentMatrix>(mesh, constraints);
+    std::vector<ForceTerm::Coupling> couplings;
+    for (const ForceTerm *term : terms)
+      term->add_couplings(state, loads, couplings);
+    if (Utilities::MPI::logical_or(!matrix || !matrix->has(couplings),
+                                   mesh.communicator))
+      matrix = std::make_unique<TangentMatrix>(mesh, constraints, couplings);
     matrix->clear();
     rhs = 0;
+    for (const ForceTerm::Coupling &coupling : couplings)
+      matrix->add(coupling);
 
     LA::Vector load = mesh.owned_vector();
     for (const ForceTerm *term : terms)
@@ -137,9 +143,12 @@ namespace Biface
     rhs.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
     mesh.condense(load);
+    LA::Vector coupled = coupled_forces(state, loads, square);
+    mesh.condense(coupled);
 
     rhs += load;
     rhs += constant;
+    rhs += coupled;
     const double load_square     = load.norm_sqr(),
                  constant_square = constant.norm_sqr();
     given_forces                 = std::sqrt(load_square + constant_square);
@@ -172,6 +181,7 @@ namespace Biface
       }
     sum.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
+    sum += coupled_forces(state, loads, square);
     for (LA::Vector *part : {&sum, &load, &constant})
       mesh.condense(*part);
     const double load_square     = load.norm_sqr(),
@@ -180,6 +190,21 @@ namespace Biface
             std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
                       load_square + constant_square),
             std::sqrt(load_square + constant_square)};
+  }
+
+
+  LA::Vector
+  ShellEquations::coupled_forces(const State &state,
+                                 const Loads &loads,
+                                 double      &square) const
+  {
+    LA::Vector result = mesh.owned_vector();
+    for (const ForceTerm *term : terms)
+      term->add_coupled_forces(state, loads, result);
+    result.compress(VectorOperation::add);
+    for (const double force : result)
+      square += force * force;
+    return result;
   }
 
 
@@ -333,6 +358,8 @@ namespace Biface
         if (force.norm_square() > 0)
           mesh.add_nodal_forces(cell, force, direction);
       }
+    for (const ForceTerm *term : terms)
+      term->add_load_derivative_of_couplings(state, loads, rates, direction);
     direction.compress(VectorOperation::add);
     mesh.condense(direction);
     return direction;
@@ -366,6 +393,8 @@ namespace Biface
       term->add_dead_forces({loads.pressure, loads.factors, 0},
                             result[term->source()]);
     internal.add_constant_forces(state, result[ForceTerm::Source::shell]);
+    for (const ForceTerm *term : terms)
+      term->add_coupled_forces(state, loads, result[term->source()]);
 
     ForceTerm::CellForces forces;
     forces.with_tangent = state.linearization_point != nullptr;

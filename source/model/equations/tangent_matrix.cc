@@ -13,8 +13,10 @@ namespace Biface
 {
   using namespace dealii;
 
-  TangentMatrix::TangentMatrix(const ShellMesh                 &mesh,
-                               const AffineConstraints<double> &constraints)
+  TangentMatrix::TangentMatrix(
+    const ShellMesh                        &mesh,
+    const AffineConstraints<double>        &constraints,
+    const std::vector<ForceTerm::Coupling> &couplings)
     : mesh(mesh)
     , constraints(constraints)
     , fast_cell(mesh.cells.size(), numbers::invalid_unsigned_int)
@@ -36,6 +38,13 @@ namespace Biface
       constraints,
       false,
       Utilities::MPI::this_mpi_process(mesh.communicator));
+    for (const ForceTerm::Coupling &coupling : couplings)
+      {
+        for (const auto row : coupling.rows)
+          pattern.add_entries(
+            row, coupling.columns.begin(), coupling.columns.end());
+        coupled.insert(coupling.nodes);
+      }
     pattern.compress();
     matrix.reinit(pattern);
 
@@ -83,6 +92,24 @@ namespace Biface
             places.push_back(std::move(cell_places));
           }
       }
+  }
+
+
+  bool
+  TangentMatrix::has(const std::vector<ForceTerm::Coupling> &couplings) const
+  {
+    return std::all_of(couplings.begin(),
+                       couplings.end(),
+                       [this](const ForceTerm::Coupling &coupling) {
+                         return coupled.count(coupling.nodes) > 0;
+                       });
+  }
+
+
+  void
+  TangentMatrix::add(const ForceTerm::Coupling &coupling)
+  {
+    matrix.add(coupling.rows, coupling.columns, coupling.stiffness, false);
   }
 
 

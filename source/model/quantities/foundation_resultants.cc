@@ -87,6 +87,18 @@ namespace Biface
           mesh.add_nodal_forces(cell, gradient, result.gradient);
         }
 
+      if (ground.has_bristles(loads))
+        {
+          std::vector<double> per_rate(rates.size());
+          sums[0] += ground.bristle_lines(state, loads)
+                       .add_work(motion.at,
+                                 motion.transposed_derivative,
+                                 rates,
+                                 result.gradient,
+                                 per_rate);
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            sums[1 + i] += per_rate[i];
+        }
       result.gradient.compress(VectorOperation::add);
       mesh.condense(result.gradient);
       Utilities::MPI::sum(sums, mesh.communicator, sums);

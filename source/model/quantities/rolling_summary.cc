@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <biface/model/quantities/forces_on_shell.h>
@@ -46,10 +47,47 @@ namespace Biface
                   const Loads       &loads)
   {
     std::vector<Tensor<1, 3>> velocities(contact.mesh.nodes.size());
+    if (contact.has_bristles(loads))
+      {
+        const BristleLines lines = contact.bristle_lines(state, loads);
+        for (unsigned int n = 0; n < velocities.size(); ++n)
+          velocities[n] = lines.slip_velocity(n);
+        return velocities;
+      }
     for (unsigned int n = 0; n < velocities.size(); ++n)
       if (contact.state_of(state).active[n])
         velocities[n] = contact.at_node(state, loads, n).slip_velocity();
     return velocities;
+  }
+
+
+  std::optional<double>
+  angular_velocity_without_slip(const ContactPair &contact,
+                                const State       &state,
+                                const Loads       &loads)
+  {
+    // the sums of the velocities of the ground and of those per angular
+    // velocity
+    std::vector<double> sums(2);
+    if (contact.body(loads) && loads.rolling)
+      for (const Cell &cell : contact.mesh.wall_elements())
+        for (const unsigned int n : cell.nodes)
+          if (contact.state_of(state).active[n])
+            {
+              const NodeInContact at    = contact.at_node(state, loads, n);
+              const Tensor<1, 3>  v     = loads.rolling->ground.at(at.x);
+              const double        speed = v.norm();
+              if (!at.particle || speed == 0)
+                continue;
+              const double force =
+                cell.geometry.weight / 4 * contact.state_of(state).pressure(n);
+              sums[0] += force * speed;
+              sums[1] -= force * (at.particle->slope * v) / speed;
+            }
+    Utilities::MPI::sum(sums, contact.mesh.communicator, sums);
+    if (!(sums[0] > 0) || sums[1] == 0)
+      return {};
+    return sums[0] / sums[1];
   }
 
 

@@ -9,6 +9,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/quantities/rolling_summary.h>
 #include <biface/stepping/controls/resultant_control.h>
 
 namespace Biface
@@ -199,13 +200,17 @@ namespace Biface
       guess(const Control::Equilibrium &from,
             const LoadLevel            &next) const override
       {
-        // at the same slip, or as a rigid wheel of the same height
-        return from.level.ground_velocity != 0
-                 ? from.level.angular_velocity * next.ground_velocity /
-                     from.level.ground_velocity
-                 : next.ground_velocity /
-                     std::abs(
-                       from.loads(from.level).ground()->clearance(Point<3>()));
+        // at the same slip, or without any
+        if (from.level.ground_velocity != 0)
+          return from.level.angular_velocity * next.ground_velocity /
+                 from.level.ground_velocity;
+        const Loads loads = from.loads(next);
+        if (const auto velocity = angular_velocity_without_slip(
+              from.contact.ground(), from.state, loads))
+          return *velocity;
+        // as a rigid wheel of the same height
+        return next.ground_velocity /
+               std::abs(loads.ground()->clearance(Point<3>()));
       }
     };
 

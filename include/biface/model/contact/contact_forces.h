@@ -40,6 +40,22 @@ namespace Biface
                         const LoadRates           &rates,
                         MixedElement::NodalVector &force) const override;
 
+    void
+    add_coupled_forces(const State &state,
+                       const Loads &loads,
+                       LA::Vector  &nodal_forces) const override;
+
+    void
+    add_couplings(const State           &state,
+                  const Loads           &loads,
+                  std::vector<Coupling> &couplings) const override;
+
+    void
+    add_load_derivative_of_couplings(const State     &state,
+                                     const Loads     &loads,
+                                     const LoadRates &rates,
+                                     LA::Vector &nodal_forces) const override;
+
     /** See TangentialLaw. */
     void
     start_stage(const Loads &loads, State &state) const override

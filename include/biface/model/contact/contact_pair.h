@@ -15,6 +15,7 @@
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/contact/tangential_law.h>
+#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
@@ -137,6 +138,27 @@ namespace Biface
     has_friction(const Loads &loads) const
     {
       return body(loads) && body(loads)->law->has_friction();
+    }
+
+    /** Whether it does so by bristles on the lines of flow. */
+    bool
+    has_bristles(const Loads &loads) const
+    {
+      return body(loads) && body(loads)->law->bristles() && loads.rolling;
+    }
+
+    /** Those of a body that has them. Must be called on all ranks; the body
+     * must outlive the result. */
+    BristleLines
+    bristle_lines(const State &state, const Loads &loads) const
+    {
+      return BristleLines(mesh,
+                          flow_lines,
+                          face,
+                          state,
+                          state_of(state),
+                          *body(loads),
+                          *loads.rolling);
     }
 
     /** The body after the given travel from its initial position. */
@@ -331,6 +353,10 @@ namespace Biface
     set_tangential_multipliers(State               &state,
                                const TangentialLaw &law,
                                const NodeInContact &at) const;
+
+    /** Set those of all nodes if there are bristles. */
+    void
+    set_multipliers_of_bristles(State &state, const Loads &loads) const;
 
     const RigidBody               body_at_rest;
     const FrictionLaw::Parameters friction_parameters;

@@ -209,6 +209,13 @@ namespace Biface
     Balance
     balance(const State &state, const Loads &loads) const;
 
+    /** See ForceTerm::add_coupled_forces().
+     * @param square to which their squares on this rank are added. */
+    LA::Vector
+    coupled_forces(const State &state,
+                   const Loads &loads,
+                   double      &square) const;
+
     /** Compute the forces of all terms on a cell. */
     void
     sum_forces(const unsigned int     cell,

@@ -8,10 +8,12 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
+#include <biface/model/forces/force_term.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
@@ -27,10 +29,13 @@ namespace Biface
   class TangentMatrix
   {
   public:
-    /** The arguments are kept by reference; the inhomogeneities of the
-     * constraints may change. */
+    /** Mesh and constraints are kept by reference; the inhomogeneities of the
+     * constraints may change.
+     * @param couplings between nodes that share no cell, for which the matrix
+     * has entries. */
     TangentMatrix(const ShellMesh                         &mesh,
-                  const dealii::AffineConstraints<double> &constraints);
+                  const dealii::AffineConstraints<double> &constraints,
+                  const std::vector<ForceTerm::Coupling>  &couplings = {});
 
     /** It points into the values of its matrix. */
     TangentMatrix(const TangentMatrix &) = delete;
@@ -50,6 +55,14 @@ namespace Biface
         const MixedElement::NodalMatrix &cell_matrix,
         const MixedElement::NodalVector &cell_vector,
         LA::Vector                      &global_vector);
+
+    /** Whether the matrix has entries for all couplings. */
+    bool
+    has(const std::vector<ForceTerm::Coupling> &couplings) const;
+
+    /** Add a coupling for which the matrix has entries. */
+    void
+    add(const ForceTerm::Coupling &coupling);
 
     /** Collect what other ranks have added. */
     void
@@ -91,6 +104,8 @@ namespace Biface
     /** Position of the cell in @p places, or an invalid number; the same for
      * all elements on a cell of the triangulation. */
     std::vector<unsigned int> fast_cell;
+    /** The nodes of the couplings. */
+    std::set<decltype(ForceTerm::Coupling::nodes)> coupled;
     /** The values of the matrix, as Epetra stores them. */
     double *values = nullptr;
 

@@ -3,7 +3,11 @@
 #ifndef biface_model_forces_force_term_h
 #define biface_model_forces_force_term_h
 
+#include <deal.II/base/types.h>
+#include <deal.II/lac/full_matrix.h>
+
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -106,6 +110,44 @@ namespace Biface
     add_load_derivative(const CellState & /*at*/,
                         const LoadRates & /*rates*/,
                         MixedElement::NodalVector & /*force*/) const
+    {}
+
+    /** How the forces of a term on a node depend on another node, with which it
+     * need not share a cell. */
+    struct Coupling
+    {
+      /** Their numbers, see Node. */
+      std::pair<dealii::types::global_cell_index,
+                dealii::types::global_cell_index>
+        nodes;
+      /** Free unknowns of both. */
+      std::vector<dealii::types::global_dof_index> rows, columns;
+      /** Minus the derivative of the forces. */
+      dealii::FullMatrix<double> stiffness;
+    };
+
+    /** Add forces on the nodes of this rank that do not follow from single
+     * cells, regardless of supports. Called on all ranks, like the following
+     * two. */
+    virtual void
+    add_coupled_forces(const State & /*state*/,
+                       const Loads & /*loads*/,
+                       LA::Vector & /*nodal_forces*/) const
+    {}
+
+    /** Add their derivatives. */
+    virtual void
+    add_couplings(const State & /*state*/,
+                  const Loads & /*loads*/,
+                  std::vector<Coupling> & /*couplings*/) const
+    {}
+
+    /** Add their derivative for the given rates of the loads. */
+    virtual void
+    add_load_derivative_of_couplings(const State & /*state*/,
+                                     const Loads & /*loads*/,
+                                     const LoadRates & /*rates*/,
+                                     LA::Vector & /*nodal_forces*/) const
     {}
 
     /** Add the forces that do not depend on the displacements, regardless of

@@ -57,6 +57,15 @@ namespace Biface
                   const State       &state,
                   const Loads       &loads);
 
+  /** The angular velocity with which the particles in contact have the velocity
+   * of the ground in the mean, weighted by the forces that they carry: nearly
+   * that of free rolling. None if nothing is in contact. Must be called on all
+   * ranks. Unit: radians/time. */
+  std::optional<double>
+  angular_velocity_without_slip(const ContactPair &contact,
+                                const State       &state,
+                                const Loads       &loads);
+
   /** The figures of a converged state. Must be called on all ranks.
    * @param forces on the nodes in this state. */
   RollingSummary

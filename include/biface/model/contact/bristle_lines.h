@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_bristle_lines_h
+#define biface_model_contact_bristle_lines_h
+
+#include <deal.II/base/tensor.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <biface/contact/bristles.h>
+#include <biface/model/forces/force_term.h>
+#include <biface/model/mesh/flow_lines.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The bristles of a footprint, on all its lines of flow, see BristleLaw: each
+   * rank has those of its own nodes, and knows on which nodes before them they
+   * depend, on any rank.
+   */
+  class BristleLines
+  {
+  public:
+    /** Compute them. Must be called on all ranks.
+     * @param face that touches the body.
+     * @param zone what happens between both.
+     * @param body its law has bristles. */
+    BristleLines(const ShellMesh       &mesh,
+                 const FlowLines       &flow_lines,
+                 const Resultants::Face face,
+                 const State           &state,
+                 const ContactState    &zone,
+                 const PlacedBody      &body,
+                 const Rolling         &rolling);
+
+    /** The bristle at a node of this rank; null if it does not touch, or lies
+     * on no line. */
+    const BristleLaw::Bristle *
+    at(const unsigned int node) const;
+
+    /** The slip velocity of the tip of a bristle. */
+    dealii::Tensor<1, 3>
+    slip_velocity(const unsigned int node) const;
+
+    /** Add the forces on the nodes that belong to this rank, their tractions
+     * times the areas of the nodes. */
+    void
+    add_forces(LA::Vector &nodal_forces) const;
+
+    /** Add the derivatives of these forces. */
+    void
+    add_couplings(std::vector<ForceTerm::Coupling> &couplings) const;
+
+    /** Add the change of these forces. */
+    void
+    add_load_derivative(const LoadRates &rates, LA::Vector &nodal_forces) const;
+
+    /** Add the derivatives of the work of these forces in a motion of the
+     * positions: by the unknowns of all nodes, and for each of the rates.
+     * @param transposed_derivative of the motion, times a force; null if it is
+     * the same everywhere.
+     * @return the work. */
+    double
+    add_work(
+      const std::function<dealii::Tensor<1, 3>(const dealii::Tensor<1, 3> &)>
+        &motion,
+      const std::function<dealii::Tensor<1, 3>(const dealii::Tensor<1, 3> &)>
+                                   &transposed_derivative,
+      const std::vector<LoadRates> &rates,
+      LA::Vector                   &gradient,
+      std::vector<double>          &per_load) const;
+
+  private:
+    /** A node of a line, as all ranks know it. */
+    struct LineNode
+    {
+      dealii::types::global_cell_index number;
+      unsigned int                     line, place;
+      bool                             touches;
+      dealii::Point<3>                 x;
+      /** Of the cells of the rank that sends it, later the sum of all. */
+      double area;
+      /** Whether the rank that sends it owns it; only then it has unknowns. */
+      bool owned;
+      /** The derivatives of the position by the free unknowns. */
+      std::vector<dealii::types::global_dof_index> dofs;
+      std::vector<dealii::Tensor<1, 3>>            per_dof;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &number &line &place &touches &x &area &owned &dofs &per_dof;
+      }
+    };
+
+    /** Nodes that follow each other in the direction in which the material
+     * passes, with their bristles. */
+    struct Line
+    {
+      std::vector<LineNode>            nodes;
+      std::vector<BristleLaw::Station> stations;
+      std::vector<BristleLaw::Bristle> bristles;
+    };
+
+    /** The nodes of this rank that touch or have a neighbor that does. */
+    std::vector<LineNode>
+    own_nodes(const FlowLines    &flow_lines,
+              const State        &state,
+              const ContactState &zone) const;
+
+    /** Append the lines of a set of nodes with the same number of the line. */
+    void
+    append_lines(const std::map<unsigned int, LineNode> &by_place,
+                 const Rolling                          &rolling);
+
+    /** Call a function with each node that belongs to this rank, its line, and
+     * its position in it. */
+    template <typename Function>
+    void
+    for_own_bristles(const Function &function) const;
+
+    /** The force on a node, zero where it does not touch. */
+    dealii::Tensor<1, 3>
+    force(const Line &line, const unsigned int position) const;
+
+    /** Its derivative by the position of the same node or of one before. */
+    dealii::Tensor<2, 3>
+    force_derivative(const Line        &line,
+                     const unsigned int position,
+                     const unsigned int by) const;
+
+    /** Its change for the given rates. */
+    dealii::Tensor<1, 3>
+    force_rate(const Line        &line,
+               const unsigned int position,
+               const LoadRates   &rates) const;
+
+    /** Add a force on the face at a node of this rank. */
+    void
+    add_to_nodes(const unsigned int          node,
+                 const dealii::Tensor<1, 3> &force,
+                 LA::Vector                 &nodal_forces) const;
+
+    const ShellMesh       &mesh;
+    const Resultants::Face face;
+    const PlacedBody      &body;
+    std::vector<Line>      lines;
+    /** For nodes of this rank: the line and the position in it. */
+    std::vector<std::optional<std::pair<unsigned int, unsigned int>>> places;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/contact/bristles.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The matrix of the cross product with a vector. */
+    Tensor<2, 3>
+    cross_product_matrix(const Tensor<1, 3> &w)
+    {
+      Tensor<2, 3> result;
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          Tensor<1, 3> e;
+          e[j]                      = 1;
+          const Tensor<1, 3> column = cross_product_3d(w, e);
+          for (unsigned int i = 0; i < 3; ++i)
+            result[i][j] = column[i];
+        }
+      return result;
+    }
+
+
+    /** The motion of the ground at a position while the wheel turns by an
+     * angle, times its angular speed, so that it is finite for a locked wheel.
+     */
+    struct GroundStep
+    {
+      Tensor<1, 3> value;
+      Tensor<2, 3> per_position;
+      Tensor<1, 3> per_angular_speed;
+    };
+
+
+    GroundStep
+    ground_step(const GroundMotion &ground,
+                const Point<3>     &x,
+                const double        angle,
+                const double        angular_speed)
+    {
+      // near a locked wheel a drum would turn several times between two nodes,
+      // whose bristles slip, in whatever direction it moves them there
+      constexpr double largest_turn = 0.5;
+
+      const Tensor<2, 3> spin = cross_product_matrix(ground.spin);
+      const double       turn = angle * ground.spin.norm();
+      if (turn == 0 || turn > largest_turn * angular_speed)
+        return {angle * ground.at(x), angle * spin, {}};
+
+      // about its axis
+      const double       spin_square = ground.spin.norm_square();
+      const Tensor<1, 3> r =
+        x - ground.point -
+        cross_product_3d(ground.spin, ground.velocity) / spin_square;
+      const Tensor<1, 3> ahead =
+        (ground.velocity * ground.spin) / spin_square * ground.spin;
+      const double       psi      = turn / angular_speed;
+      const Tensor<2, 3> axis     = spin / ground.spin.norm();
+      const Tensor<2, 3> identity = Tensor<2, 3>(unit_symmetric_tensor<3>());
+      const Tensor<2, 3> rotation =
+        identity + std::sin(psi) * axis +
+        2 * std::pow(std::sin(psi / 2), 2) * axis * axis;
+      const Tensor<2, 3> moved = rotation - identity;
+      return {angle * ahead + angular_speed * (moved * r),
+              angular_speed * moved,
+              moved * r - psi * (axis * (rotation * r))};
+    }
+
+
+    /** The products of a vector with both tangents. */
+    Tensor<1, 2>
+    along(const std::array<Tensor<1, 3>, 2> &tangents, const Tensor<1, 3> &v)
+    {
+      return Tensor<1, 2>({tangents[0] * v, tangents[1] * v});
+    }
+
+
+    /** The part of the segment between two stations that touches, with its
+     * derivatives by both clearances. */
+    struct TouchingPart
+    {
+      double                value = 1;
+      std::array<double, 2> per_clearance{};
+    };
+
+
+    TouchingPart
+    touching_part(const double before, const double at)
+    {
+      if (!(before > 0))
+        return {};
+      if (!(at < 0))
+        return {0, {{0, 0}}};
+      const double all = before - at;
+      return {-at / all, {{at / (all * all), -before / (all * all)}}};
+    }
+  } // namespace
+
+
+  BristleLaw::Station
+  BristleLaw::station(const RigidBody &body,
+                      const Point<3>  &x,
+                      const bool       touches,
+                      const double     angle)
+  {
+    Station station;
+    station.touches      = touches;
+    station.x            = x;
+    station.at_body      = body.evaluate(x);
+    station.tangents     = body.tangents(station.at_body.normal);
+    const auto by_normal = body.tangent_derivatives(station.at_body.normal);
+    for (unsigned int i = 0; i < 2; ++i)
+      station.tangent_gradients[i] =
+        by_normal[i] * Tensor<2, 3>(station.at_body.normal_gradient);
+    station.angle = angle;
+    return station;
+  }
+
+
+  std::vector<BristleLaw::Bristle>
+  BristleLaw::deflections(const std::vector<Station> &line,
+                          const Rolling              &rolling) const
+  {
+    std::vector<Bristle> result(line.size());
+    for (unsigned int j = 0; j < line.size(); ++j)
+      {
+        result[j].first = j;
+        result[j].per_position.resize(1);
+        if (j > 0 && line[j].touches)
+          move(line[j - 1], result[j - 1], line[j], rolling, result[j]);
+      }
+    return result;
+  }
+
+
+  void
+  BristleLaw::move(const Station &before,
+                   const Bristle &bristle_before,
+                   const Station &at,
+                   const Rolling &rolling,
+                   Bristle       &bristle) const
+  {
+    const double        speed = std::abs(rolling.angular_velocity);
+    const Tensor<1, 3> &n     = at.at_body.normal;
+
+    // the trial deflection and its derivatives, times the angular speed
+    const TouchingPart theta =
+      before.touches
+        ? TouchingPart()
+        : touching_part(before.at_body.clearance, at.at_body.clearance);
+    const GroundStep ground =
+      ground_step(rolling.ground, before.x, at.angle, speed);
+    const Tensor<1, 3> motion       = speed * (at.x - before.x) - ground.value;
+    const Tensor<1, 2> along_motion = along(at.tangents, motion);
+    Tensor<1, 2>       trial =
+      speed * bristle_before.deflection + theta.value * along_motion;
+
+    bristle.first        = bristle_before.first;
+    bristle.per_position = bristle_before.per_position;
+    for (auto &by_station : bristle.per_position)
+      for (Tensor<1, 3> &component : by_station)
+        component *= speed;
+    bristle.per_position.emplace_back();
+    auto &by_before = *(bristle.per_position.end() - 2);
+    auto &by_itself = bristle.per_position.back();
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const Tensor<1, 3> &t = at.tangents[i];
+        by_before[i] -=
+          theta.value * (speed * t + t * ground.per_position) +
+          theta.per_clearance[0] * along_motion[i] * before.at_body.normal;
+        by_itself[i] +=
+          theta.value * (speed * t + motion * at.tangent_gradients[i]) -
+          theta.per_clearance[1] * along_motion[i] * n;
+      }
+    Tensor<1, 2> per_speed =
+      bristle_before.deflection +
+      theta.value *
+        along(at.tangents, at.x - before.x - ground.per_angular_speed);
+    // the derivative by the angular velocity of the bristle before, by the
+    // speed
+    const double sign = rolling.angular_velocity < 0 ? -1 : 1;
+    per_speed += speed * sign * bristle_before.per_angular_velocity;
+
+    const double pressure = -condition.multiplier(at.at_body.clearance);
+    const FrictionLaw::Limit limit  = law.limit(pressure);
+    const double             radius = limit.value / law.stiffness();
+    const double             norm   = trial.norm();
+    if (norm <= speed * radius)
+      {
+        if (speed == 0)
+          {
+            // nothing has moved
+            for (auto &by_station : bristle.per_position)
+              by_station = {};
+            return;
+          }
+        bristle.deflection = trial / speed;
+        for (auto &by_station : bristle.per_position)
+          for (Tensor<1, 3> &component : by_station)
+            component /= speed;
+        per_speed = (per_speed - bristle.deflection) / speed;
+      }
+    else
+      {
+        const Tensor<1, 2> direction = trial / norm;
+        const auto         project   = [&](const Tensor<1, 2> &v) {
+          return radius / norm * (v - (direction * v) * direction);
+        };
+        bristle.deflection    = radius * direction;
+        bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
+        for (auto &by_station : bristle.per_position)
+          {
+            const auto unlimited = by_station;
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                const Tensor<1, 2> column =
+                  project(Tensor<1, 2>({unlimited[0][k], unlimited[1][k]}));
+                for (unsigned int i = 0; i < 2; ++i)
+                  by_station[i][k] = column[i];
+              }
+          }
+        const double per_motion = limit.per_pressure / law.stiffness() *
+                                  condition.multiplier_stiffness();
+        for (unsigned int i = 0; i < 2; ++i)
+          bristle.per_position.back()[i] += per_motion * direction[i] * n;
+        per_speed = project(per_speed);
+      }
+    bristle.per_angular_velocity = sign * per_speed;
+  }
+} // namespace Biface

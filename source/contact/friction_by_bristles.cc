@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/contact/friction_by_bristles.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  FrictionByBristles::start_stage(ContactState &state) const
+  {
+    for (unsigned int n = 0; n < state.statuses.size(); ++n)
+      state.forget_stick_point(n);
+  }
+
+
+  void
+  FrictionByBristles::commit_step(ContactState        &state,
+                                  const NodeInContact &at) const
+  {
+    const auto   tangents = at.body.tangents(at.at_body.normal);
+    Tensor<1, 3> traction;
+    for (unsigned int i = 0; i < 2; ++i)
+      traction += state.multipliers[at.node][1 + i] * tangents[i];
+    state.stick_points[at.node] =
+      at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction)));
+  }
+} // namespace Biface

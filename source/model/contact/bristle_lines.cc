@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi.templates.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <biface/model/contact/bristle_lines.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  BristleLines::BristleLines(const ShellMesh       &mesh,
+                             const FlowLines       &flow_lines,
+                             const Resultants::Face face,
+                             const State           &state,
+                             const ContactState    &zone,
+                             const PlacedBody      &body,
+                             const Rolling         &rolling)
+    : mesh(mesh), face(face), body(body), places(mesh.nodes.size())
+  {
+    std::map<unsigned int, std::map<unsigned int, LineNode>> by_line;
+    for (const std::vector<LineNode> &of_rank : Utilities::MPI::all_gather(
+           mesh.communicator, own_nodes(flow_lines, state, zone)))
+      for (const LineNode &node : of_rank)
+        {
+          auto      &of_line  = by_line[node.line];
+          const auto inserted = of_line.insert({node.place, node});
+          LineNode  &known    = inserted.first->second;
+          if (inserted.second)
+            continue;
+          const double area = known.area + node.area;
+          if (node.owned)
+            known = node;
+          known.area = area;
+        }
+    for (const auto &line : by_line)
+      append_lines(line.second, rolling);
+
+    std::map<types::global_cell_index, unsigned int> own;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      own[mesh.nodes[n].number] = n;
+    for (unsigned int l = 0; l < lines.size(); ++l)
+      for (unsigned int j = 0; j < lines[l].nodes.size(); ++j)
+        {
+          const auto node = own.find(lines[l].nodes[j].number);
+          if (node != own.end())
+            places[node->second] = {{l, j}};
+        }
+  }
+
+
+  std::vector<BristleLines::LineNode>
+  BristleLines::own_nodes(const FlowLines    &flow_lines,
+                          const State        &state,
+                          const ContactState &zone) const
+  {
+    std::vector<double> areas(mesh.nodes.size());
+    for (const Cell &cell : mesh.wall_elements())
+      for (const unsigned int n : cell.nodes)
+        if (zone.active[n])
+          areas[n] += cell.geometry.weight / 4;
+
+    std::vector<LineNode> result;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const Node &node    = mesh.nodes[n];
+        const auto &stencil = flow_lines.at(n);
+        bool        is_near = zone.active[n];
+        if (node.locally_owned && stencil)
+          for (const unsigned int neighbor : stencil->neighbors)
+            is_near = is_near || zone.active[neighbor];
+        if (!mesh.grid.closed || !is_near ||
+            (!node.locally_owned && areas[n] == 0))
+          continue;
+        LineNode at;
+        at.number  = node.number;
+        at.line    = node.grid_index[0];
+        at.place   = node.grid_index[1];
+        at.touches = zone.active[n];
+        at.x       = mesh.deformed_position(state.displacement, node, face);
+        at.area    = areas[n];
+        at.owned   = node.locally_owned;
+        if (at.owned)
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int part = 0; part < node.n_parts(); ++part)
+              {
+                const Tensor<1, 3> direction =
+                  Node::sign_of_part(face * mesh.n_layers(), part) *
+                  node.surface.frame[i];
+                const auto dof = node.dof(i, part);
+                if (!mesh.constraints.is_constrained(dof))
+                  {
+                    at.dofs.push_back(dof);
+                    at.per_dof.push_back(direction);
+                  }
+                else
+                  for (const auto &entry :
+                       *mesh.constraints.get_constraint_entries(dof))
+                    {
+                      at.dofs.push_back(entry.first);
+                      at.per_dof.push_back(entry.second * direction);
+                    }
+              }
+        result.push_back(at);
+      }
+    return result;
+  }
+
+
+  void
+  BristleLines::append_lines(const std::map<unsigned int, LineNode> &by_place,
+                             const Rolling                          &rolling)
+  {
+    const std::vector<double> &grid_lines = mesh.grid.lines[1];
+    const unsigned int         n          = mesh.grid.n_nodes(1);
+    // particles move against the coordinate if the wheel rolls forward
+    const bool backward = rolling.angular_velocity < 0;
+    const auto after    = [&](const unsigned int place) {
+      return (place + (backward ? 1 : n - 1)) % n;
+    };
+    const auto before = [&](const unsigned int place) {
+      return (place + (backward ? n - 1 : 1)) % n;
+    };
+    const auto follow = [&](unsigned int place) {
+      Line line;
+      for (unsigned int k = 0; k < n; ++k, place = after(place))
+        {
+          const auto found = by_place.find(place);
+          if (found == by_place.end())
+            break;
+          const unsigned int lower = (backward ? before(place) : place);
+          line.stations.push_back(
+            BristleLaw::station(body.body,
+                                found->second.x,
+                                found->second.touches,
+                                grid_lines[lower + 1] - grid_lines[lower]));
+          line.nodes.push_back(found->second);
+        }
+      line.bristles = body.law->bristles()->deflections(line.stations, rolling);
+      lines.push_back(std::move(line));
+    };
+
+    bool any = false;
+    for (const auto &node : by_place)
+      if (by_place.count(before(node.first)) == 0)
+        {
+          follow(node.first);
+          any = true;
+        }
+    // all of the line touches, or nearly so
+    if (!any && !by_place.empty())
+      {
+        unsigned int start = by_place.begin()->first;
+        for (const auto &node : by_place)
+          if (!node.second.touches)
+            start = node.first;
+        follow(start);
+      }
+  }
+
+
+  const BristleLaw::Bristle *
+  BristleLines::at(const unsigned int node) const
+  {
+    if (!places[node])
+      return nullptr;
+    const Line &line = lines[places[node]->first];
+    return line.nodes[places[node]->second].touches
+             ? &line.bristles[places[node]->second]
+             : nullptr;
+  }
+
+
+  Tensor<1, 3>
+  BristleLines::slip_velocity(const unsigned int node) const
+  {
+    Tensor<1, 3> result;
+    if (const BristleLaw::Bristle *bristle = at(node))
+      for (unsigned int i = 0; i < 2; ++i)
+        result +=
+          bristle->slip_velocity[i] *
+          lines[places[node]->first].stations[places[node]->second].tangents[i];
+    return result;
+  }
+
+
+  template <typename Function>
+  void
+  BristleLines::for_own_bristles(const Function &function) const
+  {
+    for (unsigned int n = 0; n < places.size(); ++n)
+      if (places[n] && mesh.nodes[n].locally_owned)
+        function(n, lines[places[n]->first], places[n]->second);
+  }
+
+
+  Tensor<1, 3>
+  BristleLines::force(const Line &line, const unsigned int j) const
+  {
+    Tensor<1, 3> force;
+    if (line.nodes[j].touches)
+      for (unsigned int c = 0; c < 2; ++c)
+        force -= line.nodes[j].area * body.law->stiffness_of_bristles() *
+                 line.bristles[j].deflection[c] * line.stations[j].tangents[c];
+    return force;
+  }
+
+
+  Tensor<2, 3>
+  BristleLines::force_derivative(const Line        &line,
+                                 const unsigned int j,
+                                 const unsigned int i) const
+  {
+    const BristleLaw::Bristle &bristle = line.bristles[j];
+    Tensor<2, 3>               derivative;
+    if (!line.nodes[j].touches || i < bristle.first)
+      return derivative;
+    const BristleLaw::Station &station = line.stations[j];
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const Tensor<1, 3> &t = station.tangents[c];
+        derivative +=
+          outer_product(t, bristle.per_position[i - bristle.first][c]);
+        // the tangents turn with the normal
+        if (i == j)
+          derivative += bristle.deflection[c] * station.tangent_gradients[c];
+      }
+    return -line.nodes[j].area * body.law->stiffness_of_bristles() * derivative;
+  }
+
+
+  Tensor<1, 3>
+  BristleLines::force_rate(const Line        &line,
+                           const unsigned int j,
+                           const LoadRates   &rates) const
+  {
+    Tensor<1, 3> rate;
+    if (!line.nodes[j].touches)
+      return rate;
+    // a travel of the body is equivalent to the opposite motion of all nodes
+    const Tensor<1, 3> motion = rates.travel * body.body.direction();
+    if (rates.travel != 0)
+      for (unsigned int i = line.bristles[j].first; i <= j; ++i)
+        rate += force_derivative(line, j, i) * motion;
+    for (unsigned int c = 0; c < 2; ++c)
+      rate -= line.nodes[j].area * body.law->stiffness_of_bristles() *
+              rates.angular_velocity *
+              line.bristles[j].per_angular_velocity[c] *
+              line.stations[j].tangents[c];
+    return rate;
+  }
+
+
+  void
+  BristleLines::add_to_nodes(const unsigned int  n,
+                             const Tensor<1, 3> &force,
+                             LA::Vector         &nodal_forces) const
+  {
+    const Node &node = mesh.nodes[n];
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int part = 0; part < node.n_parts(); ++part)
+        nodal_forces(node.dof(i, part)) +=
+          Node::sign_of_part(face * mesh.n_layers(), part) *
+          (node.surface.frame[i] * force);
+  }
+
+
+  void
+  BristleLines::add_forces(LA::Vector &nodal_forces) const
+  {
+    for_own_bristles(
+      [&](const unsigned int n, const Line &line, const unsigned int j) {
+        add_to_nodes(n, force(line, j), nodal_forces);
+      });
+  }
+
+
+  void
+  BristleLines::add_couplings(std::vector<ForceTerm::Coupling> &couplings) const
+  {
+    for_own_bristles(
+      [&](const unsigned int, const Line &line, const unsigned int j) {
+        const LineNode &node = line.nodes[j];
+        // also with nodes that do not touch now: the next ones that will
+        for (unsigned int i = 0; i <= j; ++i)
+          {
+            const LineNode     &other = line.nodes[i];
+            ForceTerm::Coupling coupling;
+            coupling.nodes   = {node.number, other.number};
+            coupling.rows    = node.dofs;
+            coupling.columns = other.dofs;
+            coupling.stiffness.reinit(node.dofs.size(), other.dofs.size());
+            const Tensor<2, 3> derivative = force_derivative(line, j, i);
+            for (unsigned int a = 0; a < node.dofs.size(); ++a)
+              for (unsigned int b = 0; b < other.dofs.size(); ++b)
+                coupling.stiffness(a, b) =
+                  -(node.per_dof[a] * (derivative * other.per_dof[b]));
+            couplings.push_back(std::move(coupling));
+          }
+      });
+  }
+
+
+  void
+  BristleLines::add_load_derivative(const LoadRates &rates,
+                                    LA::Vector      &nodal_forces) const
+  {
+    for_own_bristles(
+      [&](const unsigned int n, const Line &line, const unsigned int j) {
+        add_to_nodes(n, force_rate(line, j, rates), nodal_forces);
+      });
+  }
+
+
+  double
+  BristleLines::add_work(
+    const std::function<Tensor<1, 3>(const Tensor<1, 3> &)> &motion,
+    const std::function<Tensor<1, 3>(const Tensor<1, 3> &)>
+                                 &transposed_derivative,
+    const std::vector<LoadRates> &rates,
+    LA::Vector                   &gradient,
+    std::vector<double>          &per_load) const
+  {
+    double work = 0;
+    for_own_bristles(
+      [&](const unsigned int n, const Line &line, const unsigned int j) {
+        const LineNode &node = line.nodes[j];
+        if (!node.touches)
+          return;
+        const Tensor<1, 3> moved = motion(Tensor<1, 3>(node.x));
+        work += moved * force(line, j);
+        if (transposed_derivative)
+          add_to_nodes(n, transposed_derivative(force(line, j)), gradient);
+        for (unsigned int i = line.bristles[j].first; i <= j; ++i)
+          {
+            const Tensor<1, 3> per_position =
+              moved * force_derivative(line, j, i);
+            const LineNode &other = line.nodes[i];
+            for (unsigned int b = 0; b < other.dofs.size(); ++b)
+              gradient(other.dofs[b]) += other.per_dof[b] * per_position;
+          }
+        for (unsigned int r = 0; r < rates.size(); ++r)
+          per_load[r] += moved * force_rate(line, j, rates[r]);
+      });
+    return work;
+  }
+} // namespace Biface
