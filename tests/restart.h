@@ -169,7 +169,7 @@ text_of(const std::string &path)
 
 
 /** The coarse tire of these tests, with five steps. */
-const std::vector<std::string> coarse_tire{
+inline const std::vector<std::string> coarse_tire{
   "--set",
   "Mesh/Intervals alpha_1=-120:120:14",
   "--set",
