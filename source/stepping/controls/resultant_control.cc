@@ -204,10 +204,13 @@ namespace Biface
         if (from.level.ground_velocity != 0)
           return from.level.angular_velocity * next.ground_velocity /
                  from.level.ground_velocity;
-        const Loads loads = from.loads(next);
-        if (const auto velocity = angular_velocity_without_slip(
-              from.contact.ground(), from.state, loads))
-          return *velocity;
+        // bristles that slide all the way would not tell how to go on
+        const ContactPair &ground = from.contact.ground();
+        const Loads        loads  = from.loads(next);
+        if (ground.has_bristles(loads))
+          if (const auto velocity =
+                angular_velocity_without_slip(ground, from.state, loads))
+            return *velocity;
         // as a rigid wheel of the same height
         return next.ground_velocity /
                std::abs(loads.ground()->clearance(Point<3>()));
