@@ -42,7 +42,8 @@ namespace Biface
       "line between the faces as it is interpolated between the vertices: "
       "contact pressure on a soft layer does not make it rock from node to "
       "node. 'normal', from the part of that line which is normal to the "
-      "faces: nor does pressure make a layer soft in shear. 'by layers': "
+      "faces: nor does pressure make a layer soft in shear, and nearly "
+      "incompressible layers do not lock. 'by layers': "
       "'normal' if there are several 'Laminate/Layers', 'vertices' "
       "otherwise.");
   }

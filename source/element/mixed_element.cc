@@ -1035,19 +1035,21 @@ namespace Biface
 
     // D B with the weights
     alignas(64) StrainMatrix DB;
-    for (const Modes::Group &group : Modes::groups)
-      for (unsigned int i = 0; i < stiffness.size(group); ++i)
-        {
-          std::array<double, Resultants::n> D;
-          for (unsigned int j = 0; j < stiffness.size(group); ++j)
-            D[j] = geometry.weight * group.weight(i) *
-                   stiffness(group.strains[i], group.strains[j]);
-          alignas(64) std::array<double, n_dofs> row{};
-          for (unsigned int j = 0; j < stiffness.size(group); ++j)
-            for (unsigned int k = 0; k < n_dofs; ++k)
-              row[k] += D[j] * B[group.first_mode + j][k];
-          DB[group.first_mode + i] = row;
-        }
+    for (unsigned int m = 0; m < Modes::groups.size(); ++m)
+      {
+        const Modes::Group &group = Modes::groups[m];
+        for (unsigned int i = 0; i < stiffness.size(group); ++i)
+          {
+            std::array<double, Resultants::n> D;
+            for (unsigned int j = 0; j < stiffness.size(group); ++j)
+              D[j] = geometry.weight * group.weight(i) * stiffness(m, i, j);
+            alignas(64) std::array<double, n_dofs> row{};
+            for (unsigned int j = 0; j < stiffness.size(group); ++j)
+              for (unsigned int k = 0; k < n_dofs; ++k)
+                row[k] += D[j] * B[group.first_mode + j][k];
+            DB[group.first_mode + i] = row;
+          }
+      }
 
     if (slack)
       subtract_slack_cords(*slack, B, DB);

@@ -261,6 +261,19 @@ namespace Biface
   }
 
 
+  Resultants::Matrix
+  Laminate::stiffness_of_slack_cords() const
+  {
+    Resultants::Matrix matrix = D;
+    for (const CordPoint &cord : cord_points())
+      for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+        for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
+          matrix[s][t] -=
+            cord.loss * cord.thickness * cord.direction[s] * cord.direction[t];
+    return matrix;
+  }
+
+
   double
   Laminate::tangential_strain(const Resultants::Vector &E,
                               const unsigned int        ab,

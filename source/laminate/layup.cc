@@ -546,10 +546,10 @@ namespace Biface
     const std::vector<double> sides    = layers.sides(plies.size());
     const unsigned int        n_layers = sides.size() - 1;
     if (sides.back() != plies.size())
-      throw InputError("the entry 'Laminate/Layers' contains " +
-                       number_to_string(sides.back()) +
-                       " plies, but there are " + std::to_string(plies.size()) +
-                       " in 'Laminate/Plies': they must be as many.");
+      throw InputError("the entry 'Laminate/Layers' must contain all plies of "
+                       "'Laminate/Plies', " +
+                       std::to_string(plies.size()) + ", but contains " +
+                       number_to_string(sides.back()) + ".");
     if (n_layers > max_layers)
       throw InputError("the entry 'Laminate/Layers' divides the wall into " +
                        std::to_string(n_layers) + " layers, but at most " +
@@ -817,6 +817,23 @@ namespace Biface
           parts[k].push_back(ply);
           all.push_back(ply);
         }
+
+    const auto thickness_of = [](const std::vector<Ply> &plies) {
+      double thickness = 0;
+      for (const Ply &ply : plies)
+        thickness += ply.thickness;
+      return thickness;
+    };
+    const double h = thickness_of(all);
+    for (unsigned int k = 0; k < n_layers(); ++k)
+      if (!parts[k].empty() && thickness_of(parts[k]) < 1e-6 * h)
+        throw InputError("the entry 'Laminate/Layers' makes layer " +
+                         std::to_string(k + 1) + " " +
+                         number_to_string(thickness_of(parts[k])) +
+                         " thick at alpha_1 = " + number_to_string(alpha_1) +
+                         ", but a layer must have at least a millionth of the "
+                         "thickness of the wall, " +
+                         number_to_string(h) + ".");
 
     WallOfLayer wall;
     if (n_layers() > 1)

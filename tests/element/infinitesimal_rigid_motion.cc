@@ -50,7 +50,7 @@ namespace
             .strain_variation(V);
         energy += cell.geometry.weight *
                   Modes::mean_product(stiffness.resultants(E), E);
-        scale += cell.geometry.weight * stiffness(0, 0);
+        scale += cell.geometry.weight * stiffness(0, 0, 0);
       }
     return energy / scale;
   }

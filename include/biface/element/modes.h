@@ -248,8 +248,9 @@ namespace Biface
 
   /**
    * The constitutive law between modes,
-   * @f$\mathbf H^m = (\mathbf Q^T\mathbf D\mathbf Q)\,\mathbf E^m@f$ for each
-   * group m.
+   * @f$\mathbf H^m = \mathbf D^m\mathbf E^m@f$ for each group m, where
+   * @f$\mathbf D^m@f$ is the part of the laminate's matrix that belongs to the
+   * strains of the group.
    */
   class ModeStiffness
   {
@@ -257,21 +258,26 @@ namespace Biface
     /** @param sampling the set of strain modes. */
     explicit ModeStiffness(
       const Resultants::Matrix &stiffness,
-      const StrainSampling      sampling = StrainSampling::vertices)
-      : with_twist(sampling == StrainSampling::means)
-    {
-      constexpr unsigned int n     = Resultants::n;
-      constexpr unsigned int inner = Resultants::tangential(2, 0);
-      constexpr unsigned int outer = Resultants::tangential(2, 1);
+      const StrainSampling      sampling = StrainSampling::vertices);
 
-      for (unsigned int s = 0; s < n; ++s)
-        for (unsigned int t = 0; t < n; ++t)
-          D[s][t] = stiffness[s][t];
-      for (unsigned int s = 0; s < n; ++s)
-        D[s][Modes::twist] = D[s][outer] - D[s][inner];
-      for (unsigned int t = 0; t <= n; ++t)
-        D[Modes::twist][t] = (D[outer][t] - D[inner][t]) / 2;
-    }
+    /**
+     * Let the tangential strains that a group lacks follow its thickness
+     * strain, by @f$\mathbf y@f$ for a unit one, such that they have no
+     * resultants: @f$\mathbf D_{ff}\mathbf y = \mathbf D_{f3}@f$ with the
+     * missing strains f and, for all strains s,
+     * @f[
+     *   D^m_{s3} = D^m_{3s} = D_{s3} - \mathbf D_{sf}\mathbf y.
+     * @f]
+     * Otherwise a thickness strain that varies changes the volume, and the
+     * nearly incompressible layers of a stack lock, since its bending
+     * stretches each of them. Between tangential strains the law remains the
+     * same.
+     *
+     * @param softest the matrix where all cords are slack, so that the law is
+     * positive definite for any of them.
+     */
+    void
+    release_thickness_strain(const Resultants::Matrix &softest);
 
     /** The number of strains in a group. */
     unsigned int
@@ -285,24 +291,37 @@ namespace Biface
     resultants(const Modes::Vector &strain) const
     {
       Modes::Vector H;
-      for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < size(group); ++i)
-          for (unsigned int j = 0; j < size(group); ++j)
-            H[group.first_mode + i] += D[group.strains[i]][group.strains[j]] *
-                                       strain[group.first_mode + j];
+      for (unsigned int m = 0; m < Modes::groups.size(); ++m)
+        {
+          const Modes::Group &group = Modes::groups[m];
+          for (unsigned int i = 0; i < size(group); ++i)
+            for (unsigned int j = 0; j < size(group); ++j)
+              H[group.first_mode + i] +=
+                (*this)(m, i, j) * strain[group.first_mode + j];
+        }
       return H;
     }
 
-    /** The entry of @f$\mathbf D@f$ for two strains. */
+    /** The entry of @f$\mathbf D^m@f$ for the @p i-th and @p j-th strain of
+     * group @p m. */
     double
-    operator()(const unsigned int s, const unsigned int t) const
+    operator()(const unsigned int m,
+               const unsigned int i,
+               const unsigned int j) const
     {
-      return D[s][t];
+      const Modes::Group &group = Modes::groups[m];
+      return D[m][group.strains[i]][group.strains[j]];
     }
 
   private:
-    dealii::Tensor<2, Modes::twist + 1> D;
-    bool                                with_twist;
+    /** By group. */
+    std::array<dealii::Tensor<2, Modes::twist + 1>, Modes::groups.size()> D;
+
+    bool with_twist;
+
+    /** The rows and columns of the twist, from those of the faces. */
+    void
+    set_twist(dealii::Tensor<2, Modes::twist + 1> &matrix) const;
   };
 } // namespace Biface
 

@@ -17,7 +17,8 @@ namespace Biface
     /** From the director interpolated between them, see MeanDirector. */
     mean_director,
     /** From the part of that which is normal to the faces, see
-     * NormalThickness. */
+     * NormalThickness. Where it varies over the element, tangential strains
+     * follow it, see ModeStiffness::release_thickness_strain(). */
     normal
   };
 } // namespace Biface

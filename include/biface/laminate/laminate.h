@@ -156,6 +156,10 @@ namespace Biface
     std::array<std::array<double, 2>, 2>
     mass_moments() const;
 
+    /** The same where all cords are slack that can be. */
+    Resultants::Matrix
+    stiffness_of_slack_cords() const;
+
     /** The cords that can go slack, at two Gauss points per ply. */
     std::vector<CordPoint>
     cord_points() const;

@@ -14,6 +14,9 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       {
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
+        if (mesh.thickness_strain == ThicknessStrain::normal)
+          stiffness.back().release_thickness_strain(
+            strip.laminate.stiffness_of_slack_cords());
         cords.emplace_back(strip.laminate.cord_points(), mesh.sampling);
       }
     of_laminate = resultants_of_laminate();

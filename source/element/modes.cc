@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+#include <biface/element/modes.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int inner = Resultants::tangential(2, Resultants::inner);
+    constexpr unsigned int outer = Resultants::tangential(2, Resultants::outer);
+
+    using Tangential = Tensor<1, Resultants::n_tangential>;
+
+    /** A basis of the tangential strains that a group lacks. */
+    std::vector<Tangential>
+    missing_strains(const unsigned int m, const bool with_twist)
+    {
+      std::vector<Tangential> basis;
+      for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+        if (Modes::mode_of[m][s] == Modes::n)
+          {
+            Tangential strain;
+            strain[s] = 1;
+            if (with_twist && Modes::mode_of[m][Modes::twist] != Modes::n)
+              {
+                // of the shear strains only the mean is missing
+                if (s == outer)
+                  continue;
+                if (s == inner)
+                  strain[outer] = 1;
+              }
+            basis.push_back(strain);
+          }
+      return basis;
+    }
+
+
+    Tangential
+    tangential_row(const Resultants::Matrix &matrix, const unsigned int s)
+    {
+      Tangential row;
+      for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
+        row[t] = matrix[s][t];
+      return row;
+    }
+  } // namespace
+
+
+  ModeStiffness::ModeStiffness(const Resultants::Matrix &stiffness,
+                               const StrainSampling      sampling)
+    : with_twist(sampling == StrainSampling::means)
+  {
+    for (auto &matrix : D)
+      {
+        for (unsigned int s = 0; s < Resultants::n; ++s)
+          for (unsigned int t = 0; t < Resultants::n; ++t)
+            matrix[s][t] = stiffness[s][t];
+        set_twist(matrix);
+      }
+  }
+
+
+  void
+  ModeStiffness::set_twist(Tensor<2, Modes::twist + 1> &matrix) const
+  {
+    using Modes::twist;
+    for (unsigned int s = 0; s < Resultants::n; ++s)
+      matrix[s][twist] = matrix[s][outer] - matrix[s][inner];
+    for (unsigned int t = 0; t <= Resultants::n; ++t)
+      matrix[twist][t] = (matrix[outer][t] - matrix[inner][t]) / 2;
+  }
+
+
+  void
+  ModeStiffness::release_thickness_strain(const Resultants::Matrix &softest)
+  {
+    constexpr unsigned int thickness = Resultants::thickness;
+
+    const Tangential by_thickness = tangential_row(softest, thickness);
+    for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+      {
+        const std::vector<Tangential> missing = missing_strains(m, with_twist);
+        FullMatrix<double>            of_missing(missing.size());
+        Vector<double>                right_side(missing.size());
+        for (unsigned int f = 0; f < missing.size(); ++f)
+          {
+            right_side[f] = missing[f] * by_thickness;
+            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+              for (unsigned int g = 0; g < missing.size(); ++g)
+                of_missing(f, g) +=
+                  missing[f][s] * (tangential_row(softest, s) * missing[g]);
+          }
+        of_missing.gauss_jordan();
+        Vector<double> amounts(missing.size());
+        of_missing.vmult(amounts, right_side);
+        Tangential y;
+        for (unsigned int f = 0; f < missing.size(); ++f)
+          y += amounts[f] * missing[f];
+
+        for (unsigned int s = 0; s < Resultants::n; ++s)
+          {
+            const double released = tangential_row(softest, s) * y;
+            D[m][s][thickness] -= released;
+            if (s != thickness)
+              D[m][thickness][s] -= released;
+          }
+        set_twist(D[m]);
+      }
+  }
+} // namespace Biface
