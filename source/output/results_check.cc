@@ -94,7 +94,7 @@ namespace Biface
         const Penetration here{
           state.ground().pressure(n) /
             contact.ground().condition.multiplier_stiffness(),
-          heights[1] - heights[0]};
+          contact.ground().tread.height.value_or(heights[1] - heights[0])};
         if (here.relative() > largest.relative())
           largest = here;
       }
@@ -164,6 +164,8 @@ namespace Biface
   {
     // part of the internal forces
     constexpr double round_off = 1e-6;
+    // of a tread
+    constexpr double remarkable_compression = 0.3;
 
     Figures now;
     now.in_contact     = report.in_contact;
@@ -178,14 +180,21 @@ namespace Biface
     std::vector<std::string> warnings;
     const unsigned int       stage = report.instant.stage;
     const Penetration       &deep  = now.penetration;
-    if (deep.relative() > remarkable &&
+    const bool has_tread           = contact.ground().tread.height.has_value();
+    if (deep.relative() > (has_tread ? remarkable_compression : remarkable) &&
         warned_of_penetration.insert(stage).second)
       warnings.push_back(
-        "Warning: the shell penetrates the foundation by " +
-        in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
-        " of its thickness of " + in_digits(deep.thickness) +
-        "; raise 'Contact/Regularization', which is " +
-        in_digits(contact.ground().condition.multiplier_stiffness()) + ".");
+        has_tread
+          ? "Warning: the tread is compressed by " + in_digits(deep.depth) +
+              ", " + as_percent(deep.relative()) + " of its height of " +
+              in_digits(deep.thickness) +
+              ", but its stiffness is that of small compressions."
+          : "Warning: the shell penetrates the foundation by " +
+              in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
+              " of its thickness of " + in_digits(deep.thickness) +
+              "; raise 'Contact/Regularization', which is " +
+              in_digits(contact.ground().condition.multiplier_stiffness()) +
+              ".");
     const Balance &forces = now.balance;
     if (forces.interpolation > remarkable * forces.largest_reaction &&
         forces.interpolation > round_off * forces.internal &&
@@ -230,14 +239,17 @@ namespace Biface
     std::string    text   = "Check: ";
     if (at.in_contact)
       {
-        const double carried = at.pressure * at.footprint_area;
+        const double      carried = at.pressure * at.footprint_area;
+        const std::string height  = contact.ground().tread.height
+                                      ? " of the height of the tread, "
+                                      : " of the thickness, ";
         text += "force " + in_digits(at.force) +
                 " = pressure times footprint " + in_digits(carried) +
                 " + wall " + in_digits(at.force - carried) + "; footprint of " +
                 std::to_string(at.n_lines[0]) + " x " +
                 std::to_string(at.n_lines[1]) +
                 " cells along alpha_1 and alpha_2\n       penetration " +
-                as_percent(at.penetration.relative()) + " of the thickness, ";
+                as_percent(at.penetration.relative()) + height;
       }
     else
       text += "loads " + in_digits(forces.loads) + ", largest reaction " +

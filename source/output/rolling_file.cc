@@ -18,7 +18,7 @@ namespace Biface
         "rolling.csv",
         "step,stage,angular_velocity,ground_velocity,slip_angle,"
         "rolling_radius,slip_ratio,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
-        "ground_power,friction_power,normal_power,mismatch" +
+        "ground_power,friction_power,normal_power,mismatch,sliding_power,release_power" +
           std::string(equations.mesh.layup.has_loss()
                         ? ",hysteresis_power,rolling_resistance"
                         : ""),
@@ -59,7 +59,9 @@ namespace Biface
                                rolling.ground_power,
                                rolling.friction_power,
                                rolling.normal_power,
-                               rolling.mismatch})
+                               rolling.mismatch,
+                               rolling.sliding_power,
+                               rolling.release_power})
       values.push_back(value);
     if (rolling.hysteresis)
       {

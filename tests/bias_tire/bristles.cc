@@ -18,9 +18,9 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const auto reports = run_bias_tire({"Contact/Multiplier mass=lumped",
-                                      "Contact/Regularization=0.3",
                                       "Contact/Rolling friction=bristles",
-                                      "Contact/Tangential regularization=0.075",
+                                      "Contact/Tread/Height=8",
+                                      "Contact/Tread/Modulus=1.8",
                                       "Number of stages=5",
                                       "Stage 2/Steps=2",
                                       "Stage 3/Contact=true",
@@ -52,6 +52,16 @@ main(int argc, char *argv[])
   check("aligning moment", turned.moment[2], 11220.6);
   check_true("nodes that slide", reports[4].contact.n_slipping == 110);
   check("braking force", -reports[5].rolling->force[0], 259.85);
+  // the power of the axle is zero
+  check_range("sliding and release over the power of the ground at 1 degree",
+              (turned.sliding_power + turned.release_power) /
+                turned.ground_power,
+              0.95,
+              1.05);
+  check_range("  of which release",
+              turned.release_power / turned.ground_power,
+              0.001,
+              0.2);
   for (unsigned int i = 3; i < 6; ++i)
     check_range("iterations", reports[i].iterations, 1, 7);
 }

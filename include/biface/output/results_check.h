@@ -32,7 +32,8 @@ namespace Biface
      * Look at a converged step. Must be called on all ranks.
      *
      * @return warnings, each at most once a stage: of a penetration of more
-     * than 1 % of the thickness, of an error of the interpolation of rigid
+     * than 1 % of the thickness, or of a tread compressed by more than 30 % of
+     * its height, of an error of the interpolation of rigid
      * motions, see forces_on_shell(), of more than 1 % of the largest reaction,
      * and of strains below @p least_stable_strain or shear strains above 1;
      * once, of flat cells between frames that differ by more than 30 degrees,
@@ -49,7 +50,8 @@ namespace Biface
     summary() const;
 
   private:
-    /** Where the penetration is largest beside the thickness. */
+    /** Where the penetration is largest beside the thickness; of a tread, the
+     * compression beside its height. */
     struct Penetration
     {
       double depth     = 0;

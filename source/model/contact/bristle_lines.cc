@@ -4,6 +4,8 @@
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <cmath>
+
 #include <biface/model/contact/bristle_lines.h>
 
 namespace Biface
@@ -249,6 +251,31 @@ namespace Biface
               line.bristles[j].per_angular_velocity[c] *
               line.stations[j].tangents[c];
     return rate;
+  }
+
+
+  BristleLines::Powers
+  BristleLines::powers(const double angular_velocity) const
+  {
+    std::vector<double> sums(2);
+    for_own_bristles(
+      [&](const unsigned int, const Line &line, const unsigned int j) {
+        if (!line.nodes[j].touches)
+          return;
+        const BristleLaw::Bristle &bristle = line.bristles[j];
+        const double               stiffness =
+          line.nodes[j].area * body.law->stiffness_of_bristles();
+        // with the mean of the segment, its work is all stored or lost
+        Tensor<1, 2> mean = bristle.deflection;
+        if (j > 0)
+          mean = (mean + line.bristles[j - 1].deflection) / 2;
+        sums[0] += stiffness * (mean * bristle.slip_velocity);
+        if (j + 1 == line.nodes.size() || !line.nodes[j + 1].touches)
+          sums[1] += stiffness / 2 * bristle.deflection.norm_square() *
+                     std::abs(angular_velocity) / line.stations[j].angle;
+      });
+    Utilities::MPI::sum(sums, mesh.communicator, sums);
+    return {sums[0], sums[1]};
   }
 
 

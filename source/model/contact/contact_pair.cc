@@ -42,6 +42,7 @@ namespace Biface
     body.add_parameters(prm);
     condition.add_parameters(prm);
     friction.add_parameters(prm);
+    tread.add_parameters(prm);
   }
 
 
@@ -50,6 +51,7 @@ namespace Biface
   {
     condition.check();
     friction.check();
+    tread.check();
     body.check();
   }
 
@@ -60,10 +62,11 @@ namespace Biface
     : mesh(mesh)
     , number(number)
     , face(parameters.face)
-    , condition(parameters.condition, mesh.wall_stiffness())
+    , tread(parameters.tread)
+    , condition(tread.with_tread(parameters.condition), mesh.wall_stiffness())
     , flow_lines(mesh)
     , body_at_rest(parameters.body)
-    , friction_parameters(parameters.friction)
+    , friction_parameters(tread.with_tread(parameters.friction))
   {}
 
 

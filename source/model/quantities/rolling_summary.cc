@@ -143,6 +143,14 @@ namespace Biface
         motion.spin;
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
+    result.sliding_power  = result.friction_power;
+    if (contact.has_bristles(loads))
+      {
+        const BristleLines::Powers of_bristles =
+          contact.bristle_lines(state, loads).powers(rolling.angular_velocity);
+        result.sliding_power = of_bristles.sliding;
+        result.release_power = of_bristles.release;
+      }
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())

@@ -48,6 +48,22 @@ namespace Biface
     dealii::Tensor<1, 3>
     slip_velocity(const unsigned int node) const;
 
+    /** What the bristles turn into heat. Unit: force * length/time. */
+    struct Powers
+    {
+      /** By their tips, which slip over the ground. */
+      double sliding = 0;
+      /** Where they leave the ground: the elastic energy that they then
+       * have. */
+      double release = 0;
+    };
+
+    /** The powers of the bristles of all ranks. Must be called on all of
+     * them.
+     * @param angular_velocity that of the wheel. */
+    Powers
+    powers(const double angular_velocity) const;
+
     /** Add the forces on the nodes that belong to this rank, their tractions
      * times the areas of the nodes. */
     void

@@ -15,6 +15,7 @@
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/contact/tangential_law.h>
+#include <biface/contact/tread.h>
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
@@ -93,6 +94,7 @@ namespace Biface
       RigidBody::Parameters        body;
       ContactCondition::Parameters condition;
       FrictionLaw::Parameters      friction;
+      TreadParameters              tread;
       /** The face of the shell that touches the body. */
       Resultants::Face face = Resultants::outer;
 
@@ -339,6 +341,7 @@ namespace Biface
     const ShellMesh       &mesh;
     const unsigned int     number;
     const Resultants::Face face;
+    const TreadParameters  tread;
     const ContactCondition condition;
     /** The flow of the material through the mesh, if the shell rolls. */
     const FlowLines flow_lines;

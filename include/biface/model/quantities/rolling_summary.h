@@ -39,6 +39,11 @@ namespace Biface
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
 
+    /** The parts of @p friction of nodes that slip and of bristles that leave
+     * the ground, see BristleLines::Powers; but for an error of the mesh they
+     * are all of it. Without bristles all is sliding. */
+    double sliding_power = 0, release_power = 0;
+
     /** If any ply has a loss factor. */
     std::optional<Hysteresis> hysteresis;
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_tread_h
+#define biface_contact_tread_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+
+#include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
+
+namespace Biface
+{
+  /**
+   * A tread of rubber on the shell that is no ply of it: a brush whose bristles
+   * do not touch each other, between the face of the shell and the body
+   * @cite Pacejka2012.
+   *
+   * With Young's modulus @f$E@f$ of nearly incompressible rubber, the height
+   * @f$h@f$ and the part @f$v@f$ of the area that is void, the stiffnesses per
+   * area are, across and along the face,
+   * @f[
+   *   k_n = (1-v)\frac{4E}{3h},\qquad k_t = (1-v)\frac{E}{3h} .
+   * @f]
+   * The modulus across is that of rubber kept from spreading in one direction,
+   * along the ribs of the tread.
+   */
+  struct TreadParameters
+  {
+    /** Unit: length. There is no tread without. */
+    std::optional<double> height;
+    /** Unit: force/area. */
+    double modulus    = 0;
+    double void_ratio = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError if a value is invalid. */
+    void
+    check() const;
+
+    /** The stiffnesses. There must be a tread. Unit: pressure/length. */
+    double
+    normal_stiffness() const;
+
+    double
+    tangential_stiffness() const;
+
+    /** The same contact or friction where there is a tread: it replaces an
+     * automatic regularization, and is in series with a given one. */
+    ContactCondition::Parameters
+    with_tread(ContactCondition::Parameters condition) const;
+
+    FrictionLaw::Parameters
+    with_tread(FrictionLaw::Parameters friction) const;
+  };
+} // namespace Biface
+
+#endif
