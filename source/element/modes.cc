@@ -104,14 +104,25 @@ namespace Biface
         for (unsigned int f = 0; f < missing.size(); ++f)
           y += amounts[f] * missing[f];
 
+        auto      &matrix                = D[m];
+        const auto change_free_thickness = [&](const double sign) {
+          for (unsigned int s = 0; s < Resultants::n; ++s)
+            for (unsigned int t = 0; t < Resultants::n; ++t)
+              if (s != thickness && t != thickness)
+                matrix[s][t] += sign * matrix[s][thickness] *
+                                matrix[thickness][t] /
+                                matrix[thickness][thickness];
+        };
+        change_free_thickness(-1);
         for (unsigned int s = 0; s < Resultants::n; ++s)
           {
             const double released = tangential_row(softest, s) * y;
-            D[m][s][thickness] -= released;
+            matrix[s][thickness] -= released;
             if (s != thickness)
-              D[m][thickness][s] -= released;
+              matrix[thickness][s] -= released;
           }
-        set_twist(D[m]);
+        change_free_thickness(1);
+        set_twist(matrix);
       }
   }
 } // namespace Biface

@@ -270,8 +270,12 @@ namespace Biface
      * @f]
      * Otherwise a thickness strain that varies changes the volume, and the
      * nearly incompressible layers of a stack lock, since its bending
-     * stretches each of them. Between tangential strains the law remains the
-     * same.
+     * stretches each of them. Where the thickness strain has no resultant, the
+     * law between the others remains the same: with s, t other than 3
+     * @f[
+     *   D^m_{st} - \frac{D^m_{s3}D^m_{3t}}{D^m_{33}} =
+     *   D_{st} - \frac{D_{s3}D_{3t}}{D_{33}} .
+     * @f]
      *
      * @param softest the matrix where all cords are slack, so that the law is
      * positive definite for any of them.
