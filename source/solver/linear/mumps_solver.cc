@@ -35,6 +35,8 @@ namespace Biface
     virtual bool
     in_single_precision() const = 0;
 
+    /** Whether they are for the sparsity pattern of a matrix. Must be called on
+     * all ranks; likewise below. */
     virtual bool
     is_for(const LA::SparseMatrix &A, const bool symmetric) const = 0;
 
@@ -103,7 +105,6 @@ namespace Biface
               const LA::SparseMatrix &A,
               const bool              symmetric)
       : symmetric(symmetric)
-      , pattern_size(A.n_nonzero_elements())
       , communicator(communicator)
       , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -152,8 +153,19 @@ namespace Biface
     bool
     is_for(const LA::SparseMatrix &A, const bool symmetric) const override
     {
-      return this->symmetric == symmetric &&
-             pattern_size == A.n_nonzero_elements();
+      if (this->symmetric != symmetric)
+        return false;
+      // another pattern may have as many entries
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      std::size_t             n      = 0;
+      bool                    same   = true;
+      for_each_entry(A, [&](const int row, const int column, const double) {
+        same = same && n < rows.size() && rows[n] == epetra.GRID(row) + 1 &&
+               columns[n] == epetra.GCID(column) + 1;
+        ++n;
+      });
+      return !Utilities::MPI::logical_or(!same || n != rows.size(),
+                                         communicator);
     }
 
     int
@@ -352,7 +364,6 @@ namespace Biface
     const MPI_Datatype mpi_type = Utilities::MPI::mpi_type_id_for_type<number>;
 
     const bool                     symmetric;
-    const types::global_dof_index  pattern_size;
     const MPI_Comm                 communicator;
     const bool                     is_root;
     typename Mumps<number>::Struct mumps{};
