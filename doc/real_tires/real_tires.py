@@ -32,21 +32,6 @@ FRICTION = 0.8  # of the rolling tire
 SLIP_ANGLE = 1  # degrees
 SPEEDS = (2, 10, 100)  # over the critical velocity, for free rolling
 DEFLECTIONS = (0.5, 0.75, 1, 1.25)  # over the rated one
-# what the laminate is, by entries beside those of the rules
-WALLS = {
-    "two layers": {},
-    "one layer": {"Laminate/Layers": "one"},
-    "equilibrium": {"Laminate/Transverse shear": "equilibrium"},
-}
-# of the tire that rolls: a tread of a linear material as a layer of its own has no
-# stiffness left at the compressive strain 1/3, which it reaches in small tires
-ROLLING = {
-    "Laminate/Layers": "one",
-    "Element/Interpolation": "components",
-    "Mesh/Intervals alpha_2":
-        "-180:-24:12:smooth, -24:24:24, 24:180:12:smooth",
-    "Contact/Multiplier mass": "lumped",
-}
 # of which the cornering power is computed with other inputs
 STUDIED = ("32x8.8 14PR", "18x4.4 6PR", "18x5.5 10PR", "49x17 26PR")
 
@@ -158,12 +143,6 @@ class Construction:
             + [f"rubber: {SIDEWALL} + {self.tread - SIDEWALL:.6g}"
                "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
 
-    def layers(self):
-        """The entry 'Laminate/Layers': the tread and the sidewall, which shear in
-        series with all other plies."""
-        turn_up = 2 * (self.plies // 4) + (self.plies % 4 > 0)
-        return f"{1 + self.plies + 2 * turn_up}, 1"
-
     def slide(self):
         """The motion of the ground by which stiffnesses are computed."""
         return self.deflection / 100
@@ -178,7 +157,6 @@ class Construction:
             meridian + "End half width": f"{self.end_half_width:.10g}",
             "Laminate/Reference surface": f"ply {1 + self.plies // 2}",
             "Laminate/Plies": self.layup(),
-            "Laminate/Layers": self.layers(),
             "Stage 1/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Travel": f"{self.deflection:.10g}",
@@ -191,7 +169,7 @@ class Construction:
         both sides, at a deflection over the rated one."""
         settings = {
             **self.settings(),
-            **ROLLING,
+            "Contact/Multiplier mass": "lumped",
             "Contact/Friction": f"{FRICTION}",
             "Contact/Critical velocity": "1",
             "Stage 2/Friction": "0",
@@ -415,19 +393,18 @@ def fill(text):
                        for part in text.strip().split("\n\n"))
 
 
-def compute(arguments, rows, wall="two layers"):
-    """For each row: the construction, force, and footprint, rolling radius and
-    stiffnesses; None where the run fails."""
+def compute(arguments, rows):
+    """For each row: the construction, force over rated load, footprint; None
+    where the run fails."""
     def one(row):
         tire = Construction(row)
-        directory = run(arguments, f"{row['name']} {wall}",
-                        {**tire.settings(), **WALLS[wall]})
+        directory = run(arguments, row["name"], tire.settings())
         if directory is None:
             return tire, None, None
         result = (last_force(directory),
                   [*footprint(directory), rolling_radius(directory),
                    *stiffnesses(directory, tire.slide())])
-        print(f"{row['name']:16} {wall}, {tire.plies:3} plies, "
+        print(f"{row['name']:16} {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
         return tire, *result
@@ -471,40 +448,34 @@ def vary(arguments, row):
         return list(pool.map(one, cases))
 
 
-def results_table(results, singles):
+def results_table(results):
     lines = []
-    for (tire, force, sizes), (_, single, _) in zip(results, singles):
+    for tire, force, sizes in results:
         name = tire.row["name"]
         if force is None:
             lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
-                          f"{tire.load:.1f}", "failed", "", "", "", "", "", ""])
+                          f"{tire.load:.1f}", "failed", "", "", "", "", ""])
             continue
         nasa_force, length, width, radius = nasa(tire)[:4]
         lines.append([
             name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
             f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
-            "failed" if single is None else f"{single / tire.load:.3f}",
             f"{nasa_force / tire.load:.3f}",
             f"{sizes[0]:.0f} ({sizes[0] / length:.2f})",
             f"{sizes[1]:.0f} ({sizes[1] / width:.2f})",
             f"{sizes[2]:.1f} ({sizes[2] / radius:.3f})"])
     return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
-                  "Ratio", "One layer", "NASA", "Length, mm", "Width, mm",
+                  "Ratio", "NASA", "Length, mm", "Width, mm",
                   "Rolling radius, mm"], lines)
 
 
-def stiffness_table(results, singles):
-    def ratio(tire, sizes, i):
-        return ("failed" if sizes is None or math.isnan(sizes[i]) else
-                f"{sizes[i] / nasa(tire)[i + 1]:.2f}")
-
+def stiffness_table(results):
     lines = []
-    for (tire, force, sizes), (_, _, single) in zip(results, singles):
+    for tire, force, sizes in results:
         if force is not None:
             lines.append([tire.row["name"]] + [
                 "failed" if math.isnan(sizes[i]) else
-                f"{sizes[i]:.3g} ({ratio(tire, sizes, i)}; "
-                f"{ratio(tire, single, i)})"
+                f"{sizes[i]:.3g} ({sizes[i] / nasa(tire)[i + 1]:.2f})"
                 for i in (3, 4, 5)])
     return table(["Tire", "Lateral, kN/mm", "Fore-and-aft, kN/mm",
                   "Torsional, kN m per degree"], lines)
@@ -574,11 +545,8 @@ def cornering_section(cornering, powers, studied, varied):
         fill(f"""
         The loaded tire rolls freely with the slip angles {SLIP_ANGLE}° and
         -{SLIP_ANGLE}°, the coefficient of friction {FRICTION} and a critical
-        velocity of {100 / max(SPEEDS):g} % of the speed, on longer cells than above
-        outside the footprint, without inertia, and with all plies in one layer: a
-        tread of a linear material that is a layer of its own has no stiffness left
-        at the compressive strain 1/3, which it reaches under the pressure of the
-        smallest tires. The cornering power, the difference of the side
+        velocity of {100 / max(SPEEDS):g} % of the speed, on the same mesh as
+        above, without inertia. The cornering power, the difference of the side
         forces over that of the angles, is {mean:.2f} ± {deviation:.2f} of
         NASA's C (p + 0.44 p_r) W² (1.2 δ/D - 8.8 (δ/D)²) with C = 57 per radian
         and the rated pressure p_r: {within} of {len(good)} tires are within 25 %.
@@ -616,9 +584,7 @@ def summary(results):
     return len(good), ratio, law, length, width
 
 
-def page(results, singles, equilibrium, variations, cornering, varied):
-    _, single_ratio, _, _, _ = summary(singles)
-    n_equilibrium, equilibrium_ratio, _, _, _ = summary(equilibrium)
+def page(results, variations, cornering, varied):
     n, ratio, law, length, width = summary(results)
     failed = [tire.row["name"] for tire, force, _ in results if force is None]
     least = min((f / t.load, t.row["name"]) for t, f, _ in results if f)
@@ -655,8 +621,6 @@ def page(results, singles, equilibrium, variations, cornering, varied):
             a ply has a hundredth of its stiffness along them.""",
             f"""Liner {LINER} mm, sidewall {SIDEWALL} mm, tread 4 mm + 0.022 W over the
             middle 40 % of the section, tapering to the sidewall at 60 %.""",
-            """Two layers: the sidewall with the tread, and all plies inside it. The
-            tread shears in series with the carcass.""",
             """Turn-ups: half the plies again on the outer 30 % of each side. The
             ends are clamped.""",
             """The known shape is that under pressure (`Start from prestress`).
@@ -679,31 +643,19 @@ def page(results, singles, equilibrium, variations, cornering, varied):
         radius is {ratio_to_nasa(results, 2, 3)} of NASA's, D/2 less a third of the
         deflection.
         """),
-        fill(f"""
-        With all plies in one layer (`Laminate/Layers = one`), the ratio beside it in
-        the table, it is {single_ratio[0]:.3f} and {single_ratio[1]:.3f}; with two
-        layers and `Transverse shear = equilibrium` {equilibrium_ratio[0]:.3f} and
-        {equilibrium_ratio[1]:.3f}, where {n_equilibrium} of {len(equilibrium)} runs
-        converge.
-        """),
-        results_table(results, singles),
+        results_table(results),
         "## Stiffness of the loaded tire",
         fill(f"""
         The ground slides by 1 % of the deflection along the axle, then along the
         tread, and turns by 0.2°; the nodes in contact do not slip. In parentheses: relative to
-        NASA's formulas, and the same with all plies in one layer. The mean ratios are
-        {ratio_to_nasa(results, 3)} (lateral), {ratio_to_nasa(results, 4)}
-        (fore-and-aft) and {ratio_to_nasa(results, 5)} (torsional); with one layer
-        {ratio_to_nasa(singles, 3)}, {ratio_to_nasa(singles, 4)} and
-        {ratio_to_nasa(singles, 5)}. That the mean hardly differs has two reasons: the
-        tread is in series with the carcass, and it keeps its shear modulus G under the
-        contact pressure p, where that of a single layer of a linear material is G - p.
-        Measured stiffnesses are secants
+        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 3)}
+        (lateral), {ratio_to_nasa(results, 4)} (fore-and-aft) and
+        {ratio_to_nasa(results, 5)} (torsional). Measured stiffnesses are secants
         over larger displacements, in which a part of the footprint slips, so
         that they are lower than those without slip. A stage that does not
         converge would be marked as failed.
         """),
-        stiffness_table(results, singles),
+        stiffness_table(results),
         cornering_section(*cornering, varied),
         "## What an input does",
         fill(f"""
@@ -762,9 +714,7 @@ def main():
         cornering = (*compute_cornering(arguments, rows, row),
                      vary_cornering(arguments, rows))
         (arguments.output / "real_tires.md").write_text(
-            page(results, compute(arguments, rows, "one layer"),
-                 compute(arguments, rows, "equilibrium"), variations, cornering,
-                 varied), encoding="utf-8")
+            page(results, variations, cornering, varied), encoding="utf-8")
     return 0 if all(force is not None for _, force, _ in results) else 1
 
 
