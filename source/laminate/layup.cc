@@ -818,28 +818,16 @@ namespace Biface
           all.push_back(ply);
         }
 
-    const auto thickness_of = [](const std::vector<Ply> &plies) {
-      double thickness = 0;
-      for (const Ply &ply : plies)
-        thickness += ply.thickness;
-      return thickness;
-    };
-    const double h = thickness_of(all);
-    for (unsigned int k = 0; k < n_layers(); ++k)
-      if (!parts[k].empty() && thickness_of(parts[k]) < 1e-6 * h)
-        throw InputError("the entry 'Laminate/Layers' makes layer " +
-                         std::to_string(k + 1) + " " +
-                         number_to_string(thickness_of(parts[k])) +
-                         " thick at alpha_1 = " + number_to_string(alpha_1) +
-                         ", but a layer must have at least a millionth of the "
-                         "thickness of the wall, " +
-                         number_to_string(h) + ".");
-
     WallOfLayer wall;
+    double      h = 0;
     if (n_layers() > 1)
-      wall.shear = std::make_shared<const TransverseShear>(
-        Laminate(std::move(all), law, reference_height, shear_law, at)
-          .get_transverse_shear());
+      {
+        const Laminate undivided(
+          std::move(all), law, reference_height, shear_law, at);
+        h          = undivided.thickness();
+        wall.shear = std::make_shared<const TransverseShear>(
+          undivided.get_transverse_shear());
+      }
     std::vector<std::optional<Laminate>> result;
     for (std::vector<Ply> &part : parts)
       {
@@ -855,8 +843,17 @@ namespace Biface
                                      shear_law,
                                      at,
                                      wall));
+        const double thickness = result.back()->thickness();
+        if (thickness < 1e-6 * h)
+          throw InputError("the entry 'Laminate/Layers' makes layer " +
+                           std::to_string(result.size()) + " " +
+                           number_to_string(thickness) +
+                           " thick at alpha_1 = " + number_to_string(alpha_1) +
+                           ", but a layer must have at least a millionth of "
+                           "the thickness of the wall, " +
+                           number_to_string(h) + ".");
         wall.n_below += n_plies;
-        wall.height_below += result.back()->thickness();
+        wall.height_below += thickness;
       }
     return result;
   }

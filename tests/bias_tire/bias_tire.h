@@ -3,6 +3,8 @@
 #ifndef biface_tests_bias_tire_h
 #define biface_tests_bias_tire_h
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "../run_analysis.h"
@@ -14,6 +16,42 @@ run_bias_tire(const std::vector<Biface::Override> &overrides,
               const Observer                      &observer = {})
 {
   return run_analysis(PRM_DIR "/bias_tire.prm", overrides, observer);
+}
+
+
+/** Three stages after the contact of 20 mm, each of which moves the ground a
+ * little with the nodes glued to it: `fore-aft`, `lateral` and `torsion`. */
+inline std::vector<Biface::Override>
+glued_motions()
+{
+  return {"Number of stages=5",
+          "Stage 3/Name=fore-aft",
+          "Stage 3/Start from=2",
+          "Stage 3/Contact=true",
+          "Stage 3/Glued=true",
+          "Stage 3/Slide=0, 0, 0.02",
+          "Stage 4/Name=lateral",
+          "Stage 4/Start from=2",
+          "Stage 4/Contact=true",
+          "Stage 4/Glued=true",
+          "Stage 4/Slide=0, 0.02, 0",
+          "Stage 5/Name=torsion",
+          "Stage 5/Start from=2",
+          "Stage 5/Contact=true",
+          "Stage 5/Glued=true",
+          "Stage 5/Turn=0.02"};
+}
+
+
+/** The secant stiffnesses of the last step of each stage, by its name. */
+inline std::map<std::string, double>
+secant_stiffnesses(const std::vector<Biface::StepReport> &reports)
+{
+  std::map<std::string, double> stiffnesses;
+  for (const Biface::StepReport &report : reports)
+    if (report.stiffness)
+      stiffnesses[report.stage] = report.stiffness->secant.along();
+  return stiffnesses;
 }
 
 #endif

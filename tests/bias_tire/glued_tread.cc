@@ -18,30 +18,12 @@ namespace
   std::map<std::string, double>
   stiffnesses(const std::vector<Override> &springs)
   {
-    std::vector<Override> overrides{"Stage 2/Steps=5",
-                                    "Contact/Multiplier mass=lumped",
-                                    "Number of stages=5",
-                                    "Stage 3/Name=fore-aft",
-                                    "Stage 3/Start from=2",
-                                    "Stage 3/Contact=true",
-                                    "Stage 3/Glued=true",
-                                    "Stage 3/Slide=0, 0, 0.02",
-                                    "Stage 4/Name=lateral",
-                                    "Stage 4/Start from=2",
-                                    "Stage 4/Contact=true",
-                                    "Stage 4/Glued=true",
-                                    "Stage 4/Slide=0, 0.02, 0",
-                                    "Stage 5/Name=torsion",
-                                    "Stage 5/Start from=2",
-                                    "Stage 5/Contact=true",
-                                    "Stage 5/Glued=true",
-                                    "Stage 5/Turn=0.02"};
+    std::vector<Override> overrides = glued_motions();
+    for (const std::string entry :
+         {"Stage 2/Steps=5", "Contact/Multiplier mass=lumped"})
+      overrides.push_back(entry);
     overrides.insert(overrides.end(), springs.begin(), springs.end());
-    std::map<std::string, double> result;
-    for (const StepReport &report : run_bias_tire(overrides))
-      if (report.stiffness)
-        result[report.stage] = report.stiffness->secant.along();
-    return result;
+    return secant_stiffnesses(run_bias_tire(overrides));
   }
 } // namespace
 

@@ -148,6 +148,10 @@ namespace Biface
       return D;
     }
 
+    /** The same where all cords are slack that can be. */
+    Resultants::Matrix
+    stiffness_of_slack_cords() const;
+
     /**
      * The moments of the density with the shape functions of the faces,
      * @f$m^{pq} = \int\varrho\,N^pN^q\,d\alpha_3@f$: all that the inertia of
@@ -155,10 +159,6 @@ namespace Biface
      */
     std::array<std::array<double, 2>, 2>
     mass_moments() const;
-
-    /** The same where all cords are slack that can be. */
-    Resultants::Matrix
-    stiffness_of_slack_cords() const;
 
     /** The cords that can go slack, at two Gauss points per ply. */
     std::vector<CordPoint>
