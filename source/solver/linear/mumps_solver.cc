@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <Epetra_CrsGraph.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
 #include <Epetra_Vector.h>
@@ -105,6 +106,7 @@ namespace Biface
               const LA::SparseMatrix &A,
               const bool              symmetric)
       : symmetric(symmetric)
+      , graph(A.trilinos_matrix().Graph())
       , communicator(communicator)
       , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -155,17 +157,7 @@ namespace Biface
     {
       if (this->symmetric != symmetric)
         return false;
-      // another pattern may have as many entries
-      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
-      std::size_t             n      = 0;
-      bool                    same   = true;
-      for_each_entry(A, [&](const int row, const int column, const double) {
-        same = same && n < rows.size() && rows[n] == epetra.GRID(row) + 1 &&
-               columns[n] == epetra.GCID(column) + 1;
-        ++n;
-      });
-      return !Utilities::MPI::logical_or(!same || n != rows.size(),
-                                         communicator);
+      return !Utilities::MPI::logical_or(!has_pattern_of(A), communicator);
     }
 
     int
@@ -321,6 +313,24 @@ namespace Biface
         icntl(7) = 1;
     }
 
+    /** Whether the rows of this rank have entries in the same places. Another
+     * pattern may have as many. */
+    bool
+    has_pattern_of(const LA::SparseMatrix &A) const
+    {
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      if (epetra.Graph().DataPtr() == graph.DataPtr())
+        return true;
+      std::size_t n    = 0;
+      bool        same = true;
+      for_each_entry(A, [&](const int row, const int column, const double) {
+        same = same && n < rows.size() && rows[n] == epetra.GRID(row) + 1 &&
+               columns[n] == epetra.GCID(column) + 1;
+        ++n;
+      });
+      return same && n == rows.size();
+    }
+
     void
     collect_pattern(const LA::SparseMatrix &A)
     {
@@ -363,7 +373,9 @@ namespace Biface
 
     const MPI_Datatype mpi_type = Utilities::MPI::mpi_type_id_for_type<number>;
 
-    const bool                     symmetric;
+    const bool symmetric;
+    /** Shares its data with the matrix. */
+    const Epetra_CrsGraph          graph;
     const MPI_Comm                 communicator;
     const bool                     is_root;
     typename Mumps<number>::Struct mumps{};
