@@ -7,14 +7,13 @@ of 13 slip angles beside those with a critical velocity.
 """
 
 import argparse
-import csv
 import pathlib
 import subprocess
 import tempfile
 
-PRM = pathlib.Path(__file__).parents[2] / "prm" / "bias_tire.prm"
+from slow_rolling import PRM, TREAD, rows as rows_of
+
 COMMON = {"Contact/Multiplier mass": "lumped", "Output/Write VTU": "false"}
-TREAD = {"Contact/Tread/Height": 8, "Contact/Tread/Modulus": 1.8}
 # tangential and normal regularization; None for 'automatic'
 SPRINGS = ((1e4, None), (0.075, None), (1e4, 0.3), (0.3, 0.3), (0.15, 0.3),
            (0.075, 0.3))
@@ -28,10 +27,7 @@ def run(program, directory, entries):
         command += ["--set", f"{entry}={value}"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
-    def rows(name):
-        with open(directory / name, newline="", encoding="utf-8") as table:
-            return list(csv.DictReader(table))
-    return rows
+    return lambda name: rows_of(directory / name)
 
 
 def print_table(header, lines):
@@ -121,7 +117,8 @@ def main():
                 ("s_c = 0.005", {"Contact/Critical velocity": 0.005}, 4)):
             at, iterations = roll(program, scratch / f"angles_{steps}", ANGLES,
                                   entries, steps)
-            lines.append([name, f"{steps}", f"{sum(angle in at for angle in (0, *ANGLES))} of 13", f"{iterations}"]
+            n_reached = sum(angle in at for angle in (0, *ANGLES))
+            lines.append([name, f"{steps}", f"{n_reached} of 13", f"{iterations}"]
                          + [f"{float(at[angle]['F_y']):.1f}"
                             for angle in (-6, -1, 0, 1, 6)])
         print_table(["friction", "steps each", "slip angles", "iterations",

@@ -19,14 +19,14 @@ CELLS_TURNED = 32
 # of the ground to the side before the tire is turned, near that in rolling
 FIRST_SLIDE = -6.0
 
+TREAD = {"Contact/Tread/Height": 8, "Contact/Tread/Modulus": 1.8}
 COMMON = {
+    **TREAD,
     "Mesh/Intervals alpha_1": "-120:-45:4, -45:45:8, 45:120:4",
     "Mesh/Intervals alpha_2": f"-180:180:{CELLS_AROUND}",
     "Contact/Multiplier mass": "lumped",
     "Contact/Friction": 0.5,
     "Contact/Rolling friction": "bristles",
-    "Contact/Tread/Height": 8,
-    "Contact/Tread/Modulus": 1.8,
     "Number of stages": 4,
     "Stage 2/Friction": 0,
     "Stage 2/Steps": 2,
