@@ -135,10 +135,11 @@ namespace Biface
     if (!(pressure > 0))
       return 0;
     if (constant)
-      return *constant * pressure;
+      return part * *constant * pressure;
     try
       {
-        return std::max(0., (*coefficient)({pressure, speed})) * pressure;
+        return part * std::max(0., (*coefficient)({pressure, speed})) *
+               pressure;
       }
     catch (const InputError &)
       {
@@ -159,7 +160,7 @@ namespace Biface
     result.value = value(pressure, speed);
     if (constant)
       {
-        result.per_pressure = *constant;
+        result.per_pressure = part * *constant;
         return result;
       }
     const double step = small * pressure;

@@ -2,62 +2,105 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 
+#include <biface/input/parameter_tools.h>
 #include <biface/stepping/friction_continuation.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  Attempt
-  attempt_with_larger_critical_velocities(Newton               &newton,
-                                          const StageRun       &run,
-                                          const Control::Trial &trial,
-                                          const Attempt        &failed,
-                                          ConditionalOStream   &out)
+  namespace
   {
-    // as a part of the speed: nearly viscous friction
-    constexpr double       first        = 0.25;
+    /** Laws between the given one, at 1, and easier ones. */
+    struct EasierLaws
+    {
+      /** Where to start, above 1. */
+      double                                                            first;
+      std::function<std::shared_ptr<const TangentialLaw>(const double)> at;
+      std::function<std::string(const double)>                          name;
+    };
+
+
+    EasierLaws
+    easier_laws(const TangentialLaw &given, const double speed)
+    {
+      if (given.bristles())
+        return {16,
+                [&given](const double easing) {
+                  return given.with_part_of_friction(1 / easing);
+                },
+                [](const double easing) {
+                  return "friction times " + number_to_string(1 / easing);
+                }};
+      // as a part of the speed: nearly viscous friction
+      constexpr double first    = 0.25;
+      const double     velocity = *given.critical_velocity();
+      return {std::max(first * speed / velocity, 256.),
+              [&given, velocity](const double easing) {
+                return given.with_critical_velocity(easing * velocity);
+              },
+              [velocity](const double easing) {
+                return "critical velocity " +
+                       number_to_string(easing * velocity);
+              }};
+    }
+  } // namespace
+
+
+  Attempt
+  attempt_with_easier_friction(Newton               &newton,
+                               const StageRun       &run,
+                               const Control::Trial &trial,
+                               const Attempt        &failed,
+                               ConditionalOStream   &out)
+  {
     constexpr unsigned int max_attempts = 16;
 
-    // another branch may be found, so that halving comes first
-    if (!run.stage.contact || !run.law->critical_velocity() ||
-        run.control->can_cut())
+    if (!run.stage.contact ||
+        (!run.law->critical_velocity() && !run.law->bristles()))
+      return failed;
+    // another branch may be found, so that halving comes first; the problem of
+    // a standing wheel on bristles is the same at any speed
+    const bool halving_helps =
+      !run.law->bristles() || run.progress.reached.rolls();
+    if (halving_helps && run.control->can_cut())
       return failed;
     out << "  not converged: " << failed.result.failure.message
-        << "; trying larger critical velocities" << std::endl;
-    InitialGuess guess{run.state, trial.mu};
-    unsigned int iterations = failed.result.iterations;
-    const double given      = *run.law->critical_velocity();
-    const double speed      = std::abs(trial.level(trial.mu).ground_velocity);
-    double       velocity = std::max(first * speed, 256 * given), ratio = 4;
+        << "; trying easier laws of friction" << std::endl;
+    const EasierLaws laws =
+      easier_laws(*run.law, std::abs(trial.level(trial.mu).ground_velocity));
+    InitialGuess          guess{run.state, trial.mu};
+    unsigned int          iterations = failed.result.iterations;
+    double                easing = laws.first, ratio = 4;
     std::optional<double> last;
     for (unsigned int i = 0; i < max_attempts; ++i)
       {
-        out << "  critical velocity " << velocity << std::endl;
-        Attempt attempt =
-          attempt_step(newton,
-                       run,
-                       trial,
-                       guess,
-                       newton.parameters.iteration,
-                       run.law->with_critical_velocity(velocity));
+        out << "  " << laws.name(easing) << std::endl;
+        Attempt attempt = attempt_step(newton,
+                                       run,
+                                       trial,
+                                       guess,
+                                       newton.parameters.iteration,
+                                       easing > 1 ? laws.at(easing) : run.law);
         iterations += attempt.result.iterations;
         attempt.result.iterations = iterations;
-        if (attempt.result.stopped ||
-            (attempt.result.converged && velocity == given))
+        if (attempt.result.stopped || (attempt.result.converged && easing == 1))
           return attempt;
         if (attempt.result.converged)
           {
             guess = {attempt.state, attempt.mu};
-            last  = velocity;
+            last  = easing;
           }
         else if (last)
           ratio = std::sqrt(ratio);
         else
           break;
-        velocity = std::max(given, *last / ratio);
+        easing = std::max(1., *last / ratio);
       }
     Attempt result           = failed;
     result.result.iterations = iterations;

@@ -285,8 +285,7 @@ namespace Biface
         attempt.result.iterations += spent;
       }
     if (attempt.result.failed())
-      return attempt_with_larger_critical_velocities(
-        newton, run, trial, attempt, out);
+      return attempt_with_easier_friction(newton, run, trial, attempt, out);
     return attempt;
   }
 

@@ -109,7 +109,14 @@ namespace Biface
     FrictionLaw
     with_critical_velocity(const double velocity) const
     {
-      return FrictionLaw(*this, velocity);
+      return FrictionLaw(*this, velocity, part);
+    }
+
+    /** The same law with a part of the coefficient. */
+    FrictionLaw
+    with_part_of_friction(const double further_part) const
+    {
+      return FrictionLaw(*this, critical_velocity, part * further_part);
     }
 
     /** Whether the coefficient is the number 0. */
@@ -179,11 +186,14 @@ namespace Biface
     const double critical_velocity;
 
   private:
-    FrictionLaw(const FrictionLaw &other, const double critical_velocity)
+    FrictionLaw(const FrictionLaw &other,
+                const double       critical_velocity,
+                const double       part)
       : critical_velocity(critical_velocity)
       , coefficient(other.coefficient)
       , constant(other.constant)
       , regularization(other.regularization)
+      , part(part)
     {}
 
     /** See limit(). */
@@ -193,6 +203,8 @@ namespace Biface
     std::shared_ptr<const Formula> coefficient;
     std::optional<double>          constant;
     const double                   regularization;
+    /** Of the coefficient. */
+    const double part = 1;
   };
 
 

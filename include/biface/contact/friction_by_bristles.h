@@ -52,6 +52,13 @@ namespace Biface
       return law.stiffness();
     }
 
+    std::shared_ptr<const TangentialLaw>
+    with_part_of_friction(const double part) const override
+    {
+      return std::make_shared<const FrictionByBristles>(
+        law.with_part_of_friction(part), condition);
+    }
+
   private:
     const FrictionLaw      law;
     const ContactCondition condition;

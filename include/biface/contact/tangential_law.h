@@ -197,6 +197,14 @@ namespace Biface
     {
       return nullptr;
     }
+
+    /** The law of bristles with a part of the coefficient of friction; null for
+     * others. */
+    virtual std::shared_ptr<const TangentialLaw>
+    with_part_of_friction(const double /*part*/) const
+    {
+      return nullptr;
+    }
   };
 } // namespace Biface
 

@@ -10,17 +10,18 @@
 namespace Biface
 {
   /** The last attempt at a step of a wheel that rolls with friction, from the
-   * last converged state: with larger critical velocities, for which friction
-   * is nearly viscous, down to the given one.
-   * @param failed the attempt with the given one, which is returned if this
+   * last converged state: with easier laws of friction, from one to the next,
+   * up to the given one. These are larger critical velocities, for which
+   * friction is nearly viscous, or smaller coefficients of bristles.
+   * @param failed the attempt with the given law, which is returned if this
    * fails, too, if the wheel does not roll with friction, or if the step can
-   * still be cut. */
+   * still be cut and a shorter one is easier. */
   Attempt
-  attempt_with_larger_critical_velocities(Newton                     &newton,
-                                          const StageRun             &run,
-                                          const Control::Trial       &trial,
-                                          const Attempt              &failed,
-                                          dealii::ConditionalOStream &out);
+  attempt_with_easier_friction(Newton                     &newton,
+                               const StageRun             &run,
+                               const Control::Trial       &trial,
+                               const Attempt              &failed,
+                               dealii::ConditionalOStream &out);
 } // namespace Biface
 
 #endif
