@@ -32,6 +32,9 @@ NAMED = {
     "Material cord": (
         "Material NAME",
         "One section for each name in `Materials`, by default `cord`."),
+    "Body cleat": (
+        "Body NAME",
+        "One section for each name in `Bodies`."),
     "Stage 1": (
         "Stage N",
         "One section for each of the `Number of stages`, N = 1, 2, ..."),
@@ -144,8 +147,10 @@ def main():
     parser.add_argument("page", type=Path, help="the file to write")
     arguments = parser.parse_args()
     declared = json.loads(subprocess.run(
-        [arguments.program, "--print-parameters=json"], check=True,
+        [arguments.program, "--set", "Bodies=cleat",
+         "--print-parameters=json"], check=True,
         capture_output=True, text=True).stdout)
+    declared["Bodies"]["default_value"] = ""
     top = ["", "## Outside all sections"]
     top_entries = {k: v for k, v in declared.items() if "default_value" in v}
     sections = {k: v for k, v in declared.items() if "default_value" not in v}

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/contact/body_shapes.h>
@@ -23,6 +24,14 @@ namespace Biface
       return *radius;
     }
   } // namespace
+
+
+  double
+  BodyShape::travel_to(const Point<3> & /*x*/) const
+  {
+    Assert(false, ExcPureFunctionCalled());
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 
 
   void
@@ -121,5 +130,64 @@ namespace Biface
   {
     return section.travel_to(x - (axis * (x - point)) * axis) /
            (section.direction * direction);
+  }
+
+
+  ExtrudedBody::ExtrudedBody(const TravelLine                  &line,
+                             const Tensor<1, 3>                &axis,
+                             std::shared_ptr<const BodySection> section)
+    : BodyShape(line)
+    , across(cross_product_3d(direction, axis))
+    , up(-direction)
+    , section(std::move(section))
+  {}
+
+
+  BodyPoint
+  ExtrudedBody::evaluate(const Point<3> &x) const
+  {
+    const Tensor<1, 3> y     = x - point;
+    const SectionPoint at    = section->evaluate({y * across, y * up});
+    const auto        &g     = at.gradient;
+    const Tensor<1, 3> along = g[0] * up - g[1] * across;
+    return {at.distance,
+            -(g[0] * across + g[1] * up),
+            -at.curvature * symmetrize(outer_product(along, along))};
+  }
+
+
+  RevolvedBody::RevolvedBody(const TravelLine                  &line,
+                             const Tensor<1, 3>                &axis,
+                             std::shared_ptr<const BodySection> section)
+    : BodyShape(line), axis(axis), section(std::move(section))
+  {}
+
+
+  BodyPoint
+  RevolvedBody::evaluate(const Point<3> &x) const
+  {
+    const Tensor<1, 3> y      = x - point;
+    const double       height = y * axis;
+    const Tensor<1, 3> arm    = y - height * axis;
+    const double       radius = arm.norm();
+    // any direction on the axis itself
+    Tensor<1, 3> outward = arm / radius;
+    if (!(radius > 0))
+      {
+        outward = cross_product_3d(axis, Tensor<1, 3>({1., 0., 0.}));
+        if (outward.norm() < 0.1)
+          outward = cross_product_3d(axis, Tensor<1, 3>({0., 1., 0.}));
+        outward /= outward.norm();
+      }
+    const SectionPoint at    = section->evaluate({height, radius});
+    const auto        &g     = at.gradient;
+    const Tensor<1, 3> along = g[0] * outward - g[1] * axis,
+                       round = cross_product_3d(axis, outward);
+    // there, both curvatures are the same
+    const double around = (radius > 0 ? g[1] / radius : at.curvature);
+    return {at.distance,
+            -(g[0] * axis + g[1] * outward),
+            -at.curvature * symmetrize(outer_product(along, along)) -
+              around * symmetrize(outer_product(round, round))};
   }
 } // namespace Biface

@@ -81,15 +81,16 @@ namespace Biface
 
 
   RigidBody
-  RigidBody::displaced(const Tensor<1, 3> &slide,
-                       const double        turn,
-                       const Point<3>     &pivot) const
+  RigidBody::displaced(const Tensor<1, 3>                &slide,
+                       const double                       turn,
+                       const Point<3>                    &pivot,
+                       const std::optional<Tensor<1, 3>> &about) const
   {
     if (turn == 0 && slide.norm() == 0)
       return *this;
     return after({slide,
                   Physics::Transformations::Rotations::rotation_matrix_3d(
-                    Point<3>(shape->direction), turn),
+                    Point<3>(about.value_or(shape->direction)), turn),
                   pivot});
   }
 
@@ -107,9 +108,53 @@ namespace Biface
 
 
   RigidBody
+  RigidBody::after_motion(const BodyMotion   &motion,
+                          const double        factor,
+                          const Tensor<1, 3> &axis,
+                          const Point<3>     &on_axis) const
+  {
+    const Tensor<1, 3> slide = factor * motion.translation;
+    RigidBody          result =
+      after({slide,
+             Physics::Transformations::Rotations::rotation_matrix_3d(
+               Point<3>(axis), factor * motion.turn),
+             on_axis});
+    result.screws.push_back(
+      {motion.factor, motion.translation, motion.turn * axis, on_axis + slide});
+    return result;
+  }
+
+
+  Tensor<1, 3>
+  RigidBody::velocity(
+    const Point<3>                                  &x,
+    const double                                     travel,
+    const std::function<double(const unsigned int)> &rate_of) const
+  {
+    Tensor<1, 3> result = (travels ? -travel * direction() : Tensor<1, 3>());
+    for (const Screw &screw : screws)
+      {
+        const double rate = (screw.factor == BodyMotion::travel_of_foundation
+                               ? travel
+                               : rate_of(screw.factor));
+        result += rate * (screw.translation +
+                          cross_product_3d(screw.spin, x - screw.point));
+      }
+    return result;
+  }
+
+
+  RigidBody
   RigidBody::after(Displacement further) const
   {
     RigidBody result = *this;
+    for (Screw &screw : result.screws)
+      {
+        screw.translation = further.rotation * screw.translation;
+        screw.spin        = further.rotation * screw.spin;
+        screw.point       = further.pivot + further.slide +
+                      further.rotation * (screw.point - further.pivot);
+      }
     if (displacement)
       {
         // from the pivot of the first motion
@@ -158,6 +203,7 @@ namespace Biface
   RigidBody::evaluate(const Point<3> &x) const
   {
     BodyPoint at = shape->evaluate(at_rest(x));
+    at.clearance -= distance;
     if (displacement)
       {
         const Tensor<2, 3> &R = displacement->rotation;
@@ -188,14 +234,28 @@ namespace Biface
   }
 
 
+  std::pair<Tensor<1, 3>, std::array<Tensor<1, 3>, 2>>
+  RigidBody::reference_of_tangents(const Tensor<1, 3> &normal) const
+  {
+    Tensor<1, 3> start    = direction();
+    auto         tangents = tangents_of_direction();
+    // the shortest rotation is not unique if the normal is opposite
+    if (normal * start < -0.5)
+      {
+        start *= -1;
+        tangents[1] *= -1;
+      }
+    return {start, tangents};
+  }
+
+
   std::array<Tensor<1, 3>, 2>
   RigidBody::tangents(const Tensor<1, 3> &normal) const
   {
-    // the shortest rotation from the direction to the normal
-    const Tensor<1, 3>          present = direction();
-    std::array<Tensor<1, 3>, 2> result  = tangents_of_direction();
+    auto [start, result] = reference_of_tangents(normal);
+    // the shortest rotation from the start to the normal
     for (Tensor<1, 3> &t : result)
-      t -= (normal * t) / (1 + normal * present) * (normal + present);
+      t -= (normal * t) / (1 + normal * start) * (normal + start);
     return result;
   }
 
@@ -203,16 +263,15 @@ namespace Biface
   std::array<Tensor<2, 3>, 2>
   RigidBody::tangent_derivatives(const Tensor<1, 3> &normal) const
   {
-    const Tensor<1, 3>          present  = direction();
-    const auto                  tangents = tangents_of_direction();
-    const double                sum      = 1 + normal * present;
+    const auto [start, tangents]    = reference_of_tangents(normal);
+    const double                sum = 1 + normal * start;
     std::array<Tensor<2, 3>, 2> result;
     for (unsigned int i = 0; i < 2; ++i)
       {
         const double part = normal * tangents[i] / sum;
-        result[i]         = -outer_product(normal + present,
-                                   (tangents[i] - part * present) / sum) -
-                    part * Tensor<2, 3>(unit_symmetric_tensor<3>());
+        result[i] =
+          -outer_product(normal + start, (tangents[i] - part * start) / sum) -
+          part * Tensor<2, 3>(unit_symmetric_tensor<3>());
       }
     return result;
   }

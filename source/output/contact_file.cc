@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <map>
+#include <string>
+
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/face_stretch.h>
 #include <biface/output/contact_file.h>
@@ -8,6 +11,14 @@
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    const std::string header =
+      "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure,"
+      "slipping,friction_x,friction_y,friction_z,true_pressure";
+  }
+
 
   ContactFile::ContactFile(ResultsDirectory     &directory,
                            const ShellEquations &equations)
@@ -20,51 +31,55 @@ namespace Biface
   {
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
-    const ContactState     &zone    = state.ground();
+    // of a stage without a foundation, the table is empty
+    std::map<unsigned int, PlacedBody> bodies = report.loads.bodies;
+    if (bodies.count(0) == 0)
+      write_csv(path(report.step), header, {}, communicator);
+    for (const auto &[number, body] : bodies)
+      {
+        const ContactState &zone = state.contacts[number];
+        const LA::Vector    stretch =
+          area_stretch(mesh, state.displacement, body.face);
+        Rows rows;
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          {
+            const Node &node = mesh.nodes[n];
+            bool        near = false;
+            for (const unsigned int neighbor : mesh.neighbors[n])
+              near = near || zone.active[neighbor];
+            if (!node.locally_owned || !near)
+              continue;
 
-    const LA::Vector stretch =
-      area_stretch(mesh, state.displacement, Resultants::outer);
-    Rows rows;
-    if (const PlacedBody *ground = report.loads.body(0))
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        {
-          const Node &node = mesh.nodes[n];
-          bool        near = false;
-          for (const unsigned int neighbor : mesh.neighbors[n])
-            near = near || zone.active[neighbor];
-          if (!node.locally_owned || !near)
-            continue;
-
-          const Point<3> x =
-            mesh.deformed_position(state.displacement, node, Resultants::outer);
-          const double       pressure = zone.pressure(n);
-          const Tensor<1, 3> friction =
-            contact_traction(zone, ground, n, x).friction;
-          const ThicknessMetric metric(node.surface.curvature,
-                                       node.face_heights);
-          const double          face_pressure =
-            pressure * metric.area_ratio(Resultants::outer);
-          rows.push_back(
-            {chart_coordinate(surface, node, 0),
-             chart_coordinate(surface, node, 1),
-             x[0],
-             x[1],
-             x[2],
-             ground->body.clearance(x),
-             pressure,
-             static_cast<double>(zone.active[n]),
-             face_pressure,
-             slips(zone, ground, n) ? 1. : 0.,
-             friction[0],
-             friction[1],
-             friction[2],
-             face_pressure / stretch(node.dof(2, MixedElement::mean))});
-        }
-    write_csv(path(report.step),
-              "alpha_1,alpha_2,x,y,z,clearance,pressure,active,face_pressure,"
-              "slipping,friction_x,friction_y,friction_z,"
-              "true_pressure",
-              rows,
-              communicator);
+            const Point<3> x =
+              mesh.deformed_position(state.displacement, node, body.face);
+            const double       pressure = zone.pressure(n);
+            const Tensor<1, 3> friction =
+              contact_traction(zone, &body, n, x).friction;
+            const ThicknessMetric metric(node.surface.curvature,
+                                         node.face_heights);
+            const double          face_pressure =
+              pressure * metric.area_ratio(body.face);
+            rows.push_back(
+              {chart_coordinate(surface, node, 0),
+               chart_coordinate(surface, node, 1),
+               x[0],
+               x[1],
+               x[2],
+               body.body.clearance(x),
+               pressure,
+               static_cast<double>(zone.active[n]),
+               face_pressure,
+               slips(zone, &body, n) ? 1. : 0.,
+               friction[0],
+               friction[1],
+               friction[2],
+               face_pressure / stretch(node.dof(2, MixedElement::mean))});
+          }
+        write_csv(number == 0 ? path(report.step)
+                              : path(report.step, body.name),
+                  header,
+                  rows,
+                  communicator);
+      }
   }
 } // namespace Biface

@@ -24,7 +24,7 @@ namespace Biface
                          const ShellEquations &equations)
     : StepTable("forces.csv",
                 "step,stage,body,F_x,F_y,F_z,M_x,M_y,M_z",
-                bodies_on_shell(equations.mesh).size(),
+                bodies_on_shell(equations).size(),
                 directory,
                 equations)
     , parameters(parameters)

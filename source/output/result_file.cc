@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -90,12 +91,16 @@ namespace Biface
 
 
   std::string
-  ResultFile::path(const unsigned int step) const
+  ResultFile::path(const unsigned int step, const std::string &part) const
   {
     std::string file = name;
     const auto  star = file.find('*');
     if (star != std::string::npos)
-      file.replace(star, 1, Utilities::int_to_string(step, 4));
+      {
+        std::string before = part.empty() ? "" : part + "-";
+        std::replace(before.begin(), before.end(), ' ', '_');
+        file.replace(star, 1, before + Utilities::int_to_string(step, 4));
+      }
     return directory.path(file);
   }
 

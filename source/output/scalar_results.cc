@@ -91,7 +91,7 @@ namespace Biface
 
   ScalarResults::ScalarResults(const std::string              &entry,
                                const std::vector<std::string> &names,
-                               const ShellMesh                &mesh,
+                               const ShellEquations           &equations,
                                const FailureCriteria          &criteria,
                                const Point<3>                 &moment_center,
                                const Known                    &known,
@@ -100,11 +100,11 @@ namespace Biface
     , criteria(criteria)
     , moment_center(moment_center)
     , columns(columns)
-    , history(history_groups(criteria, mesh, known.volume))
+    , history(history_groups(criteria, equations.mesh, known.volume))
   {
     for (const std::string &name : names)
       {
-        const std::optional<Source> source = find(name, mesh, known);
+        const std::optional<Source> source = find(name, equations, known);
         if (!source)
           {
             std::string counting;
@@ -127,11 +127,12 @@ namespace Biface
 
 
   std::optional<ScalarResults::Source>
-  ScalarResults::find(const std::string &name,
-                      const ShellMesh   &mesh,
-                      const Known       &known) const
+  ScalarResults::find(const std::string    &name,
+                      const ShellEquations &equations,
+                      const Known          &known) const
   {
-    Source source;
+    const ShellMesh &mesh = equations.mesh;
+    Source           source;
     for (unsigned int g = 0; g < history.size(); ++g)
       if (const auto column = position_of(name, history[g].columns))
         {
@@ -178,7 +179,7 @@ namespace Biface
       {
         source.kind      = Source::Kind::force;
         source.component = *component;
-        if (const auto body = position_of(rest, bodies_on_shell(mesh)))
+        if (const auto body = position_of(rest, bodies_on_shell(equations)))
           {
             source.position = *body;
             return source;

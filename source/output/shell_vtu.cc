@@ -63,6 +63,7 @@ namespace Biface
         for (unsigned int face = 0; face < 2; ++face)
           {
             const bool is_outer = (is_last && face == outer);
+            const bool is_face  = (is_outer || (cell.layer == 0 && face == 0));
             Patch      patch    = new_patch();
             for (unsigned int v = 0; v < 4; ++v)
               {
@@ -76,28 +77,33 @@ namespace Biface
                 unsigned int d = 0;
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = u[i];
-                patch.data(d++, v) =
-                  (is_outer ? state.ground().pressure(cell.nodes[v]) : 0.);
-                patch.data(d++, v) =
-                  (is_outer ? state.ground().active[cell.nodes[v]] : 0);
+                // of all bodies on this face
+                double       pressure = 0;
+                bool         active = false, slipping = false;
+                Tensor<1, 3> friction;
+                if (is_face)
+                  for (const auto &[number, body] : loads.bodies)
+                    if (body.face == (is_outer ? outer : inner))
+                      {
+                        const ContactState &zone = state.contacts[number];
+                        pressure += zone.pressure(cell.nodes[v]);
+                        active = active || zone.active[cell.nodes[v]];
+                        slipping =
+                          slipping || slips(zone, &body, cell.nodes[v]);
+                        friction +=
+                          contact_traction(
+                            zone, &body, cell.nodes[v], patch.vertices[v])
+                            .friction;
+                      }
+                patch.data(d++, v) = pressure;
+                patch.data(d++, v) = active;
                 patch.data(d++, v) = is_outer;
                 for (unsigned int ab = 0; ab < 3; ++ab)
                   patch.data(d++, v) = H[v][tangential(ab, face)];
                 for (unsigned int a = 0; a < 2; ++a)
                   patch.data(d++, v) = H[v][transverse(a, face)];
                 patch.data(d++, v) = H[v][thickness];
-                Tensor<1, 3> friction;
-                if (is_outer)
-                  friction = contact_traction(state.ground(),
-                                              loads.body(0),
-                                              cell.nodes[v],
-                                              patch.vertices[v])
-                               .friction;
-                patch.data(d++, v) =
-                  (is_outer &&
-                       slips(state.ground(), loads.body(0), cell.nodes[v])
-                     ? 1
-                     : 0);
+                patch.data(d++, v) = slipping;
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = friction[i];
                 if (mesh.layup.has_slack_cords())

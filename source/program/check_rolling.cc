@@ -93,6 +93,10 @@ namespace Biface
         if (!rolling[i])
           continue;
 
+        if (!stage.bodies.empty())
+          throw InputError(section + "/Bodies",
+                           stage.bodies.front(),
+                           "it must be empty in a stage with steady rolling");
         if (turned.back() || (before && turned[*before]))
           throw InputError(section + "/Wheel turn",
                            stage.wheel_turn

@@ -27,7 +27,9 @@ namespace Biface
 
     /** All items with a factor. */
     std::vector<Item>
-    items_of(DeadLoads &loads, Supports &supports)
+    items_of(DeadLoads                   &loads,
+             Supports                    &supports,
+             std::vector<BodyParameters> &bodies)
     {
       std::vector<Item> items;
       // by the name of their place
@@ -78,6 +80,13 @@ namespace Biface
         add_support(edge_names[edge], supports.edges[edge]);
       for (PointSupport &point : supports.points)
         add_support(point.point, point.conditions);
+
+      for (BodyParameters &body : bodies)
+        for (BodyMotion &motion : body.motions)
+          items.push_back({{"bodies",
+                            "bodies " + body.name,
+                            "bodies " + body.name + " " + motion.name},
+                           &motion.factor});
       return items;
     }
 
@@ -104,7 +113,7 @@ namespace Biface
   void
   Parameters::assign_load_factors()
   {
-    const std::vector<Item> items = items_of(loads, supports);
+    const std::vector<Item> items = items_of(loads, supports, bodies);
     const auto              entry = [](const unsigned int stage) {
       return "Stage " + std::to_string(stage + 1) + "/Load factors";
     };
@@ -123,9 +132,10 @@ namespace Biface
             throw InputError(
               entry(i),
               name,
-              items.empty() ? "there are no loads, except the pressure, and no "
-                              "prescribed displacements"
-                            : "it must be one of " + in_words(items));
+              items.empty()
+                ? "there are no loads, except the pressure, no "
+                  "prescribed displacements and no motions of bodies"
+                : "it must be one of " + in_words(items));
           positions[name] = 0;
         }
     unsigned int last = 0;
@@ -151,10 +161,11 @@ namespace Biface
               for (unsigned int i = 0; i < stages.size(); ++i)
                 for (const auto &factor : stages[i].own_factors)
                   if (factor.first == name)
-                    throw InputError(entry(i),
-                                     name,
-                                     "several points have a load or support of "
-                                     "this name; rename a point");
+                    throw InputError(
+                      entry(i),
+                      name,
+                      "several points or bodies have a load, support or "
+                      "motion of this name; rename one");
             names[position->second] = given;
           }
       }

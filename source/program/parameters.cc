@@ -18,6 +18,7 @@ namespace Biface
   void
   Parameters::add_parameters(ParameterHandler               &prm,
                              const std::vector<std::string> &material_names,
+                             const std::vector<std::string> &body_names,
                              const unsigned int              n_stages)
   {
     prm.enter_subsection("Surface");
@@ -28,11 +29,14 @@ namespace Biface
     mesh.add_parameters(prm);
     prm.leave_subsection();
 
-    std::string names;
-    for (const std::string &name : material_names)
-      names += (names.empty() ? "" : ", ") + name;
+    const auto listed = [](const std::vector<std::string> &names) {
+      std::string list;
+      for (const std::string &name : names)
+        list += (list.empty() ? "" : ", ") + name;
+      return list;
+    };
     prm.declare_entry("Materials",
-                      names,
+                      listed(material_names),
                       Patterns::Anything(),
                       "Names of the materials, separated by commas. Each has "
                       "a section 'Material NAME'.");
@@ -71,6 +75,22 @@ namespace Biface
     prm.enter_subsection("Contact");
     contact.add_parameters(prm);
     prm.leave_subsection();
+
+    prm.declare_entry("Bodies",
+                      listed(body_names),
+                      Patterns::Anything(),
+                      "Names of rigid bodies beside the foundation of the "
+                      "section 'Contact', separated by commas. Each has a "
+                      "section 'Body NAME', and is there in stages that name "
+                      "it.");
+    bodies.resize(body_names.size());
+    for (unsigned int i = 0; i < bodies.size(); ++i)
+      {
+        bodies[i].name = body_names[i];
+        prm.enter_subsection("Body " + body_names[i]);
+        bodies[i].add_parameters(prm);
+        prm.leave_subsection();
+      }
 
     prm.declare_entry("Number of stages",
                       std::to_string(n_stages),
@@ -130,6 +150,7 @@ namespace Biface
     checkpoint.check();
     sensitivities.check(stages.size());
     check_stages(stages);
+    check_bodies();
     check_gas();
     check_friction();
     for (unsigned int i = 0; i < stages.size(); ++i)
@@ -152,6 +173,34 @@ namespace Biface
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     check_densities();
     check_rolling();
+  }
+
+
+  void
+  Parameters::check_bodies() const
+  {
+    for (const BodyParameters &body : bodies)
+      body.check();
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      for (const std::string &name : stages[i].bodies)
+        {
+          const std::string entry =
+            "Stage " + std::to_string(i + 1) + "/Bodies";
+          const auto body =
+            std::find_if(bodies.begin(), bodies.end(), [&](const auto &body) {
+              return body.name == name;
+            });
+          if (body == bodies.end())
+            throw InputError(entry, name, "it must be listed in 'Bodies'");
+          if (std::count(
+                stages[i].bodies.begin(), stages[i].bodies.end(), name) > 1)
+            throw InputError(entry, name, "it is named twice");
+          if (body->on_foundation && !stages[i].contact)
+            throw InputError(entry,
+                             name,
+                             "it moves with the foundation, which needs "
+                             "'Contact = true'");
+        }
   }
 
 

@@ -38,24 +38,56 @@ namespace Biface
     }
 
 
-    /** Between two nodes, a smaller foundation passes through the shell. */
+    /** Between two nodes, a smaller body passes through the shell.
+     * @param entry of the radius.
+     * @param distance of the shell from the body. */
     void
-    check_radius(const RigidBody::Parameters &foundation, const ShellMesh &mesh)
+    check_radius(const std::string &entry,
+                 const double       radius,
+                 const double       distance,
+                 const ShellMesh   &mesh)
+    {
+      const double shortest = shortest_side_of_cells(mesh);
+      if (std::abs(radius) + distance < shortest)
+        throw InputError(entry,
+                         number_to_string(radius),
+                         "it must not be shorter than the sides of all cells, "
+                         "the shortest of which is " +
+                           number_to_string(shortest) +
+                           " long: only nodes make contact");
+    }
+
+
+    void
+    check_foundation(const RigidBody::Parameters &foundation,
+                     const ShellMesh             &mesh)
     {
       using Shape = RigidBody::Parameters::Shape;
       if (foundation.shape == Shape::plane)
         return;
-      const bool   is_drum = (foundation.shape == Shape::drum);
-      const double radius =
-        *(is_drum ? foundation.drum.radius : foundation.sphere.radius);
-      const double shortest = shortest_side_of_cells(mesh);
-      if (std::abs(radius) < shortest)
-        throw InputError(
-          is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
-          number_to_string(radius),
-          "it must not be shorter than the sides of all cells, "
-          "the shortest of which is " +
-            number_to_string(shortest) + " long: only nodes make contact");
+      const bool is_drum = (foundation.shape == Shape::drum);
+      check_radius(
+        is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
+        *(is_drum ? foundation.drum.radius : foundation.sphere.radius),
+        0,
+        mesh);
+    }
+
+
+    void
+    check_body(const BodyParameters  &body,
+               const TreadParameters &tread,
+               const ShellMesh       &mesh)
+    {
+      using Shape = BodyParameters::Shape;
+      const double distance =
+        (body.touches_inner_face ? 0 : tread.height.value_or(0));
+      const std::string section = "Body " + body.name + "/";
+      if (body.shape == Shape::sphere || body.shape == Shape::cylinder)
+        check_radius(section + "Radius", *body.radius, distance, mesh);
+      if (body.shape == Shape::torus)
+        check_radius(
+          section + "Tube radius", *body.tube_radius, distance, mesh);
     }
 
 
@@ -114,11 +146,13 @@ namespace Biface
   check_proportions(const Parameters &parameters, const ShellMesh &mesh)
   {
     const std::vector<Stage> &stages = parameters.stages;
+    for (const BodyParameters &body : parameters.bodies)
+      check_body(body, parameters.contact.tread, mesh);
     if (std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
           return stage.contact;
         }))
       return;
-    check_radius(parameters.contact.body, mesh);
+    check_foundation(parameters.contact.body, mesh);
     check_travel(stages, mesh);
     check_critical_velocity(parameters, mesh);
   }

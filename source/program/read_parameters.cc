@@ -121,10 +121,34 @@ namespace Biface
     }
 
 
-    /** Refuse sections of stages and materials that do not exist. */
+    /** Throw InputError if a name of an entry cannot be that of a section. */
+    void
+    check_names(const std::string              &file_name,
+                const std::string              &entry,
+                const std::vector<std::string> &names)
+    {
+      if (names.size() > 1000)
+        throw InputError(file_name + ": the entry '" + entry + "' has " +
+                         std::to_string(names.size()) +
+                         " names, but at most 1000 are allowed.");
+      for (const std::string &name : names)
+        if (name.empty() || name.find_first_of(":/@") != std::string::npos ||
+            std::count(names.begin(), names.end(), name) > 1)
+          throw InputError(
+            file_name + ": " +
+            InputError(entry,
+                       name.empty() ? "," : name,
+                       "names must be unique and must not contain ':', '/', "
+                       "'@'")
+              .what());
+    }
+
+
+    /** Refuse sections of stages, materials and bodies that do not exist. */
     void
     check_sections(const Source                   &source,
                    const std::vector<std::string> &materials,
+                   const std::vector<std::string> &bodies,
                    const unsigned int              n_stages)
     {
       const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
@@ -133,8 +157,7 @@ namespace Biface
           const ParameterLine &line = lines[number];
           if (line.keyword != "subsection" || !line.section.empty())
             continue;
-          const std::string material = "Material ";
-          std::string       reason;
+          std::string reason;
           if (const auto stage = number_of_stage(line.name))
             {
               if (*stage > n_stages)
@@ -144,14 +167,20 @@ namespace Biface
                        *stage == 0)
                 reason = "stages are numbered from 1";
             }
-          else if (line.name.rfind(material, 0) == 0 &&
-                   line.name.size() > material.size() &&
-                   std::find(materials.begin(),
-                             materials.end(),
-                             line.name.substr(material.size())) ==
-                     materials.end())
-            reason = "list " + quoted(line.name.substr(material.size())) +
-                     " in 'Materials'";
+          else
+            for (const auto &[start, entry, names] :
+                 {std::make_tuple("Material ", "Materials", &materials),
+                  std::make_tuple("Body ", "Bodies", &bodies)})
+              {
+                const std::string kind = start;
+                if (line.name.rfind(kind, 0) != 0 ||
+                    line.name.size() == kind.size())
+                  continue;
+                const std::string name = line.name.substr(kind.size());
+                if (std::find(names->begin(), names->end(), name) ==
+                    names->end())
+                  reason = "list " + quoted(name) + " in '" + entry + "'";
+              }
           if (!reason.empty())
             throw InputError(parameter_place(source.name, number) +
                              "there is no section " + quoted(line.name) + "; " +
@@ -232,11 +261,13 @@ namespace Biface
       // these determine which sections exist
       ParameterHandler         names_only;
       unsigned int             n_stages = 1;
-      std::vector<std::string> materials{"cord"};
+      std::vector<std::string> materials{"cord"}, bodies;
       names_only.add_parameter(
         "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
       names_only.add_parameter(
         "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
+      names_only.add_parameter(
+        "Bodies", bodies, "", Patterns::List(Patterns::Anything()));
       for (Source &source : sources)
         {
           for (const OldName &old : replace_old_names(source.text, old_names()))
@@ -251,28 +282,14 @@ namespace Biface
           source.n_stages = n_stages;
         }
 
-      if (materials.size() > 1000)
-        throw InputError(file_name + ": the entry 'Materials' has " +
-                         std::to_string(materials.size()) +
-                         " names, but at most 1000 are allowed.");
-      for (unsigned int i = 0; i < materials.size(); ++i)
-        if (materials[i].empty() ||
-            materials[i].find_first_of(":/@") != std::string::npos ||
-            std::count(materials.begin(), materials.end(), materials[i]) > 1)
-          throw InputError(
-            file_name + ": " +
-            InputError("Materials",
-                       materials[i].empty() ? "," : materials[i],
-                       "names must be unique and must not contain ':', '/', "
-                       "'@'")
-              .what());
-
-      parameters.add_parameters(prm, materials, n_stages);
+      check_names(file_name, "Materials", materials);
+      check_names(file_name, "Bodies", bodies);
+      parameters.add_parameters(prm, materials, bodies, n_stages);
       std::set<std::string> surplus;
       for (Source &source : sources)
         {
           surplus.merge(remove_surplus_stages(source, n_stages));
-          check_sections(source, materials, n_stages);
+          check_sections(source, materials, bodies, n_stages);
           parse_parameter_text(prm, source.name, source.text, false);
         }
 

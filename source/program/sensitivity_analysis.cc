@@ -88,7 +88,7 @@ namespace Biface
     {
       return {"Sensitivities/Outputs",
               parameters.sensitivities.outputs,
-              *model.mesh,
+              model.equations,
               parameters.output.criteria,
               parameters.output.forces.moment_center,
               ScalarResults::Known::at_ends(model.cavity.get(),
@@ -106,29 +106,39 @@ namespace Biface
     }
 
 
-    /** The forces on the nodes, with those of the foundation that balance the
-     * others where it is in contact: stiff contact makes the round-off of
-     * positions large, but equilibrium is known. */
+    /** The forces on the nodes, with those of the foundation, or of another
+     * body where it is not in contact, that balance the others: stiff contact
+     * makes the round-off of positions large, but equilibrium is known. */
     NodalForces
     forces_in_equilibrium(const ShellModel &model,
                           const State      &state,
                           const Loads      &loads)
     {
-      const ShellMesh &mesh = *model.mesh;
-      const ActiveSet  active =
-        model.contact.in_any_pair(model.contact.active_nodes(state));
-      NodalForces forces     = model.equations.nodal_forces(state, loads);
-      LA::Vector &foundation = forces[ForceTerm::Source::foundation];
-      LA::Vector  sum        = foundation;
+      const ShellMesh &mesh   = *model.mesh;
+      NodalForces      forces = model.equations.nodal_forces(state, loads);
+      LA::Vector       sum    = forces[ForceTerm::Source::foundation];
       sum += forces[ForceTerm::Source::shell];
       sum += forces[ForceTerm::Source::loads];
+      for (const auto &[name, of_body] : forces.of_bodies)
+        sum += of_body;
       mesh.condense(sum);
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        if (mesh.nodes[n].locally_owned && active[n])
-          for (const auto dof : mesh.nodes[n].dofs)
-            if (!mesh.constraints.is_constrained(dof))
-              foundation(dof) -= sum(dof);
-      foundation.compress(VectorOperation::add);
+      ActiveSet balanced(mesh.nodes.size(), 0);
+      for (const auto &pair : model.contact.pairs)
+        {
+          LA::Vector &of_pair = (pair.get() == &model.contact.ground()
+                                   ? forces[ForceTerm::Source::foundation]
+                                   : forces.of_bodies.at(pair->name));
+          for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+            if (mesh.nodes[n].locally_owned && !balanced[n] &&
+                pair->state_of(state).active[n])
+              {
+                balanced[n] = 1;
+                for (const auto dof : mesh.nodes[n].dofs)
+                  if (!mesh.constraints.is_constrained(dof))
+                    of_pair(dof) -= sum(dof);
+              }
+          of_pair.compress(VectorOperation::add);
+        }
       return forces;
     }
 
@@ -515,11 +525,11 @@ namespace Biface
     add(balanced_mu, 1, perturbed.balanced.mu);
     const auto contact_before = perturbed.model.contact.linearize(
       state, perturbed.run->loads_at(perturbed.trial.level(balanced_mu)));
-    double travel = 0;
+    LoadRates of_loads;
     if (perturbed.trial.equations)
       for (unsigned int i = 0; i < mu.size(); ++i)
-        travel += (perturbed.deviation.mu[i] - perturbed.balanced.mu[i]) *
-                  perturbed.trial.equations->rates[i].travel;
+        of_loads.add(perturbed.deviation.mu[i] - perturbed.balanced.mu[i],
+                     perturbed.trial.equations->rates[i]);
     LA::Vector moved = perturbed.fixed;
     moved += perturbed.deviation.displacements;
     state.displacement           = moved;
@@ -529,7 +539,7 @@ namespace Biface
       perturbed.model.equations.with_dependent_loads(state, perturbed.loads);
     perturbed.level.pressure = perturbed.loads.pressure;
     perturbed.model.contact.compute_multipliers(
-      state, perturbed.loads, contact_before, ghosted_increment, travel);
+      state, perturbed.loads, contact_before, ghosted_increment, of_loads);
   }
 
 

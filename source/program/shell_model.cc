@@ -122,7 +122,7 @@ namespace Biface
   ShellModel::ShellModel(const Parameters                &parameters,
                          std::shared_ptr<const ShellMesh> shell_mesh)
     : mesh(std::move(shell_mesh))
-    , contact(*mesh, parameters.contact)
+    , contact(*mesh, parameters.contact, parameters.bodies)
     , cavity(parameters.gas.ambient_pressure
                ? std::make_unique<const Cavity>(
                    *mesh, parameters.gas.cavity, parameters.pressure.face)

@@ -68,7 +68,7 @@ namespace Biface
     , contact(model.contact)
     , equations(model.equations)
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
-    , state(*mesh)
+    , state(contact.unloaded_state())
   {
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
       {

@@ -111,7 +111,7 @@ namespace Biface
                ScalarResults(
                  "Study/Outputs",
                  names,
-                 simulation.get_equations().mesh,
+                 simulation.get_equations(),
                  parameters.output.criteria,
                  parameters.output.forces.moment_center,
                  ScalarResults::Known::at_ends(cavity, {parameters.stages[s]}),

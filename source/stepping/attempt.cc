@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <string>
+
 #include <biface/stepping/attempt.h>
 
 namespace Biface
@@ -22,6 +24,20 @@ namespace Biface
     attempt.result = newton.solve(
       attempt.state, loads, attempt.mu, iteration, guess.zone_given);
     attempt.level = trial.level(attempt.mu);
+    if (!attempt.result.converged)
+      return attempt;
+    const std::string passed =
+      run.contact.passed_body(run.state,
+                              run.loads_at(run.progress.reached),
+                              attempt.state,
+                              run.loads_at(attempt.level));
+    if (!passed.empty())
+      {
+        attempt.result.converged = false;
+        attempt.result.failure   = {FailureCause::divergence,
+                                    "the shell has passed through the body '" +
+                                      passed + "' in one step"};
+      }
     return attempt;
   }
 } // namespace Biface

@@ -65,6 +65,16 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    std::vector<std::string>
+    parse_bodies(const std::string &entry, const std::string &text)
+    {
+      return split_list(entry, text, ',', 1000);
+    }
+  } // namespace
+
+
   void
   StageLoads::add_parameters(ParameterHandler &prm, const std::string &section)
   {
@@ -179,6 +189,16 @@ namespace Biface
                       "or a formula of the contact pressure p and the slip "
                       "velocity s. No unit.",
                       Patterns::Anything());
+    add_parsed(
+      prm,
+      section + "/",
+      "Bodies",
+      "",
+      bodies,
+      parse_bodies,
+      "Names of the bodies that are there in the stage, separated by "
+      "commas; see the entry 'Bodies' outside the stages. Their places "
+      "follow from 'Load factors'.");
     prm.add_parameter("Glued",
                       glued,
                       "Whether the nodes in contact at the start of the stage "
@@ -190,25 +210,28 @@ namespace Biface
       "Load factor",
       common_factor,
       unchanged,
-      "Factor of the loads of the section 'Loads', except the pressure, and of "
-      "prescribed displacements of supports at the end of the stage. "
+      "Factor of the loads of the section 'Loads', except the pressure, of "
+      "prescribed displacements of supports and of the motions of bodies at the "
+      "end of the stage. "
       "'unchanged': as at the start of the stage. No unit.");
-    add_parsed(prm,
-               section + "/",
-               "Load factors",
-               "",
-               own_factors,
-               parse_load_factors,
-               "Factors at the end of the stage of loads and supports that do "
-               "not follow 'Load factor': a comma-separated list of 'name: "
-               "factor' or 'name: unchanged'. A name is 'point forces', 'edge "
-               "forces', 'edge moments', 'inner traction', 'outer traction', "
-               "'area force' or 'supports', if needed followed by the point or "
-               "edge, and by the number of the load there or the component of "
-               "the support: 'edge forces alpha_1 max', 'edge forces alpha_1 "
-               "max 2', 'supports alpha_1 max v_3'. The longest name of a load "
-               "counts. What a stage does not name follows its 'Load factor'. "
-               "No unit.");
+    add_parsed(
+      prm,
+      section + "/",
+      "Load factors",
+      "",
+      own_factors,
+      parse_load_factors,
+      "Factors at the end of the stage of loads, supports and motions "
+      "of bodies that do not follow 'Load factor': a comma-separated list of 'name: "
+      "factor' or 'name: unchanged'. A name is 'point forces', 'edge "
+      "forces', 'edge moments', 'inner traction', 'outer traction', "
+      "'area force', 'supports' or 'bodies', if needed followed by the "
+      "point, edge or body, and by the number of the load there, the "
+      "component of the support or the motion of the body: 'edge "
+      "forces alpha_1 max', 'edge forces alpha_1 max 2', 'supports "
+      "alpha_1 max v_3', 'bodies cleat lift'. The longest name of a "
+      "load counts. What a stage does not name follows its 'Load factor'. "
+      "No unit.");
   }
 
 

@@ -2,14 +2,34 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <string>
 
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    std::map<unsigned int, std::shared_ptr<const TangentialLaw>>
+    make_laws_of_bodies(const ContactInteraction &contact, const Stage &stage)
+    {
+      std::map<unsigned int, std::shared_ptr<const TangentialLaw>> laws;
+      for (const auto &pair : contact.pairs)
+        if (pair.get() != &contact.ground() &&
+            std::find(stage.bodies.begin(), stage.bodies.end(), pair->name) !=
+              stage.bodies.end())
+          laws[pair->number] =
+            pair->law("Body " + pair->name + "/Friction", "", false, false);
+      return laws;
+    }
+  } // namespace
+
 
   StageRun::StageRun(const std::vector<Stage>  &stages,
                      const Control::Parameters &parameters,
@@ -30,6 +50,7 @@ namespace Biface
                                stage.friction,
                                stage.glued,
                                rolls))
+    , laws_of_bodies(make_laws_of_bodies(contact, stage))
   {
     if (progress.stage_begun)
       control->restore(progress.control);
@@ -52,6 +73,19 @@ namespace Biface
   }
 
 
+  RigidBody
+  StageRun::with_foundation(const RigidBody &body, const LoadLevel &level) const
+  {
+    const Tensor<1, 3> axle({0., 1., 0.});
+    return body
+      .displaced(level.slide,
+                 level.turn * numbers::PI / 180,
+                 progress.touched_point,
+                 contact.ground().body_at(0).direction())
+      .around(axle, -level.wheel_turn * numbers::PI / 180);
+  }
+
+
   Loads
   StageRun::loads_at(const LoadLevel                            &level,
                      const std::shared_ptr<const TangentialLaw> &law) const
@@ -59,20 +93,32 @@ namespace Biface
     Loads loads = loads_without_contact(level);
     if (stage.contact)
       {
-        const Tensor<1, 3> axle({0., 1., 0.});
-        const double       slip_angle = level.slip_angle * numbers::PI / 180;
-        const RigidBody    ground =
+        const double    slip_angle = level.slip_angle * numbers::PI / 180;
+        const RigidBody ground     = with_foundation(
           on_steered(
             contact.ground().body_at(*progress.touching_travel + level.travel),
-            slip_angle)
-            .displaced(level.slide,
-                       level.turn * numbers::PI / 180,
-                       progress.touched_point)
-            .around(axle, -level.wheel_turn * numbers::PI / 180);
+            slip_angle),
+          level);
         loads.place(0, {ground, law});
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
             ground, level.ground_velocity, slip_angle);
+      }
+    for (const auto &[number, law_of_body] : laws_of_bodies)
+      {
+        const ContactPair &pair = *contact.pairs[number];
+        loads.place(
+          number,
+          {pair.body_at(level.factors,
+                        [&](const RigidBody &body) {
+                          return with_foundation(
+                            contact.ground().taken_along(
+                              body, *progress.touching_travel + level.travel),
+                            level);
+                        }),
+           law_of_body,
+           pair.face,
+           pair.name});
       }
     return loads;
   }
@@ -106,6 +152,26 @@ namespace Biface
   }
 
 
+  void
+  StageRun::check_bodies() const
+  {
+    const Loads loads = loads_at(progress.reached);
+    for (const auto &item : laws_of_bodies)
+      {
+        const ContactPair &pair  = *contact.pairs[item.first];
+        const double       depth = pair.penetration(state, loads);
+        if (depth > contact.mesh.thickness())
+          throw InputError(
+            "Stage " + std::to_string(progress.stage + 1) + "/Bodies",
+            pair.name,
+            "at the start of the stage the shell is inside this body, by " +
+              number_to_string(depth) +
+              ", more than its thickness; let the body start outside and move "
+              "it by 'Load factors'");
+      }
+  }
+
+
   std::optional<ShellEquations::Unbalance>
   StageRun::start()
   {
@@ -122,6 +188,7 @@ namespace Biface
       }
     progress.first_reaction = progress.reaction;
     InternalForces::set_theory(stage.theory, state);
+    check_bodies();
     equations.start_stage(loads_at(progress.reached), state);
 
     control->begin(last_converged());

@@ -8,31 +8,35 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <memory>
 #include <optional>
+
+#include <biface/contact/body_section.h>
 
 namespace Biface
 {
-  /** The geometry of a foundation at a point near it. */
+  /** The geometry of a body at a point near it. */
   struct BodyPoint
   {
-    /** The signed distance from the surface of the foundation, negative inside
-     * it. Its gradient is a unit vector. Unit: length. */
+    /** The signed distance from the surface of the body, negative inside it.
+     * Its gradient is a unit vector. Unit: length. */
     double clearance;
 
-    /** The unit normal @f$\mathbf n@f$ into the foundation: minus the gradient
-     * of the clearance. */
+    /** The unit normal @f$\mathbf n@f$ into the body: minus the gradient of
+     * the clearance. */
     dealii::Tensor<1, 3> normal;
 
     /** The derivative of the normal, minus the second derivative of the
-     * clearance, by which the curvature of the foundation enters the tangent.
+     * clearance, by which the curvature of the body enters the tangent.
      * Unit: 1/length. */
     dealii::SymmetricTensor<2, 3> normal_gradient;
   };
 
 
   /**
-   * The shape of a rigid foundation at zero travel, where it touches the point
-   * of its line of travel with a normal along the direction of this line.
+   * The shape of a rigid body at rest. A foundation, at zero travel, touches
+   * the point of its line of travel with a normal along the direction of this
+   * line.
    */
   class BodyShape
   {
@@ -55,12 +59,12 @@ namespace Biface
     virtual BodyPoint
     evaluate(const dealii::Point<3> &x) const = 0;
 
-    /** The travel until the surface of the foundation touches a point from
+    /** The travel until the surface of a foundation touches a point from
      * outside, negative if it must move back. Plus infinity for a point that it
-     * misses, minus infinity for a point that is always inside. Unit:
-     * length. */
+     * misses, minus infinity for a point that is always inside. Must not be
+     * called for shapes that are no foundations. Unit: length. */
     virtual double
-    travel_to(const dealii::Point<3> &x) const = 0;
+    travel_to(const dealii::Point<3> &x) const;
 
     /** What can turn about its axis under a wheel. */
     struct Cylinder
@@ -171,6 +175,48 @@ namespace Biface
     const dealii::Tensor<1, 3> axis;
     const double               radius;
     const RigidSphere          section;
+  };
+
+
+  /** A body with the same section along an axis, without ends. The coordinates
+   * of the section are, from the point of the line of travel, that along the
+   * cross product of axis and height, and the height, which is measured against
+   * the direction of the line. */
+  class ExtrudedBody : public BodyShape
+  {
+  public:
+    /** @param axis a unit vector, orthogonal to the direction. */
+    ExtrudedBody(const TravelLine                  &line,
+                 const dealii::Tensor<1, 3>        &axis,
+                 std::shared_ptr<const BodySection> section);
+
+    BodyPoint
+    evaluate(const dealii::Point<3> &x) const override;
+
+  private:
+    /** Of the coordinates. */
+    const dealii::Tensor<1, 3>               across, up;
+    const std::shared_ptr<const BodySection> section;
+  };
+
+
+  /** A body of revolution. The coordinates of the section are that along the
+   * axis, from the point of the line of travel, and the distance from the axis,
+   * which is not negative. */
+  class RevolvedBody : public BodyShape
+  {
+  public:
+    /** @param axis a unit vector. */
+    RevolvedBody(const TravelLine                  &line,
+                 const dealii::Tensor<1, 3>        &axis,
+                 std::shared_ptr<const BodySection> section);
+
+    BodyPoint
+    evaluate(const dealii::Point<3> &x) const override;
+
+  private:
+    const dealii::Tensor<1, 3>               axis;
+    const std::shared_ptr<const BodySection> section;
   };
 } // namespace Biface
 

@@ -3,22 +3,46 @@
 #ifndef biface_contact_rigid_body_h
 #define biface_contact_rigid_body_h
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <biface/contact/body_shapes.h>
 
 namespace Biface
 {
+  /** A motion of a body: a translation, and a turn about an axis of the body,
+   * which moves along. */
+  struct BodyMotion
+  {
+    std::string name;
+    /** At the factor 1. Unit: length. */
+    dealii::Tensor<1, 3> translation;
+    /** At the factor 1, right-handed, in radians. */
+    double turn = 0;
+    /** The position of the factor in Loads::factors, or travel_of_foundation.
+     */
+    unsigned int factor = 0;
+
+    static constexpr unsigned int travel_of_foundation =
+      dealii::numbers::invalid_unsigned_int;
+  };
+
+
   /**
-   * A rigid foundation at a given travel, which may also have moved sideways
-   * and turned. Queries move the point back; the shape itself never moves.
-   * Copies share the shape.
+   * A rigid body at its present place: a foundation at a given travel, which
+   * may also have moved sideways and turned, or another body after its motions.
+   * Queries move the point back; the shape itself never moves. Copies share the
+   * shape.
    */
   class RigidBody
   {
@@ -55,6 +79,15 @@ namespace Biface
       : shape(shape), travel(travel)
     {}
 
+    /** A body that does not travel unless a motion says so. */
+    static RigidBody
+    without_travel(std::shared_ptr<const BodyShape> shape)
+    {
+      RigidBody result(shape);
+      result.travels = false;
+      return result;
+    }
+
     /** The same foundation after a further travel. */
     RigidBody
     moved(const double further) const
@@ -65,21 +98,49 @@ namespace Biface
     }
 
     /** The same foundation after further motions: moved sideways by a vector
-     * and turned by an angle in radians, right-handed about its direction. The
-     * axis of the turn passes through the given point before the foundation
-     * slides, and slides with it. */
+     * and turned by an angle in radians, right-handed about its direction at
+     * rest, or another one. The axis of the turn passes through the given point
+     * before the foundation slides, and slides with it. */
     RigidBody
-    displaced(const dealii::Tensor<1, 3> &slide,
-              const double                turn,
-              const dealii::Point<3>     &pivot) const;
+    displaced(const dealii::Tensor<1, 3>                &slide,
+              const double                               turn,
+              const dealii::Point<3>                    &pivot,
+              const std::optional<dealii::Tensor<1, 3>> &about = {}) const;
 
     /** The same foundation after a further turn by an angle in radians,
      * right-handed about an axis of unit length through the origin. */
     RigidBody
     around(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
+    /** The same body after a further motion with a given factor.
+     * @param axis of unit length, and a point on it, both at the present
+     * place. */
+    RigidBody
+    after_motion(const BodyMotion           &motion,
+                 const double                factor,
+                 const dealii::Tensor<1, 3> &axis,
+                 const dealii::Point<3>     &on_axis) const;
+
+    /** The same body behind a layer that separates it from the shell: its
+     * clearances are smaller by this distance. */
+    RigidBody
+    behind(const double distance) const
+    {
+      RigidBody result = *this;
+      result.distance += distance;
+      return result;
+    }
+
     BodyPoint
     evaluate(const dealii::Point<3> &x) const;
+
+    /** The velocity of the point of the body at @p x.
+     * @param travel the rate of the travel of the foundation.
+     * @param rate_of gives the rate of the factor at a position. */
+    dealii::Tensor<1, 3>
+    velocity(const dealii::Point<3>                          &x,
+             const double                                     travel,
+             const std::function<double(const unsigned int)> &rate_of) const;
 
     /** The point of the foundation at rest, before all motions, that is now at
      * @p x. */
@@ -97,7 +158,8 @@ namespace Biface
      * with the foundation. With the normal along the direction of the
      * foundation they are the axis that is farthest from it, made orthogonal to
      * it, and the cross product of the direction and the first; they are
-     * rotated to other normals by the shortest rotation. */
+     * rotated to other normals by the shortest rotation from the direction, or
+     * from its opposite if that is closer by far. */
     std::array<dealii::Tensor<1, 3>, 2>
     tangents(const dealii::Tensor<1, 3> &normal) const;
 
@@ -156,13 +218,33 @@ namespace Biface
     std::array<dealii::Tensor<1, 3>, 2>
     tangents_of_direction() const;
 
+    /** The direction or its opposite, whichever can be rotated to a normal, and
+     * the tangents there. */
+    std::pair<dealii::Tensor<1, 3>, std::array<dealii::Tensor<1, 3>, 2>>
+    reference_of_tangents(const dealii::Tensor<1, 3> &normal) const;
+
     /** A point before this motion. */
     dealii::Point<3>
     back(const dealii::Point<3> &x) const;
 
+    /** The velocity of the body by the factor of a motion. */
+    struct Screw
+    {
+      unsigned int         factor;
+      dealii::Tensor<1, 3> translation;
+      /** The angular velocity as a vector. */
+      dealii::Tensor<1, 3> spin;
+      /** A point of the axis. */
+      dealii::Point<3> point;
+    };
+
     std::shared_ptr<const BodyShape> shape;
     double                           travel;
-    std::optional<Displacement>      displacement;
+    bool                             travels = true;
+    /** See behind(). */
+    double                      distance = 0;
+    std::optional<Displacement> displacement;
+    std::vector<Screw>          screws;
   };
 } // namespace Biface
 

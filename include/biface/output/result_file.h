@@ -123,7 +123,7 @@ namespace Biface
 
     /** The path of the file, with the number of a step instead of the star. */
     std::string
-    path(const unsigned int step = 0) const;
+    path(const unsigned int step = 0, const std::string &part = {}) const;
 
     const MPI_Comm        communicator;
     ResultsDirectory     &directory;

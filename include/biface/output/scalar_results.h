@@ -56,7 +56,7 @@ namespace Biface
      * @param entry the entry that lists the names, for error messages. */
     ScalarResults(const std::string              &entry,
                   const std::vector<std::string> &names,
-                  const ShellMesh                &mesh,
+                  const ShellEquations           &equations,
                   const FailureCriteria          &criteria,
                   const dealii::Point<3>         &moment_center,
                   const Known                    &known,
@@ -130,9 +130,9 @@ namespace Biface
 
     /** The source of a name; none if there is no such number. */
     std::optional<Source>
-    find(const std::string &name,
-         const ShellMesh   &mesh,
-         const Known       &known) const;
+    find(const std::string    &name,
+         const ShellEquations &equations,
+         const Known          &known) const;
 
     const std::vector<std::string>  names;
     const FailureCriteria           criteria;

@@ -51,6 +51,7 @@ namespace Biface
     PressureLoad                    pressure;
     Gas::Parameters                 gas;
     ContactPair::Parameters         contact;
+    std::vector<BodyParameters>     bodies;
     std::vector<Stage>              stages;
     LinearSolver::Parameters        linear_solver;
     Newton::Parameters              newton;
@@ -59,11 +60,12 @@ namespace Biface
     CheckpointWriter::Parameters    checkpoint;
     SensitivityParameters           sensitivities;
 
-    /** Declare all entries, with a section for each of the materials and each
-     * of the stages. The object must outlive @p prm. */
+    /** Declare all entries, with a section for each of the materials, bodies
+     * and stages. The object must outlive @p prm. */
     void
     add_parameters(dealii::ParameterHandler       &prm,
                    const std::vector<std::string> &material_names,
+                   const std::vector<std::string> &body_names,
                    const unsigned int              n_stages);
 
     /** Give the loads and supports that stages name in 'Load factors' factors
@@ -95,6 +97,10 @@ namespace Biface
     /** Check the coefficients of friction, and where nodes are glued. */
     void
     check_friction() const;
+
+    /** Check the bodies and the stages in which they are. */
+    void
+    check_bodies() const;
 
     /** Throws InputError if a stage asks for modes and a ply has no
      * density. */

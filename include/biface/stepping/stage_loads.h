@@ -68,6 +68,8 @@ namespace Biface
     bool contact = false;
     /** Instead of the angular velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
+    /** The names of the bodies that are there beside the foundation. */
+    std::vector<std::string> bodies;
     /** The coefficient of friction, see FrictionLaw; empty for that of the
      * section 'Contact'. */
     std::string friction;
@@ -112,7 +114,7 @@ namespace Biface
         [&archive](auto &load) { serialize_optional(archive, load); }, *this);
       archive &names_of_factors;
       serialize_optional(archive, slip_ratio);
-      archive &sealed &contact &friction &glued;
+      archive &sealed &contact &bodies &friction &glued;
     }
 
   private:

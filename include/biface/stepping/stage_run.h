@@ -3,6 +3,7 @@
 #ifndef biface_stepping_stage_run_h
 #define biface_stepping_stage_run_h
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -86,8 +87,21 @@ namespace Biface
     const bool rolls;
     /** How the foundation holds the nodes sideways, if there is one. */
     const std::shared_ptr<const TangentialLaw> law;
+    /** The same of the bodies that are there, by ContactPair::number. */
+    const std::map<unsigned int, std::shared_ptr<const TangentialLaw>>
+      laws_of_bodies;
 
   private:
+    /** The foundation, or a body on it, after the motions of the foundation.
+     * @param body after its travel or its own motions.
+     * @param travel what is left of the travel. */
+    RigidBody
+    with_foundation(const RigidBody &body, const LoadLevel &level) const;
+
+    /** Throws InputError if the shell is deep in a body. */
+    void
+    check_bodies() const;
+
     Loads
     loads_without_contact(const LoadLevel &level) const;
 

@@ -5,6 +5,9 @@
 
 #include <deal.II/base/conditional_ostream.h>
 
+#include <set>
+#include <string>
+
 #include <biface/stepping/stage_analysis.h>
 
 namespace Biface
@@ -26,7 +29,7 @@ namespace Biface
     warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
 
     dealii::ConditionalOStream &out;
-    bool                        warned_of_pierced_nodes = false;
+    std::set<std::string>       warned_of_pierced_nodes;
   };
 } // namespace Biface
 

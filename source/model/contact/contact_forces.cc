@@ -128,7 +128,7 @@ namespace Biface
     const LoadRates &rates,
     LA::Vector      &nodal_forces) const
   {
-    if (rates.change_contact() && contact.has_bristles(loads))
+    if (contact.has_bristles(loads))
       contact.bristle_lines(state, loads)
         .add_load_derivative(rates, nodal_forces);
   }
@@ -139,7 +139,8 @@ namespace Biface
                                      const LoadRates           &rates,
                                      MixedElement::NodalVector &force) const
   {
-    if (!rates.change_contact())
+    const PlacedBody *body = contact.body(at.loads);
+    if (!body)
       return;
     const ShellMesh &mesh = contact.mesh;
     const auto       M =
@@ -149,13 +150,14 @@ namespace Biface
         const unsigned int node = at.cell.nodes[s];
         if (!contact.state_of(at.state).active[node])
           continue;
-        // a travel of the foundation is equivalent to the opposite displacement
-        // of the node
+        // a motion of the body is equivalent to the opposite displacement of
+        // the node
         const LinearizedTraction traction =
           contact.traction(at.state, at.loads, node);
         const Tensor<1, 3> change =
-          -rates.travel *
-            (traction.stiffness * contact.body(at.loads)->body.direction()) +
+          traction.stiffness *
+            rates.velocity_of(body->body,
+                              contact.position(at.state, mesh.nodes[node])) +
           rates.angular_velocity * traction.per_angular_velocity;
         for (unsigned int r = 0; r < 4; ++r)
           {

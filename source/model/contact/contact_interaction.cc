@@ -24,6 +24,19 @@ namespace Biface
     }
 
 
+    std::vector<std::unique_ptr<const ContactPair>>
+    make_pairs(const ShellMesh                   &mesh,
+               const ContactPair::Parameters     &ground,
+               const std::vector<BodyParameters> &bodies)
+    {
+      auto pairs = make_pairs(mesh, {ground});
+      for (const BodyParameters &body : bodies)
+        pairs.push_back(std::make_unique<const ContactPair>(
+          mesh, ground, body, pairs.size()));
+      return pairs;
+    }
+
+
     /** The sum of a number of each pair. */
     template <typename Function>
     unsigned int
@@ -46,9 +59,11 @@ namespace Biface
   }
 
 
-  ContactInteraction::ContactInteraction(const ShellMesh               &mesh,
-                                         const ContactPair::Parameters &ground)
-    : ContactInteraction(mesh, std::vector<ContactPair::Parameters>{ground})
+  ContactInteraction::ContactInteraction(
+    const ShellMesh                   &mesh,
+    const ContactPair::Parameters     &ground,
+    const std::vector<BodyParameters> &bodies)
+    : mesh(mesh), pairs(make_pairs(mesh, ground, bodies))
   {}
 
 
@@ -141,19 +156,32 @@ namespace Biface
   }
 
 
+  std::string
+  ContactInteraction::passed_body(const State &before,
+                                  const Loads &loads_before,
+                                  const State &after,
+                                  const Loads &loads_after) const
+  {
+    for (const auto &pair : pairs)
+      if (pair.get() != &ground() &&
+          Utilities::MPI::logical_or(
+            pair->was_passed(before, loads_before, after, loads_after),
+            mesh.communicator))
+        return pair->name;
+    return {};
+  }
+
+
   void
   ContactInteraction::compute_multipliers(State                &state,
                                           const Loads          &loads,
                                           const Linearizations &before,
                                           const LA::Vector     &increment,
-                                          const double          travel) const
+                                          const LoadRates      &of_loads) const
   {
     for (const auto &pair : pairs)
-      pair->compute_multipliers(state,
-                                loads,
-                                before[pair->number],
-                                increment,
-                                pair.get() == &ground() ? travel : 0.);
+      pair->compute_multipliers(
+        state, loads, before[pair->number], increment, of_loads);
   }
 
 

@@ -61,6 +61,7 @@ namespace Biface
                            const unsigned int number)
     : mesh(mesh)
     , number(number)
+    , name("foundation")
     , face(parameters.face)
     , tread(parameters.tread)
     , condition(tread.with_tread(parameters.condition), mesh.wall_stiffness())
@@ -68,6 +69,69 @@ namespace Biface
     , body_at_rest(parameters.body)
     , friction_parameters(tread.with_tread(parameters.friction))
   {}
+
+
+  namespace
+  {
+    FrictionLaw::Parameters
+    with_coefficient(FrictionLaw::Parameters friction,
+                     const std::string      &coefficient)
+    {
+      friction.coefficient = coefficient;
+      return friction;
+    }
+  } // namespace
+
+
+  ContactPair::ContactPair(const ShellMesh      &mesh,
+                           const Parameters     &ground,
+                           const BodyParameters &body,
+                           const unsigned int    number)
+    : mesh(mesh)
+    , number(number)
+    , name(body.name)
+    , face(body.touches_inner_face ? Resultants::inner : Resultants::outer)
+    , tread(face == Resultants::outer ? ground.tread : TreadParameters())
+    , condition(tread.with_tread(ground.condition), mesh.wall_stiffness())
+    , flow_lines(mesh)
+    , body_at_rest(body.make().behind(tread.height.value_or(0)))
+    , friction_parameters(
+        tread.with_tread(with_coefficient(ground.friction, body.friction)))
+    , other_body(body)
+  {}
+
+
+  RigidBody
+  ContactPair::taken_along(const RigidBody &body, const double travel) const
+  {
+    // the ground itself is below the tread
+    BodyMotion motion;
+    motion.translation = -body_at_rest.direction();
+    motion.factor      = BodyMotion::travel_of_foundation;
+    return body.after_motion(motion,
+                             travel - tread.height.value_or(0),
+                             body_at_rest.direction(),
+                             Point<3>());
+  }
+
+
+  RigidBody
+  ContactPair::body_at(
+    const std::vector<double>                         &factors,
+    const std::function<RigidBody(const RigidBody &)> &with_foundation) const
+  {
+    Assert(other_body, ExcInternalError());
+    RigidBody          body  = body_at_rest;
+    const Tensor<1, 3> axis  = other_body->axis / other_body->axis.norm();
+    Point<3>           pivot = other_body->point;
+    for (const BodyMotion &motion : other_body->motions)
+      {
+        const double factor = factor_at(factors, motion.factor);
+        body                = body.after_motion(motion, factor, axis, pivot);
+        pivot += factor * motion.translation;
+      }
+    return other_body->on_foundation ? with_foundation(body) : body;
+  }
 
 
   std::shared_ptr<const TangentialLaw>
@@ -165,6 +229,61 @@ namespace Biface
       pierced[n] = (!mesh.nodes[n].face_is_free[face] &&
                     clearance(state, loads, mesh.nodes[n]) < -small);
     return pierced;
+  }
+
+
+  double
+  ContactPair::penetration(const State &state, const Loads &loads) const
+  {
+    double deepest = 0;
+    for (const Node &node : mesh.nodes)
+      if (node.face_is_free[face])
+        deepest = std::max(deepest, -clearance(state, loads, node));
+    return Utilities::MPI::max(deepest, mesh.communicator);
+  }
+
+
+  bool
+  ContactPair::was_passed(const State &before,
+                          const Loads &loads_before,
+                          const State &after,
+                          const Loads &loads_after) const
+  {
+    const double small = 1e-3 * mesh.thickness();
+    if (!body(loads_before) || !body(loads_after))
+      return false;
+    const RigidBody &start = body(loads_before)->body,
+                    &end   = body(loads_after)->body;
+    for (const Node &node : mesh.nodes)
+      {
+        if (!node.face_is_free[face])
+          continue;
+        const Point<3> from = position(before, node),
+                       to   = position(after, node);
+        double d            = start.clearance(from);
+        if (d <= small)
+          continue;
+        const Point<3>     rest   = start.at_rest(from);
+        const Tensor<1, 3> way    = end.at_rest(to) - rest;
+        const double       length = way.norm();
+        if (length <= d + std::max(0., end.clearance(to)))
+          continue;
+        const auto at = [&](const double part) {
+          return start.evaluate(start.present(rest + part * way));
+        };
+        // the clearance bounds the way to the surface
+        double done = d;
+        while (done < length && d > -small)
+          {
+            d = at(done / length).clearance;
+            done += std::max(d, small);
+          }
+        // a node may enter and end on the same side
+        if (d <= -small &&
+            at(std::min(1., done / length)).normal * at(1).normal < 0)
+          return true;
+      }
+    return false;
   }
 
 
@@ -280,13 +399,11 @@ namespace Biface
                                    const Loads          &loads,
                                    const Linearizations &before,
                                    const LA::Vector     &increment,
-                                   const double          travel) const
+                                   const LoadRates      &of_loads) const
   {
     AssertDimension(before.size(), mesh.nodes.size());
-    const PlacedBody  *placed = body(loads);
-    ContactState      &zone   = state_of(state);
-    const Tensor<1, 3> of_body =
-      (placed ? -travel * placed->body.direction() : Tensor<1, 3>());
+    const PlacedBody *placed = body(loads);
+    ContactState     &zone   = state_of(state);
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         zone.multipliers[n] = 0;
@@ -295,6 +412,8 @@ namespace Biface
         const Node        &node = mesh.nodes[n];
         const Tensor<1, 3> motion =
           node.surface.from_frame(mesh.displacement(increment, node, face));
+        const Tensor<1, 3> of_body =
+          of_loads.velocity_of(placed->body, position(state, node));
         zone.multipliers[n][0] = condition.multiplier(
           before[n].clearance - before[n].normal * (motion - of_body));
         if (placed->law->acts_on(zone, n))

@@ -388,13 +388,20 @@ namespace Biface
   NodalForces
   ShellEquations::nodal_forces(const State &state, const Loads &loads) const
   {
-    NodalForces result(mesh);
+    NodalForces               result(mesh);
+    std::vector<LA::Vector *> of_terms;
+    for (const ForceTerm *term : terms)
+      of_terms.push_back(
+        term->other_body().empty()
+          ? &result[term->source()]
+          : &result.of_bodies.emplace(term->other_body(), mesh.owned_vector())
+               .first->second);
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factors, 0},
                             result[term->source()]);
     internal.add_constant_forces(state, result[ForceTerm::Source::shell]);
-    for (const ForceTerm *term : terms)
-      term->add_coupled_forces(state, loads, result[term->source()]);
+    for (unsigned int t = 0; t < terms.size(); ++t)
+      terms[t]->add_coupled_forces(state, loads, *of_terms[t]);
 
     ForceTerm::CellForces forces;
     forces.with_tangent = state.linearization_point != nullptr;
@@ -405,8 +412,7 @@ namespace Biface
           add_forces(t, t + 1, c, state, loads, forces);
           const MixedElement::NodalVector force = forces.force + forces.load;
           if (force.norm_square() > 0)
-            mesh.add_nodal_forces(
-              mesh.cells[c], force, result[terms[t]->source()]);
+            mesh.add_nodal_forces(mesh.cells[c], force, *of_terms[t]);
         }
     result.compress();
     return result;

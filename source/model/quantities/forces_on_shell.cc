@@ -250,12 +250,15 @@ namespace Biface
 
 
   std::vector<std::string>
-  bodies_on_shell(const ShellMesh &mesh)
+  bodies_on_shell(const ShellEquations &equations)
   {
-    std::vector<std::string> bodies = mesh.supported.bodies;
+    std::vector<std::string> bodies = equations.mesh.supported.bodies;
     for (const char *name :
          {"foundation", "loads", "prestress", "interpolation"})
       bodies.emplace_back(name);
+    for (const ForceTerm *term : equations.get_terms())
+      if (!term->other_body().empty())
+        bodies.push_back(term->other_body());
     return bodies;
   }
 
@@ -268,7 +271,7 @@ namespace Biface
   {
     const ShellMesh               &mesh     = equations.mesh;
     const InternalForces          &internal = equations.internal_forces();
-    const std::vector<std::string> bodies   = bodies_on_shell(mesh);
+    const std::vector<std::string> bodies   = bodies_on_shell(equations);
     const unsigned int             n        = mesh.supported.bodies.size();
 
     // by the body
@@ -279,11 +282,23 @@ namespace Biface
     others[prestress]      = internal.unlisted_forces(state);
     others[interpolation] -= others[prestress];
 
-    Resultant resultant(mesh, shape_of_forces(state), center, n + n_others);
+    Resultant resultant(mesh, shape_of_forces(state), center, bodies.size());
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int b = 0; b < n_others; ++b)
           resultant.add(n + b, node, face_forces(mesh, others[b], node));
+
+    unsigned int position = n + n_others;
+    for (const ForceTerm *term : equations.get_terms())
+      if (!term->other_body().empty())
+        {
+          const LA::Vector &of_body = forces.of_bodies.at(term->other_body());
+          for (const Node &node : mesh.nodes)
+            if (node.locally_owned)
+              resultant.add(position, node, face_forces(mesh, of_body, node));
+          others[foundation] += of_body;
+          ++position;
+        }
 
     // what is missing at the supports, which take up the prestress there
     LA::Vector missing_here = mesh.owned_vector();

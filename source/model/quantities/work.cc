@@ -54,8 +54,13 @@ namespace Biface
     LA::Vector       change     = owned_part(after.state.displacement);
     change -= owned_part(before.state.displacement);
     const auto work = [&](const ForceTerm::Source source) {
-      return (before.forces[source] * change + after.forces[source] * change) /
-             2;
+      double sum =
+        before.forces[source] * change + after.forces[source] * change;
+      if (source == ForceTerm::Source::foundation)
+        for (const NodalForces *forces : {&before.forces, &after.forces})
+          for (const auto &[name, of_body] : forces->of_bodies)
+            sum += of_body * change;
+      return sum / 2;
     };
 
     Work result;

@@ -88,6 +88,12 @@ namespace Biface
       return Source::foundation;
     }
 
+    std::string
+    other_body() const override
+    {
+      return contact.number == 0 ? "" : contact.name;
+    }
+
     /** Contact remains unilateral. */
     bool
     is_linearized() const override

@@ -4,6 +4,7 @@
 #define biface_model_contact_contact_interaction_h
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -24,9 +25,11 @@ namespace Biface
     ContactInteraction(const ShellMesh                            &mesh,
                        const std::vector<ContactPair::Parameters> &parameters);
 
-    /** The contact with the ground alone. */
-    ContactInteraction(const ShellMesh               &mesh,
-                       const ContactPair::Parameters &ground);
+    /** The contact with the ground and with other bodies, whose laws are those
+     * of the ground. */
+    ContactInteraction(const ShellMesh                   &mesh,
+                       const ContactPair::Parameters     &ground,
+                       const std::vector<BodyParameters> &bodies = {});
 
     /** The pair with the body on which the shell is pressed, whose motion and
      * force stages prescribe. */
@@ -79,14 +82,21 @@ namespace Biface
     unsigned int
     settle(State &state, const Loads &loads) const;
 
-    /** See ContactPair::compute_multipliers().
-     * @param travel that of the ground; the other bodies do not move. */
+    /** The name of a body, other than the ground, through which the shell has
+     * passed in a step, see ContactPair::was_passed(); empty for none. */
+    std::string
+    passed_body(const State &before,
+                const Loads &loads_before,
+                const State &after,
+                const Loads &loads_after) const;
+
+    /** See ContactPair::compute_multipliers(). */
     void
     compute_multipliers(State                &state,
                         const Loads          &loads,
                         const Linearizations &before,
                         const LA::Vector     &increment,
-                        const double          travel) const;
+                        const LoadRates      &of_loads) const;
 
     /** See ContactPair::let_stick(). */
     void

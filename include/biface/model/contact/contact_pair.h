@@ -7,10 +7,14 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/contact/body_parameters.h>
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
@@ -114,6 +118,14 @@ namespace Biface
                 const Parameters  &parameters,
                 const unsigned int number);
 
+    /** The pair with a body that is not the ground, whose laws of contact are
+     * those of the ground, except the coefficient of friction. On the outer
+     * face, a tread lies between both. */
+    ContactPair(const ShellMesh      &mesh,
+                const Parameters     &ground,
+                const BodyParameters &body,
+                const unsigned int    number);
+
     /** What happens in this pair. */
     const ContactState &
     state_of(const State &state) const
@@ -170,6 +182,18 @@ namespace Biface
       return body_at_rest.moved(travel);
     }
 
+    /** A body on that of this pair, the foundation, after the same travel. */
+    RigidBody
+    taken_along(const RigidBody &body, const double travel) const;
+
+    /** Likewise that of another body after its motions. The foundation takes
+     * those along that are on it.
+     * @param with_foundation the further motion of a body on the foundation. */
+    RigidBody
+    body_at(
+      const std::vector<double>                         &factors,
+      const std::function<RigidBody(const RigidBody &)> &with_foundation) const;
+
     /** The law by which the body holds the nodes sideways. Throws InputError if
      * the coefficient is invalid.
      * @param entry the entry of the coefficient.
@@ -198,6 +222,20 @@ namespace Biface
      * their face, so they cannot come into contact. */
     ActiveSet
     pierced_nodes(const State &state, const Loads &loads) const;
+
+    /** How deep a node of the face that may touch is in the body; 0 if none is.
+     * Must be called on all ranks. Unit: length. */
+    double
+    penetration(const State &state, const Loads &loads) const;
+
+    /** Whether a node of this rank that did not touch the body has passed
+     * through it, on the straight line between its places relative to the
+     * body. */
+    bool
+    was_passed(const State &before,
+               const Loads &loads_before,
+               const State &after,
+               const Loads &loads_after) const;
 
     /** The travel from the present place of the body until it touches a free
      * node of the face, see RigidBody::travel_to(). */
@@ -269,11 +307,10 @@ namespace Biface
     unsigned int
     settle(State &state, const Loads &loads) const;
 
-    /** After tiny increments of the displacements and of the travel of the
-     * body, compute the multipliers for the active set and the slipping nodes
-     * of the state. Those along the normal are linear in the increments: the
-     * round-off of positions, which is large beside the penetration, is that
-     * before.
+    /** After tiny increments of the displacements and of the loads, compute the
+     * multipliers for the active set and the slipping nodes of the state. Those
+     * along the normal are linear in the increments: the round-off of
+     * positions, which is large beside the penetration, is that before.
      * @param before the contact before the increments.
      * @param increment of the displacements, a vector with ghosts. */
     void
@@ -281,7 +318,7 @@ namespace Biface
                         const Loads          &loads,
                         const Linearizations &before,
                         const LA::Vector     &increment,
-                        const double          travel) const;
+                        const LoadRates      &of_loads) const;
 
     /** Let all nodes stick that have a stick point, where nothing is known
      * about the slip: too many slipping nodes have too little stiffness. */
@@ -338,8 +375,10 @@ namespace Biface
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 
-    const ShellMesh       &mesh;
-    const unsigned int     number;
+    const ShellMesh   &mesh;
+    const unsigned int number;
+    /** That of the body. */
+    const std::string      name;
     const Resultants::Face face;
     const TreadParameters  tread;
     const ContactCondition condition;
@@ -363,6 +402,8 @@ namespace Biface
 
     const RigidBody               body_at_rest;
     const FrictionLaw::Parameters friction_parameters;
+    /** Of a body that is not the ground. */
+    const std::optional<BodyParameters> other_body;
   };
 } // namespace Biface
 

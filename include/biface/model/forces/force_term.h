@@ -214,6 +214,14 @@ namespace Biface
       return Source::loads;
     }
 
+    /** The name of the body that exerts the forces, if it is not the
+     * foundation; empty otherwise. */
+    virtual std::string
+    other_body() const
+    {
+      return {};
+    }
+
     /** Whether linear strain theory also linearizes these forces. */
     virtual bool
     is_linearized() const

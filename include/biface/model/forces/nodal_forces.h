@@ -4,6 +4,8 @@
 #define biface_model_forces_nodal_forces_h
 
 #include <array>
+#include <map>
+#include <string>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/forces/force_term.h>
@@ -35,11 +37,17 @@ namespace Biface
       return forces[static_cast<unsigned int>(source)];
     }
 
+    /** Those of the bodies beside the foundation, by name; they are not among
+     * the others. */
+    std::map<std::string, LA::Vector> of_bodies;
+
     /** Collect what other ranks have added. */
     void
     compress()
     {
       for (LA::Vector &vector : forces)
+        vector.compress(dealii::VectorOperation::add);
+      for (auto &[name, vector] : of_bodies)
         vector.compress(dealii::VectorOperation::add);
     }
 

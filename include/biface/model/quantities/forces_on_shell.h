@@ -33,7 +33,7 @@ namespace Biface
 
   /** The names of the bodies, in the order of forces_on_shell(). */
   std::vector<std::string>
-  bodies_on_shell(const ShellMesh &mesh);
+  bodies_on_shell(const ShellEquations &equations);
 
 
   /**

@@ -112,6 +112,9 @@ namespace Biface
     /** Not null. */
     std::shared_ptr<const TangentialLaw> law =
       std::make_shared<const TangentialLaw>();
+    /** The face that it touches. */
+    Resultants::Face face = Resultants::outer;
+    std::string      name = "foundation";
   };
 
 
@@ -184,11 +187,26 @@ namespace Biface
     /** See Rolling. */
     double angular_velocity = 0;
 
-    /** Whether tractions of contact change. */
-    bool
-    change_contact() const
+    /** Add a multiple of others. */
+    void
+    add(const double scale, const LoadRates &other)
     {
-      return travel != 0 || angular_velocity != 0;
+      pressure += scale * other.pressure;
+      if (factors.size() < other.factors.size())
+        factors.resize(other.factors.size(), factors[0]);
+      for (unsigned int i = 0; i < factors.size(); ++i)
+        factors[i] += scale * factor_at(other.factors, i);
+      travel += scale * other.travel;
+      angular_velocity += scale * other.angular_velocity;
+    }
+
+    /** The velocity of the point of a body at @p x. */
+    dealii::Tensor<1, 3>
+    velocity_of(const RigidBody &body, const dealii::Point<3> &x) const
+    {
+      return body.velocity(x, travel, [this](const unsigned int factor) {
+        return factor_at(factors, factor);
+      });
     }
   };
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_body_parameters_h
+#define biface_contact_body_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <biface/contact/body_section.h>
+#include <biface/contact/body_shapes.h>
+#include <biface/contact/rigid_body.h>
+
+namespace Biface
+{
+  /** A rigid body beside the foundation: an obstacle on it, a rim, a piston. */
+  struct BodyParameters
+  {
+    enum class Shape
+    {
+      /** A half-space bounded by a plane. */
+      plane,
+      sphere,
+      /** Infinitely long. */
+      cylinder,
+      torus,
+      cone,
+      /** A quarter of the space with a rounded edge. */
+      step,
+      /** A polygon along an axis. */
+      extruded,
+      /** A polygon about an axis. */
+      revolved
+    };
+
+    std::string          name;
+    Shape                shape = Shape::plane;
+    dealii::Point<3>     point;
+    dealii::Tensor<1, 3> direction{{1, 0, 0}};
+    dealii::Tensor<1, 3> axis{{0, 1, 0}};
+    /** Unit: length. */
+    std::optional<double> radius, tube_radius;
+    /** Between axis and surface of a cone. Unit: degrees. */
+    std::optional<double> half_angle;
+    /** Of the edge of a step and the tip of a cone. Unit: length. */
+    double                              edge_radius = 0;
+    std::vector<RoundedPolygon::Corner> profile;
+
+    /** Whether the body touches the inner face. */
+    bool touches_inner_face = false;
+    /** Whether it moves with the foundation. */
+    bool on_foundation = false;
+    /** A constant coefficient or a formula, see FrictionLaw. */
+    std::string friction = "0";
+
+    std::vector<BodyMotion> motions;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError if a value is invalid. */
+    void
+    check() const;
+
+    /** The body at rest. Throws InputError if a value is invalid. */
+    RigidBody
+    make() const;
+  };
+} // namespace Biface
+
+#endif

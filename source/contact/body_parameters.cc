@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <utility>
+
+#include <biface/base/errors.h>
+#include <biface/contact/body_parameters.h>
+#include <biface/contact/friction.h>
+#include <biface/input/parameter_tools.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<RoundedPolygon::Corner>
+    parse_profile(const std::string &entry, const std::string &text)
+    {
+      const std::string form =
+        "each corner must be two numbers, or three with its radius";
+      std::vector<RoundedPolygon::Corner> corners;
+      for (const std::string &item : split_list(entry, text))
+        {
+          const unsigned int        n = split_words(item).size();
+          const std::vector<double> numbers =
+            parse_numbers(entry, item, n == 3 ? 3 : 2, form);
+          corners.push_back(
+            {Point<2>(numbers[0], numbers[1]), n == 3 ? numbers[2] : 0.});
+        }
+      return corners;
+    }
+
+
+    std::vector<BodyMotion>
+    parse_motions(const std::string &entry, const std::string &text)
+    {
+      const std::string form =
+        "each item must have the form 'name: x y z' or 'name: x y z turn angle'";
+      std::vector<BodyMotion> motions;
+      for (const std::string &item : split_list(entry, text, ',', 100))
+        {
+          const auto named = split_named(entry, item, form);
+          BodyMotion motion;
+          for (const std::string &word : split_words(named.first))
+            motion.name += (motion.name.empty() ? "" : " ") + word;
+          for (const BodyMotion &other : motions)
+            if (other.name == motion.name)
+              throw InputError(
+                entry, text, "'" + motion.name + "' is named twice");
+          const std::vector<std::string> words = split_words(named.second);
+          if (words.size() != 3 && !(words.size() == 5 && words[3] == "turn"))
+            throw InputError(entry, item, form);
+          for (unsigned int i = 0; i < 3; ++i)
+            motion.translation[i] = parse_number(entry, words[i], form);
+          if (words.size() == 5)
+            motion.turn =
+              parse_number(entry, words[4], form) * numbers::PI / 180;
+          motions.push_back(motion);
+        }
+      return motions;
+    }
+
+
+    /** The unit vector orthogonal to an axis that is closest to a direction,
+     * or any one if they are parallel. */
+    Tensor<1, 3>
+    across_axis(const Tensor<1, 3> &direction, const Tensor<1, 3> &axis)
+    {
+      Tensor<1, 3> across = direction - (direction * axis) * axis;
+      for (unsigned int i = 0; i < 3 && across.norm() < 1e-3; ++i)
+        {
+          across = -axis[i] * axis;
+          across[i] += 1;
+        }
+      return across / across.norm();
+    }
+  } // namespace
+
+
+  void
+  BodyParameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string section = "Body " + name + "/";
+    add_choice(prm,
+               "Shape",
+               shape,
+               {"plane",
+                "sphere",
+                "cylinder",
+                "torus",
+                "cone",
+                "step",
+                "extruded",
+                "revolved"},
+               "The shape of the body. 'plane': a half-space, with 'Direction' "
+               "into it. 'sphere': 'Point' is its center. 'cylinder': a bar or "
+               "a hole, infinitely long. 'torus': a tube with 'Tube radius' "
+               "whose center line has the distance 'Radius' from the axis. "
+               "'cone': 'Point' is its tip, and it opens along the axis. "
+               "'step': a quarter of the space, below 'Point' along "
+               "'Direction', and on the side of the cross product of "
+               "'Direction' and 'Axis'. 'extruded', 'revolved': the polygon "
+               "'Profile' along the axis or about it.");
+    prm.add_parameter("Point",
+                      point,
+                      "A point x, y, z of the axis or of the plane, the edge "
+                      "of a step before it is rounded, or the origin of "
+                      "'Profile'. Unit: length.");
+    prm.add_parameter("Direction",
+                      direction,
+                      "Direction from the shell into the body, for planes, "
+                      "steps and extruded profiles: components x, y, z of any "
+                      "nonzero vector.");
+    prm.add_parameter("Axis",
+                      axis,
+                      "Direction of the axis of the other shapes, of extruded "
+                      "profiles and of the edge of a step, and that about "
+                      "which motions turn the body: components x, y, z of any "
+                      "nonzero vector; for extruded profiles and steps "
+                      "orthogonal to 'Direction'.");
+    add_optional_number(prm,
+                        "Radius",
+                        radius,
+                        "none",
+                        "Radius of a sphere or cylinder, negative for a hollow "
+                        "one with the shell inside, or of the center line of a "
+                        "torus. Unit: length.");
+    add_optional_number(prm,
+                        "Tube radius",
+                        tube_radius,
+                        "none",
+                        "Radius of the tube of a torus. A number from 0 to "
+                        "'Radius'. Unit: length.");
+    add_optional_number(prm,
+                        "Half angle",
+                        half_angle,
+                        "none",
+                        "Angle between the axis and the surface of a cone. A "
+                        "number between 0 and 90. Unit: degrees.");
+    prm.add_parameter("Edge radius",
+                      edge_radius,
+                      "Radius that rounds the edge of a step or the tip of a "
+                      "cone. Only nodes make contact, so that it should not be "
+                      "far below the size of the cells. Unit: length.",
+                      Patterns::Double());
+    add_parsed(prm,
+               section,
+               "Profile",
+               "",
+               profile,
+               parse_profile,
+               "Corners of the polygon of an extruded or revolved body, "
+               "separated by commas: two coordinates and, if the corner is "
+               "rounded, its radius. Extruded: across, along the cross product "
+               "of 'Direction' and 'Axis', and the height against 'Direction'. "
+               "Revolved: along the axis, and the distance from it. If the "
+               "first corner is repeated at the end, the body is inside; else "
+               "it is to the right of one who walks along the polygon, which "
+               "goes on along its first and last line. Unit: length.");
+    prm.declare_entry("Face",
+                      "outer",
+                      Patterns::Selection("outer|inner"),
+                      "The face of the shell that touches the body.");
+    prm.add_action("Face", [this](const std::string &text) {
+      touches_inner_face = (text == "inner");
+    });
+    prm.declare_entry(
+      "Moves with",
+      "nothing",
+      Patterns::Selection("nothing|foundation"),
+      "'foundation': the body is an obstacle on the foundation of the section "
+      "'Contact'. Its place is that while the foundation, which moves with it, "
+      "is at 'Point on path'; a 'Contact/Tread' lies between both and the "
+      "shell.");
+    prm.add_action("Moves with", [this](const std::string &text) {
+      on_foundation = (text == "foundation");
+    });
+    prm.add_parameter("Friction",
+                      friction,
+                      "Coefficient of friction between shell and body: a "
+                      "number, or a formula of the contact pressure p. No "
+                      "unit.",
+                      Patterns::Anything());
+    add_parsed(prm,
+               section,
+               "Motions",
+               "",
+               motions,
+               parse_motions,
+               "Motions of the body at the factor 1, one after the other: a "
+               "comma-separated list 'name: x y z' or 'name: x y z turn angle' "
+               "of a translation and of an angle in degrees, right-handed "
+               "about 'Axis' through 'Point', which moves along. Their factors "
+               "are those of 'Load factors' of the stages, by the names "
+               "'bodies', 'bodies NAME' or 'bodies NAME name', or 'Load "
+               "factor'. Unit: length.");
+  }
+
+
+  void
+  BodyParameters::check() const
+  {
+    make();
+    check_friction("Body " + name + "/Friction", friction);
+  }
+
+
+  RigidBody
+  BodyParameters::make() const
+  {
+    const std::string section = "Body " + name + "/";
+    const auto        needed  = [&](const std::string           &entry,
+                            const std::optional<double> &value,
+                            const std::string           &allowed) {
+      if (!value)
+        throw InputError(section + entry, "none", allowed);
+      return *value;
+    };
+    check_finite(section + "Point", point);
+    const Tensor<1, 3> a = unit_vector(section + "Axis", axis);
+    const Tensor<1, 3> d = unit_vector(section + "Direction", direction);
+    check_not_negative(section + "Edge radius", edge_radius);
+    if ((shape == Shape::step || shape == Shape::extruded) &&
+        std::abs(a * d) > 1e-6)
+      throw InputError(section + "Axis",
+                       vector_to_string(axis),
+                       "it must be orthogonal to 'Direction', " +
+                         vector_to_string(direction));
+    const bool has_profile =
+      (shape == Shape::extruded || shape == Shape::revolved);
+    if (!profile.empty() && !has_profile)
+      throw InputError(section + "Profile",
+                       "given",
+                       "it needs 'Shape = extruded' or 'revolved'");
+
+    const BodyShape::TravelLine line{d, point},
+      across{across_axis(d, a), point};
+    std::shared_ptr<const BodyShape> made;
+    const auto corner = [](const double u, const double v, const double r = 0) {
+      return RoundedPolygon::Corner{Point<2>(u, v), r};
+    };
+    switch (shape)
+      {
+        case Shape::plane:
+          made = std::make_shared<RigidPlane>(line);
+          break;
+        case Shape::sphere:
+        case Shape::cylinder:
+          {
+            const double R =
+              needed("Radius", radius, "it must be a number other than 0");
+            check_not_zero(section + "Radius", R);
+            const auto disk = std::make_shared<Disk>(Point<2>(), R);
+            if (shape == Shape::sphere)
+              made = std::make_shared<RevolvedBody>(line, a, disk);
+            else
+              made = std::make_shared<ExtrudedBody>(across, a, disk);
+            break;
+          }
+        case Shape::torus:
+          {
+            const double R =
+              needed("Radius", radius, "it must be a positive number");
+            check_positive(section + "Radius", R);
+            const double tube = needed(
+              "Tube radius", tube_radius, "it must be a positive number");
+            check_positive(section + "Tube radius", tube);
+            check_at_most(section + "Tube radius", tube, R);
+            made = std::make_shared<RevolvedBody>(
+              line, a, std::make_shared<Disk>(Point<2>(0, R), tube));
+            break;
+          }
+        case Shape::cone:
+          {
+            const double angle = needed(
+              "Half angle", half_angle, "it must be a number between 0 and 90");
+            check_positive(section + "Half angle", angle);
+            if (angle >= 90)
+              throw InputError(section + "Half angle",
+                               number_to_string(angle),
+                               "it must be below 90");
+            const double slope = std::tan(angle * numbers::PI / 180);
+            // with room for the radius
+            const double length =
+              (edge_radius > 0 ? 2 * edge_radius / slope : 1.);
+            made = std::make_shared<RevolvedBody>(
+              line,
+              a,
+              std::make_shared<RoundedPolygon>(
+                std::vector<RoundedPolygon::Corner>{
+                  corner(length, -slope * length),
+                  corner(0, 0, edge_radius),
+                  corner(length, slope * length)},
+                section + "Edge radius"));
+            break;
+          }
+        case Shape::step:
+          {
+            const double length = (edge_radius > 0 ? 2 * edge_radius : 1.);
+            made                = std::make_shared<ExtrudedBody>(
+              line,
+              a,
+              std::make_shared<RoundedPolygon>(
+                std::vector<RoundedPolygon::Corner>{corner(0, -length),
+                                                                   corner(0, 0, edge_radius),
+                                                                   corner(length, 0)},
+                section + "Edge radius"));
+            break;
+          }
+        case Shape::extruded:
+        case Shape::revolved:
+          {
+            const auto polygon =
+              std::make_shared<RoundedPolygon>(profile, section + "Profile");
+            if (shape == Shape::revolved)
+              for (const auto &item : profile)
+                if (item.point[1] < 0)
+                  throw InputError(section + "Profile",
+                                   number_to_string(item.point[1]),
+                                   "the distance from the axis must not be "
+                                   "negative");
+            if (shape == Shape::revolved)
+              made = std::make_shared<RevolvedBody>(line, a, polygon);
+            else
+              made = std::make_shared<ExtrudedBody>(line, a, polygon);
+            break;
+          }
+      }
+    return RigidBody::without_travel(made);
+  }
+} // namespace Biface

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The bias tire on a plane with a bar, which its tread of 8 mm rounds, has the
+// forces of the independent program of doc/bias_tire.md, with the bar below the
+// axle and 40 mm behind it; and pressed by a plane that is a body, or by one
+// that moves with the foundation, it has the force that the foundation has.
+
+#include "../model/forces.h"
+
+using namespace Biface;
+
+namespace
+{
+  using Overrides = std::vector<Override>;
+
+  Overrides
+  joined(Overrides first, const Overrides &second)
+  {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+
+  double
+  height(const Forces &forces)
+  {
+    return forces.report.loads.ground()->clearance(dealii::Point<3>());
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::string file = PRM_DIR "/cleat.prm",
+                    tire = PRM_DIR "/bias_tire.prm";
+  const Overrides common{"Mesh/Intervals alpha_2=-180:-15:11:smooth, "
+                         "-15:15:18, 15:180:11:smooth",
+                         "Stage 3/Steps=8"};
+
+  const Forces below(file,
+                     joined(common, {"Stage 3/Load factors=bodies: 0.5"}));
+  const auto   sum = [](const Forces &forces, const unsigned int i) {
+    return forces.of.at("foundation")[i] + forces.of.at("cleat")[i];
+  };
+  check_small(
+    "below the axle, vertical", -sum(below, 0) - 1953.2, 5e-5, 1953.2);
+  check_small("balance", below.imbalance, 1e-9);
+
+  const Forces behind(file,
+                      joined(common, {"Body cleat/Motions=pass: 0 0 -170"}));
+  check_small("behind it, vertical", -sum(behind, 0) - 2066.2, 5e-5, 2066.2);
+  check_small("longitudinal", sum(behind, 2) - 37.5, 2e-3, 37.5);
+
+  // the same plane three times
+  const Overrides   steps{"Stage 2/Steps=4", "Contact/Multiplier mass=lumped"};
+  const Forces      foundation(tire, steps);
+  const std::string place =
+    "Body road/Point=" + std::to_string(height(foundation) + 25) + ", 7, 9";
+  const Forces body(tire,
+                    joined(steps,
+                           {"Bodies=road",
+                            place,
+                            "Body road/Motions=up: -25 0 0",
+                            "Stage 2/Contact=false",
+                            "Stage 2/Travel=0",
+                            "Stage 2/Bodies=road",
+                            "Stage 2/Load factor=1"}));
+  const double force = foundation.of.at("foundation")[0];
+  check_small("body", body.of.at("road")[0] - force, 1e-6, force);
+  const Forces carried(tire,
+                       joined(steps,
+                              {"Bodies=road",
+                               "Body road/Moves with=foundation",
+                               "Body road/Point=-1, 0, 0",
+                               "Stage 2/Bodies=road",
+                               "Stage 2/Travel=19"}));
+  check_small(
+    "moved with the foundation", carried.of.at("road")[0] - force, 1e-9, force);
+  check_small(
+    "which is not there", carried.of.at("foundation")[0], 1e-9, force);
+}
