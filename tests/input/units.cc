@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Three shipped examples, with friction, with a rolling wheel, and on a drum
-// with a sealed gas, give the same results in m, N, Pa and kg as in mm, N, MPa
-// and tonnes, with all entries at their defaults that do not describe the
-// example.
+// Four shipped examples, with friction, with a rolling wheel, on a drum with a
+// sealed gas, and on a cleat, give the same results in m, N, Pa and kg as in
+// mm, N, MPa and tonnes, with all entries at their defaults that do not
+// describe the example.
 
 #include <deal.II/base/mpi.h>
 
@@ -32,7 +32,7 @@ namespace
   };
 
 
-  /** The entries of all three tires. */
+  /** The entries of all tires. */
   Entries
   with_tire(const Entries &others)
   {
@@ -163,5 +163,15 @@ main(int argc, char *argv[])
            "Stage 2/Gas=sealed",
            "Gas/Ambient pressure=0.101325"},
           {", Contact/Drum/Radius", ", Gas/Ambient pressure", ""});
+  compare("cleat.prm",
+          {"Contact/Regularization=automatic",
+           "Body cleat/Radius=16",
+           "Stage 2/Steps=2",
+           "Stage 3/Steps=8",
+           "Stage 3/Load factors=bodies: 0.5"},
+          {", Body cleat/Point[3], Body cleat/Motions[3], Body cleat/Radius, "
+           "Contact/Tread/Height",
+           ", Contact/Tread/Modulus",
+           ""});
   return 0;
 }
