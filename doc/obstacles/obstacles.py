@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Write obstacles.md and its picture, from runs of prm/cleat.prm and
+prm/curb_step.prm."""
+
+import argparse
+import collections
+import csv
+import subprocess
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt
+
+PAGE = """<!-- Written by doc/obstacles/obstacles.py: cmake --build build --target obstacles -->
+
+# A tire on obstacles
+
+[cleat.prm](../prm/cleat.prm) lets the bias tire, pressed on a plane by 20 mm, pass a bar of
+10 mm with a half-round top, slowly and without friction. [curb_step.prm](../prm/curb_step.prm) is a
+step of 15 mm. Both obstacles are [bodies](theory.md#bodies-beside-the-foundation) on the
+foundation, and a tread of 8 mm of rubber, springs of 0.3 MPa/mm, lies between them and
+the carcass.
+
+    build/biface prm/cleat.prm
+
+## The enveloping curve
+
+![The vertical force has two maxima, where the bar is near the ends of the footprint; the longitudinal force changes its sign between them](figures/cleat.png)
+
+*Vertical and longitudinal force of road and cleat on the tire, the sum of two lines of
+forces.csv, over the position of the cleat ahead of the axle.* At a constant height of the axle the
+force is largest, {maximum:.0f} N, with the bar {where:.0f} mm beside the axle. Below the axle it is {below:.0f} N,
+little more than the {plane:.0f} N without a bar, since the bar lifts the middle of the
+footprint off the road. The longitudinal force pushes the wheel back from an
+obstacle ahead, by up to {back:.0f} N.
+
+## Beside an independent program
+
+Forces in N, vertical and longitudinal, of the [independent
+program](bias_tire.md#the-independent-program) in parentheses, on 42 cells along the meridian and 40 and 55 around.
+The bar is below the axle and 40 mm behind it.
+
+{bars}
+
+## Edges and nodes
+
+Only nodes make contact. An edge that is sharper than the cells are long is felt where a node happens to
+be. The tread rounds it by its height, and the forces hardly depend on the mesh. A step of 15 mm
+with an edge of 2 mm, whose wall is {wall} mm behind the axle, with the tread of 8 mm:
+
+{steps}
+
+Rigid contact, without a tread, on 42 × 40 cells: a bar of 10 mm that rises from the road 40 and 90 mm behind the axle.
+Pushed to the same place along the road, its steep side would take single nodes along, and the
+forces would depend on the way.
+
+{rigid}
+"""
+
+MESHES = {
+    "42 × 40": "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth",
+    "42 × 55": "-180:-27.5:11:smooth, -27.5:27.5:33, 27.5:180:11:smooth"}
+# the independent program
+BARS = {("42 × 40", 0): (1953.2, 0), ("42 × 40", -40): (2066.2, 37.5),
+        ("42 × 55", 0): (1924.4, 0), ("42 × 55", -40): (2043.1, 39.6)}
+STEPS = {"42 × 40": (2495.7, 240.1), "42 × 55": (2471.0, 254.6)}
+RIGID = {-40: (2077.2, 109.4), -90: (2027.7, 256.0)}
+# with the tread around it, the wall of the step of the independent program is
+# 40 mm behind the axle
+WALL = 48
+
+
+class Runs:
+    """Runs of examples with entries changed."""
+
+    def __init__(self, program, scratch):
+        self.program, self.scratch = program, scratch
+        self.prm = Path(__file__).resolve().parents[2] / "prm"
+
+    def steps(self, name, example, entries, body="cleat"):
+        """Vertical and longitudinal force of each step of the last stage."""
+        directory = self.scratch / name
+        command = [self.program, "--quiet", self.prm / example,
+                   "--output", directory, "--set", "Output/Write VTU=false"]
+        for entry, value in entries.items():
+            command += ["--set", f"{entry}={value}"]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        forces = collections.defaultdict(lambda: [0, 0])
+        with open(directory / "forces.csv", encoding="utf-8") as file:
+            lines = list(csv.DictReader(file))
+        for line in lines:
+            if (line["stage"] == lines[-1]["stage"]
+                    and line["body"] in ("foundation", body)):
+                forces[int(line["step"])][0] -= float(line["F_x"])
+                forces[int(line["step"])][1] += float(line["F_z"])
+        return [forces[step] for step in sorted(forces)]
+
+
+def table(header, rows):
+    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def beside(forces, other):
+    """Forces, with those of the independent program."""
+    return [f"{force + 0:.1f} ({expected:.1f})".replace("-0.0", "0.0")
+            for force, expected in zip(forces, other)]
+
+
+def envelope(runs, picture):
+    """The numbers in the words on the enveloping curve; draw it."""
+    # the first step has the bar 5 mm behind its start
+    forces = runs.steps("envelope", "cleat.prm", {})
+    positions = [130 - 5 * (i + 1) for i in range(len(forces))]
+    if len(forces) != 52:
+        raise SystemExit("some steps were cut; the positions are not known")
+    vertical, longitudinal = zip(*forces)
+    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(6, 5),
+                                constrained_layout=True)
+    axes[0].plot(positions, vertical, color="C0")
+    axes[0].set_ylabel("vertical force [N]")
+    axes[1].plot(positions, longitudinal, color="C1")
+    axes[1].axhline(0, color="0.7", linewidth=0.8)
+    axes[1].set_ylabel("longitudinal force [N]")
+    axes[1].set_xlabel("position of the cleat ahead of the axle [mm]")
+    for a in axes:
+        a.grid(alpha=0.3)
+    figure.savefig(picture, dpi=110)
+    top = max(range(len(forces)), key=lambda i: vertical[i])
+    return {"maximum": vertical[top], "where": abs(positions[top]),
+            "below": vertical[positions.index(0)], "plane": vertical[0],
+            "back": -min(longitudinal)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True, help="the program biface")
+    parser.add_argument("--scratch", type=Path, default=Path("obstacle_runs"))
+    parser.add_argument("--output", type=Path, required=True,
+                        help="where to write obstacles.md and figures/cleat.png")
+    arguments = parser.parse_args()
+    arguments.scratch.mkdir(parents=True, exist_ok=True)
+    (arguments.output / "figures").mkdir(parents=True, exist_ok=True)
+    runs = Runs(arguments.program, arguments.scratch)
+
+    words = envelope(runs, arguments.output / "figures/cleat.png")
+    bars = []
+    for (mesh, z), expected in BARS.items():
+        forces = runs.steps(f"bar_{len(bars)}", "cleat.prm", {
+            "Mesh/Intervals alpha_2": MESHES[mesh],
+            "Body cleat/Motions": f"pass: 0 0 {z - 130}",
+            "Stage 3/Steps": 16})[-1]
+        bars.append([mesh, f"{-z}", *beside(forces, expected)])
+    steps = []
+    for mesh, expected in STEPS.items():
+        forces = runs.steps(f"step_{len(steps)}", "curb_step.prm", {
+            "Mesh/Intervals alpha_2": MESHES[mesh],
+            "Body step/Point": f"1, 0, {-WALL}"}, "step")[-1]
+        steps.append([mesh, *beside(forces, expected)])
+    rigid = []
+    for z, expected in RIGID.items():
+        forces = runs.steps(f"rigid_{len(rigid)}", "cleat.prm", {
+            "Mesh/Intervals alpha_2": MESHES["42 × 40"],
+            "Contact/Tread/Height": "none",
+            "Contact/Tread/Modulus": 0,
+            "Contact/Regularization": 1e4,
+            "Body cleat/Point": f"10.5, 0, {z}",
+            "Body cleat/Motions": "rise: -10.5 0 0",
+            "Stage 3/Steps": 8})[-1]
+        rigid.append([f"{-z}", *beside(forces, expected)])
+    both = ["vertical", "longitudinal"]
+    (arguments.output / "obstacles.md").write_text(PAGE.format(
+        **words, wall=WALL,
+        bars=table(["Cells", "Behind the axle, mm", *both], bars),
+        steps=table(["Cells", *both], steps),
+        rigid=table(["Behind the axle, mm", *both], rigid)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
