@@ -108,19 +108,29 @@ namespace Biface
 
 
   RigidBody
-  RigidBody::after_motion(const BodyMotion   &motion,
-                          const double        factor,
-                          const Tensor<1, 3> &axis,
-                          const Point<3>     &on_axis) const
+  RigidBody::after_motions(
+    const std::vector<BodyMotion>                   &motions,
+    const std::function<double(const unsigned int)> &factor_of,
+    const Tensor<1, 3>                              &axis,
+    const Point<3>                                  &on_axis) const
   {
-    const Tensor<1, 3> slide = factor * motion.translation;
-    RigidBody          result =
+    Tensor<1, 3> slide;
+    double       turn = 0;
+    for (const BodyMotion &motion : motions)
+      {
+        slide += factor_of(motion.factor) * motion.translation;
+        turn += factor_of(motion.factor) * motion.turn;
+      }
+    RigidBody result =
       after({slide,
              Physics::Transformations::Rotations::rotation_matrix_3d(
-               Point<3>(axis), factor * motion.turn),
+               Point<3>(axis), turn),
              on_axis});
-    result.screws.push_back(
-      {motion.factor, motion.translation, motion.turn * axis, on_axis + slide});
+    for (const BodyMotion &motion : motions)
+      result.screws.push_back({motion.factor,
+                               motion.translation,
+                               motion.turn * axis,
+                               on_axis + slide});
     return result;
   }
 

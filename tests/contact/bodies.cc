@@ -159,7 +159,7 @@ main()
   std::reverse(ring.profile.begin(), ring.profile.end());
   test("reversed ring", ring, square);
 
-  // a motion, then another one
+  // two motions about one axis, and a displacement of both
   const Tensor<1, 3> axis({0, 1, 0});
   BodyMotion         first, second;
   first.translation    = Tensor<1, 3>({1, 2, -1});
@@ -170,8 +170,12 @@ main()
   second.factor        = 2;
   const RigidBody rest = cylinder.make();
   const auto      at   = [&](const double a, const double b) {
-    return rest.after_motion(first, a, axis, Point<3>(1, 2, 3))
-      .after_motion(second, b, axis, Point<3>(1, 2, 3) + a * first.translation)
+    return rest
+      .after_motions(
+        {first, second},
+        [&](const unsigned int i) { return i == 1 ? a : b; },
+        axis,
+        Point<3>(1, 2, 3))
       .displaced(
         Tensor<1, 3>({0, 1, 1}), 0.3, Point<3>(), Tensor<1, 3>({1, 0, 0}));
   };

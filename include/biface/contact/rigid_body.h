@@ -112,14 +112,16 @@ namespace Biface
     RigidBody
     around(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
-    /** The same body after a further motion with a given factor.
+    /** The same body after further motions at once: their axis slides with
+     * the sum of their translations.
+     * @param factor_of gives the factor at a position.
      * @param axis of unit length, and a point on it, both at the present
      * place. */
     RigidBody
-    after_motion(const BodyMotion           &motion,
-                 const double                factor,
-                 const dealii::Tensor<1, 3> &axis,
-                 const dealii::Point<3>     &on_axis) const;
+    after_motions(const std::vector<BodyMotion>                   &motions,
+                  const std::function<double(const unsigned int)> &factor_of,
+                  const dealii::Tensor<1, 3>                      &axis,
+                  const dealii::Point<3> &on_axis) const;
 
     /** The same body behind a layer that separates it from the shell: its
      * clearances are smaller by this distance. */

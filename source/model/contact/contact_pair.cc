@@ -108,10 +108,12 @@ namespace Biface
     BodyMotion motion;
     motion.translation = -body_at_rest.direction();
     motion.factor      = BodyMotion::travel_of_foundation;
-    return body.after_motion(motion,
-                             travel - tread.height.value_or(0),
-                             body_at_rest.direction(),
-                             Point<3>());
+    const double moved = travel - tread.height.value_or(0);
+    return body.after_motions(
+      {motion},
+      [&](const unsigned int) { return moved; },
+      body_at_rest.direction(),
+      Point<3>());
   }
 
 
@@ -121,15 +123,11 @@ namespace Biface
     const std::function<RigidBody(const RigidBody &)> &with_foundation) const
   {
     Assert(other_body, ExcInternalError());
-    RigidBody          body  = body_at_rest;
-    const Tensor<1, 3> axis  = other_body->axis / other_body->axis.norm();
-    Point<3>           pivot = other_body->point;
-    for (const BodyMotion &motion : other_body->motions)
-      {
-        const double factor = factor_at(factors, motion.factor);
-        body                = body.after_motion(motion, factor, axis, pivot);
-        pivot += factor * motion.translation;
-      }
+    const RigidBody body = body_at_rest.after_motions(
+      other_body->motions,
+      [&](const unsigned int position) { return factor_at(factors, position); },
+      other_body->axis / other_body->axis.norm(),
+      other_body->point);
     return other_body->on_foundation ? with_foundation(body) : body;
   }
 
