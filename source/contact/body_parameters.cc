@@ -233,7 +233,8 @@ namespace Biface
       (shape == Shape::extruded || shape == Shape::revolved);
     if (!profile.empty() && !has_profile)
       throw InputError(section + "Profile",
-                       "given",
+                       number_to_string(profile[0].point[0]) + " " +
+                         number_to_string(profile[0].point[1]),
                        "it needs 'Shape = extruded' or 'revolved'");
 
     const BodyShape::TravelLine line{d, point},

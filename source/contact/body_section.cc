@@ -44,27 +44,30 @@ namespace Biface
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    const auto place = [&](const unsigned int i) {
-      return "corner " + std::to_string(i + 1) + " at " +
-             number_to_string(corners[i].point[0]) + " " +
+    const auto text = [&](const unsigned int i) {
+      return number_to_string(corners[i].point[0]) + " " +
              number_to_string(corners[i].point[1]);
     };
+    const auto number = [](const unsigned int i) {
+      return "corner " + std::to_string(i + 1);
+    };
     for (const Corner &corner : corners)
-      check_not_negative(entry + ", radius", corner.radius);
+      check_not_negative(entry, corner.radius);
     const bool closed =
       corners.size() > 1 && corners.front().point == corners.back().point;
     if (corners.size() < (closed ? 4 : 2))
-      throw InputError("the polygon of the entry '" + entry +
-                       "' needs at least two points, or three and the first "
-                       "one again if it is closed.");
+      throw InputError(entry,
+                       corners.empty() ? "" : text(0),
+                       "the polygon must have at least two corners, or three "
+                       "and the first one again if it is closed");
     const unsigned int n = corners.size() - 1;
 
     for (unsigned int i = 0; i < n; ++i)
       {
         const Tensor<1, 2> way = corners[i + 1].point - corners[i].point;
         if (way.norm() == 0)
-          throw InputError("in the entry '" + entry + "', " + place(i) +
-                           " and the next one are the same.");
+          throw InputError(
+            entry, text(i), number(i) + " and the next one must differ");
         lines.push_back({corners[i].point, way / way.norm(), 0, way.norm()});
       }
 
@@ -99,8 +102,10 @@ namespace Biface
             on_b >= b.begin &&
             on_b <= (!closed && j == n - 1 ? infinity : b.end);
           if (meets_a && meets_b)
-            throw InputError("the polygon of the entry '" + entry +
-                             "' crosses itself after " + place(i) + ".");
+            throw InputError(entry,
+                             text(i),
+                             "the polygon must not cross itself after " +
+                               number(i));
         }
 
     for (unsigned int i = 0; i < n; ++i)
@@ -114,8 +119,10 @@ namespace Biface
         if (sine == 0 && cosine > 0)
           continue;
         if (std::abs(sine) < 1e-6 && cosine < 0)
-          throw InputError("the polygon of the entry '" + entry +
-                           "' turns back at " + place(i + 1) + ".");
+          throw InputError(entry,
+                           text(i + 1),
+                           "the polygon must not turn back at " +
+                             number(i + 1));
         const double cut =
           corner.radius * std::tan(std::atan2(std::abs(sine), cosine) / 2);
         lines[i].end -= cut;
@@ -130,9 +137,10 @@ namespace Biface
       }
     for (unsigned int i = 0; i < n; ++i)
       if (lines[i].end < lines[i].begin)
-        throw InputError("the polygon of the entry '" + entry +
-                         "' has no room for the radii between " + place(i) +
-                         " and the next one.");
+        throw InputError(entry,
+                         text(i),
+                         "there must be room for the radii between " +
+                           number(i) + " and the next one");
     if (!closed)
       {
         lines.front().begin = -infinity;
