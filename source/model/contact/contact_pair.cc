@@ -374,6 +374,17 @@ namespace Biface
             body(loads)->body.present(before[n].at_rest);
           zone.multipliers[n][0] = condition.multiplier(
             before[n].clearance - before[n].normal * motion);
+          if (!body(loads)->law->acts_on(zone, n))
+            continue;
+          // the same traction, with the tangents at the new place
+          const RigidBody &now = body(loads)->body;
+          const auto       old = now.tangents(before[n].normal);
+          const auto       tangents =
+            now.tangents(now.evaluate(position(state, mesh.nodes[n])).normal);
+          const Tensor<1, 3> traction =
+            zone.multipliers[n][1] * old[0] + zone.multipliers[n][2] * old[1];
+          for (unsigned int i = 0; i < 2; ++i)
+            zone.multipliers[n][1 + i] = tangents[i] * traction;
         }
       else
         zone.multipliers[n] = 0;
