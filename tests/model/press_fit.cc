@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A conical ring that is pushed onto a cone expands by the travel times tan 5,
+// and the axial force is the radial one, 2 pi int E t w/R ds, times
+// tan(5 + atan mu), without and with friction.
+
+#include "forces.h"
+
+using namespace Biface;
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const double angle = 5 * dealii::numbers::PI / 180, radius = 50, length = 10,
+               stiffness = 2e5, expansion = 0.01, sector = 2. / 360;
+  const double radial =
+    2 * dealii::numbers::PI * sector * stiffness * expansion *
+    std::log(1 + length * std::tan(angle) / radius) / std::sin(angle);
+  for (const double friction : {0., 0.2, 0.5})
+    {
+      const Forces forces(DATA_DIR "/press_fit.prm",
+                          {"Body cone/Friction=" + std::to_string(friction)});
+      const double expected = radial * std::tan(angle + std::atan(friction));
+      check_small(
+        "axial force", -forces.of.at("cone")[1] - expected, 5e-4, expected);
+      check_small("balance", forces.imbalance, 1e-9);
+    }
+}
