@@ -9,6 +9,7 @@
 #include <biface/contact/body_parameters.h>
 #include <biface/contact/friction.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 
 namespace Biface
 {
@@ -160,6 +161,16 @@ namespace Biface
                "first corner is repeated at the end, the body is inside; else "
                "it is to the right of one who walks along the polygon, which "
                "goes on along its first and last line. Unit: length.");
+    add_parsed(prm,
+               section,
+               "Profile file",
+               "",
+               profile_file,
+               parse_file_name,
+               "A CSV file with the corners of the profile in place of "
+               "'Profile': two coordinates, and a radius in a third column "
+               "where the corner is rounded. Relative to the parameter file; "
+               "see 'Tables' for names in double quotes. Unit: length.");
     prm.declare_entry("Face",
                       "outer",
                       Patterns::Selection("outer|inner"),
@@ -201,6 +212,27 @@ namespace Biface
 
 
   void
+  BodyParameters::read_profile(const MPI_Comm communicator)
+  {
+    if (profile_file.empty())
+      return;
+    if (!profile.empty())
+      throw InputError("Body " + name + "/Profile file",
+                       profile_file,
+                       "the corners are given by 'Profile' already");
+    for (const auto &row :
+         parse_rows(read_file(profile_file, communicator),
+                    profile_file,
+                    "each line must contain two coordinates and, if the "
+                    "corner is rounded, its radius",
+                    2,
+                    3))
+      profile.push_back(
+        {Point<2>(row[0], row[1]), row.size() == 3 ? row[2] : 0.});
+  }
+
+
+  void
   BodyParameters::check() const
   {
     make();
@@ -212,7 +244,9 @@ namespace Biface
   BodyParameters::make() const
   {
     const std::string section = "Body " + name + "/";
-    const auto        needed  = [&](const std::string           &entry,
+    const std::string profile_entry =
+      section + (profile_file.empty() ? "Profile" : "Profile file");
+    const auto needed = [&](const std::string           &entry,
                             const std::optional<double> &value,
                             const std::string           &allowed) {
       if (!value)
@@ -232,7 +266,7 @@ namespace Biface
     const bool has_profile =
       (shape == Shape::extruded || shape == Shape::revolved);
     if (!profile.empty() && !has_profile)
-      throw InputError(section + "Profile",
+      throw InputError(profile_entry,
                        number_to_string(profile[0].point[0]) + " " +
                          number_to_string(profile[0].point[1]),
                        "it needs 'Shape = extruded' or 'revolved'");
@@ -315,11 +349,11 @@ namespace Biface
         case Shape::revolved:
           {
             const auto polygon =
-              std::make_shared<RoundedPolygon>(profile, section + "Profile");
+              std::make_shared<RoundedPolygon>(profile, profile_entry);
             if (shape == Shape::revolved)
               for (const auto &item : profile)
                 if (item.point[1] < 0)
-                  throw InputError(section + "Profile",
+                  throw InputError(profile_entry,
                                    number_to_string(item.point[1]),
                                    "the distance from the axis must not be "
                                    "negative");

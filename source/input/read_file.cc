@@ -108,18 +108,17 @@ namespace Biface
   }
 
 
-  std::vector<Point<2>>
-  parse_pairs(const std::string &text,
-              const std::string &name,
-              const std::string &meaning)
+  std::vector<std::vector<double>>
+  parse_rows(const std::string &text,
+             const std::string &name,
+             const std::string &form,
+             const unsigned int n_min,
+             const unsigned int n_max)
   {
-    const std::string form =
-      "each line must contain two numbers, '" + meaning + "'";
-
-    std::vector<Point<2>> points;
-    std::istringstream    lines(text);
-    std::string           line;
-    bool                  header_allowed = true;
+    std::vector<std::vector<double>> rows;
+    std::istringstream               lines(text);
+    std::string                      line;
+    bool                             header_allowed = true;
     for (unsigned int number = 1; std::getline(lines, line); ++number)
       {
         line = Utilities::trim(line);
@@ -131,18 +130,38 @@ namespace Biface
           throw InputError(entry, line, form);
         const std::vector<std::string> cells =
           Utilities::split_string_list(line, ',');
-        if (header_allowed && cells.size() == 2 && is_name(cells[0]) &&
-            is_name(cells[1]))
+        const bool has_row = (cells.size() >= n_min && cells.size() <= n_max);
+        if (header_allowed && has_row &&
+            std::all_of(cells.begin(), cells.end(), is_name))
           {
             header_allowed = false;
             continue;
           }
         header_allowed = false;
-        if (cells.size() != 2)
+        if (!has_row)
           throw InputError(entry, line, form);
-        points.emplace_back(parse_number(entry, cells[0], form),
-                            parse_number(entry, cells[1], form));
+        std::vector<double> row;
+        for (const std::string &cell : cells)
+          row.push_back(parse_number(entry, cell, form));
+        rows.push_back(row);
       }
+    return rows;
+  }
+
+
+  std::vector<Point<2>>
+  parse_pairs(const std::string &text,
+              const std::string &name,
+              const std::string &meaning)
+  {
+    std::vector<Point<2>> points;
+    for (const auto &row :
+         parse_rows(text,
+                    name,
+                    "each line must contain two numbers, '" + meaning + "'",
+                    2,
+                    2))
+      points.emplace_back(row[0], row[1]);
     return points;
   }
 

@@ -424,6 +424,12 @@ namespace Biface
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
+    for (const BodyParameters &body : bodies)
+      if (!body.profile_file.empty())
+        for (const auto &corner : body.profile)
+          for (const Point<2> &pair :
+               {corner.point, Point<2>(corner.radius, 0)})
+            pairs["Body " + body.name + "/Profile file"].push_back(pair);
     return pairs;
   }
 } // namespace Biface

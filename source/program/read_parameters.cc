@@ -226,6 +226,16 @@ namespace Biface
           prm.set("Tables", print_tables(tables));
           prm.leave_subsection();
         }
+      for (const BodyParameters &body : parameters.bodies)
+        {
+          std::string profile_file = body.profile_file;
+          if (profile_file.empty())
+            continue;
+          make_absolute(profile_file);
+          prm.enter_subsection("Body " + body.name);
+          prm.set("Profile file", print_file_name(profile_file));
+          prm.leave_subsection();
+        }
     }
 
 
@@ -326,6 +336,8 @@ namespace Biface
     complete(const MPI_Comm communicator, Parameters &parameters)
     {
       parameters.assign_load_factors();
+      for (BodyParameters &body : parameters.bodies)
+        body.read_profile(communicator);
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

@@ -7,6 +7,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <mpi.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +52,8 @@ namespace Biface
     /** Of the edge of a step and the tip of a cone. Unit: length. */
     double                              edge_radius = 0;
     std::vector<RoundedPolygon::Corner> profile;
+    /** A file of its corners in place of the entry; empty for none. */
+    std::string profile_file;
 
     /** Whether the body touches the inner face. */
     bool touches_inner_face = false;
@@ -62,6 +66,11 @@ namespace Biface
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /** Read the file of the profile, if there is one. Must be called on all
+     * ranks. Throws InputError if it cannot be read. */
+    void
+    read_profile(const MPI_Comm communicator);
 
     /** Throws InputError if a value is invalid. */
     void

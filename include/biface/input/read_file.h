@@ -25,7 +25,7 @@ namespace Biface
 
 
   /**
-   * Read pairs of numbers from the text of a CSV file, one pair per line. Empty
+   * Read rows of numbers from the text of a CSV file, one row per line. Empty
    * lines, lines that start with '#' and a first line of column names are
    * skipped.
    *
@@ -34,8 +34,19 @@ namespace Biface
    *
    * @param text the contents of the file.
    * @param name the name of the file, for error messages.
-   * @param meaning the names of the two columns, for error messages.
+   * @param form what a line must contain, for error messages.
+   * @param n_min,n_max the numbers in a row.
    */
+  std::vector<std::vector<double>>
+  parse_rows(const std::string &text,
+             const std::string &name,
+             const std::string &form,
+             const unsigned int n_min,
+             const unsigned int n_max);
+
+
+  /** Rows of two numbers, see parse_rows().
+   * @param meaning the names of the two columns, for error messages. */
   std::vector<dealii::Point<2>>
   parse_pairs(const std::string &text,
               const std::string &name,
