@@ -164,11 +164,14 @@ main(int argc, char *argv[])
            "Gas/Ambient pressure=0.101325"},
           {", Contact/Drum/Radius", ", Gas/Ambient pressure", ""});
   compare("cleat.prm",
-          {"Contact/Regularization=automatic",
+          {"Mesh/Intervals alpha_1=-120:-45:4, -45:45:8, 45:120:4",
+           "Mesh/Intervals alpha_2=-180:-27.5:5:smooth, -27.5:27.5:12, "
+           "27.5:180:5:smooth",
+           "Contact/Regularization=automatic",
            "Body cleat/Radius=16",
            "Stage 2/Steps=2",
-           "Stage 3/Steps=8",
-           "Stage 3/Load factors=bodies: 0.5"},
+           "Stage 3/Steps=6",
+           "Stage 3/Load factors=bodies: 0.3"},
           {", Body cleat/Point[3], Body cleat/Motions[3], Body cleat/Radius, "
            "Contact/Tread/Height",
            ", Contact/Tread/Modulus",
