@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/step_warnings.h>
@@ -15,6 +16,46 @@ namespace Biface
   StepWarnings::end_step(const StageRun &run, StepReport &report)
   {
     warn_of_pierced_nodes(run, report.loads);
+    warn_of_large_cells(run, report.loads);
+  }
+
+
+  namespace
+  {
+    std::string
+    name_of_body(const ContactInteraction &contact, const ContactPair &pair)
+    {
+      return &pair == &contact.ground() ? "the foundation"
+                                        : "the body '" + pair.name + "'";
+    }
+  } // namespace
+
+
+  void
+  StepWarnings::warn_of_large_cells(const StageRun &run, const Loads &loads)
+  {
+    // of wall and tread
+    constexpr double remarkable = 0.05;
+
+    for (const auto &pair : run.contact.pairs)
+      {
+        if (warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
+          continue;
+        const auto deepest = pair->depth_between_nodes(run.state, loads);
+        if (deepest.relative <= remarkable)
+          continue;
+        char depth[48];
+        std::snprintf(depth,
+                      sizeof(depth),
+                      "%.3g, %.2g %% of its thickness,",
+                      deepest.depth,
+                      100 * deepest.relative);
+        out << "  Warning: between nodes, which alone make contact, "
+            << name_of_body(run.contact, *pair) << " is in the shell by "
+            << depth << " more than at the nodes around; make the cells "
+            << "smaller, or its edges rounder" << std::endl;
+        warned_of_large_cells.insert(pair->name);
+      }
   }
 
 
@@ -30,10 +71,7 @@ namespace Biface
           pierced.begin(), pierced.end(), [](const char node) { return node; });
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
           continue;
-        out << "  Warning: "
-            << (pair.get() == &run.contact.ground()
-                  ? "the foundation"
-                  : "the body '" + pair->name + "'")
+        out << "  Warning: " << name_of_body(run.contact, *pair)
             << " penetrates supported nodes, which cannot come into contact: "
             << name_nodes(run.contact.mesh, pierced) << std::endl;
         warned_of_pierced_nodes.insert(pair->name);

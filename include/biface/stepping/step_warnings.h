@@ -28,8 +28,13 @@ namespace Biface
     void
     warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
 
+    /** Warn of bodies that are far in the shell between nodes, which alone make
+     * contact: their edges are too sharp for the cells. */
+    void
+    warn_of_large_cells(const StageRun &run, const Loads &loads);
+
     dealii::ConditionalOStream &out;
-    std::set<std::string>       warned_of_pierced_nodes;
+    std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells;
   };
 } // namespace Biface
 

@@ -241,6 +241,44 @@ namespace Biface
   }
 
 
+  ContactPair::DepthBetweenNodes
+  ContactPair::depth_between_nodes(const State &state, const Loads &loads) const
+  {
+    static const std::vector<std::vector<unsigned int>> between{
+      {0, 1}, {2, 3}, {0, 2}, {1, 3}, {0, 1, 2, 3}};
+
+    DepthBetweenNodes deepest;
+    if (!body(loads))
+      return deepest;
+    const RigidBody &now = body(loads)->body;
+    for (const Cell &cell : mesh.wall_elements())
+      for (const auto &vertices : between)
+        {
+          Tensor<1, 3> sum;
+          double       clearances = 0, thickness = 0;
+          for (const unsigned int q : vertices)
+            {
+              const Node &node = mesh.nodes[cell.nodes[q]];
+              sum += position(state, node);
+              clearances += clearance(state, loads, node);
+              thickness += node.face_heights[1] - node.face_heights[0];
+            }
+          const double n        = vertices.size();
+          const double in_shell = -now.clearance(Point<3>(sum / n));
+          if (in_shell <= 0)
+            continue;
+          const double depth = in_shell + clearances / n;
+          deepest.depth      = std::max(deepest.depth, depth);
+          deepest.relative =
+            std::max(deepest.relative,
+                     depth / (thickness / n + tread.height.value_or(0)));
+        }
+    deepest.depth    = Utilities::MPI::max(deepest.depth, mesh.communicator);
+    deepest.relative = Utilities::MPI::max(deepest.relative, mesh.communicator);
+    return deepest;
+  }
+
+
   bool
   ContactPair::was_passed(const State &before,
                           const Loads &loads_before,

@@ -228,6 +228,19 @@ namespace Biface
     double
     penetration(const State &state, const Loads &loads) const;
 
+    /** How far the body is in the shell between nodes. */
+    struct DepthBetweenNodes
+    {
+      /** Deeper than in the mean of the nodes around, and divided by the
+       * thickness of wall and tread; 0 outside. */
+      double depth = 0, relative = 0;
+    };
+
+    /** The largest at the middle of cells and of their sides, where the face is
+     * straight between nodes. Must be called on all ranks. */
+    DepthBetweenNodes
+    depth_between_nodes(const State &state, const Loads &loads) const;
+
     /** Whether a node of this rank that did not touch the body has passed
      * through it, on the straight line between its places relative to the
      * body. */

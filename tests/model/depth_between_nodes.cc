@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A bar that touches two lines of nodes of a flat plate is in the plate between
+// them by the sagitta of its circle, and a plane is nowhere deeper than at the
+// nodes.
+
+#include <cmath>
+
+#include <biface/program/parameters.h>
+#include <biface/program/shell_model.h>
+
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Parameters       parameters;
+  ParameterHandler prm;
+  read_parameters(
+    DATA_DIR "/squeezed_plate.prm", {}, MPI_COMM_WORLD, parameters, prm);
+  const auto mesh = make_shell_mesh(parameters, MPI_COMM_WORLD);
+
+  // the plate with cells of 5 is 2 thick; the bar is over the middle of a cell
+  const double radius = 8, cell = 5, face = 1,
+               sagitta = radius - std::sqrt(radius * radius - cell * cell / 4);
+  for (const double pushed : {1e-9, 0.3})
+    {
+      BodyParameters bar, plane;
+      bar.name        = "bar";
+      bar.shape       = BodyParameters::Shape::cylinder;
+      bar.radius      = radius;
+      bar.point       = Point<3>(7.5, 0, face + radius - sagitta);
+      plane.name      = "plane";
+      bar.direction   = Tensor<1, 3>({0, 0, 1});
+      plane.direction = bar.direction;
+      plane.point     = Point<3>(0, 0, face - pushed);
+      bar.point[2] -= pushed;
+      const ContactInteraction contact(
+        *mesh, ContactPair::Parameters(), {bar, plane});
+      const State state = contact.unloaded_state();
+      Loads       loads;
+      for (const unsigned int i : {1, 2})
+        loads.place(i,
+                    {contact.pairs[i]->body_at(
+                      {0.}, [](const RigidBody &body) { return body; })});
+      const auto of_bar   = contact.pairs[1]->depth_between_nodes(state, loads),
+                 of_plane = contact.pairs[2]->depth_between_nodes(state, loads);
+      // from the circle through the nodes
+      const double height  = radius - sagitta - pushed,
+                   at_node = std::hypot(cell / 2, height) - radius,
+                   middle  = height - radius;
+      check_small("bar", of_bar.depth - (at_node - middle), 1e-9, sagitta);
+      check_small(
+        "part of the thickness", of_bar.relative - of_bar.depth / 2, 1e-12);
+      check_small("plane", of_plane.depth, 1e-12);
+    }
+}
