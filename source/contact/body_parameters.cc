@@ -236,7 +236,13 @@ namespace Biface
   BodyParameters::check() const
   {
     make();
-    check_friction("Body " + name + "/Friction", friction);
+    const std::string entry = "Body " + name + "/Friction";
+    check_friction(entry, friction);
+    if (FrictionLaw(entry, friction, 1).depends_on_speed())
+      throw InputError(
+        entry,
+        friction,
+        "bodies have no steady rolling, and so no slip velocity s");
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,8 +40,8 @@ namespace Biface
   }
 
 
-  RoundedPolygon::RoundedPolygon(const std::vector<Corner> &corners,
-                                 const std::string         &entry)
+  RoundedPolygon::RoundedPolygon(std::vector<Corner> corners,
+                                 const std::string  &entry)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -61,6 +62,17 @@ namespace Biface
                        "the polygon must have at least two corners, or three "
                        "and the first one again if it is closed");
     const unsigned int n = corners.size() - 1;
+    if (closed)
+      {
+        double &first = corners.front().radius, &last = corners.back().radius;
+        if (first > 0 && last > 0 && first != last)
+          throw InputError(entry,
+                           number_to_string(last),
+                           "the first corner, which is repeated, has the "
+                           "radius " +
+                             number_to_string(first));
+        first = last = std::max(first, last);
+      }
 
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -152,6 +164,9 @@ namespace Biface
   SectionPoint
   RoundedPolygon::evaluate(const Point<2> &x) const
   {
+    // lines and arcs overlap, lest round-off open gaps between them
+    constexpr double overlap = 1e-9;
+
     SectionPoint nearest{std::numeric_limits<double>::infinity(), {}, 0};
     const auto   propose = [&](const SectionPoint &candidate) {
       if (std::abs(candidate.distance) < std::abs(nearest.distance))
@@ -162,7 +177,8 @@ namespace Biface
         const Tensor<1, 2> arm   = x - line.start;
         const double       where = arm * line.along;
         const Tensor<1, 2> out   = left_of(line.along);
-        if (where >= line.begin && where <= line.end)
+        const double       more  = overlap * arm.norm();
+        if (where >= line.begin - more && where <= line.end + more)
           propose({arm * out, out, 0});
       }
     for (const Arc &arc : arcs)
@@ -171,7 +187,8 @@ namespace Biface
         const Tensor<1, 2> arm  = x - arc.center;
         const double       rho  = arm.norm();
         // in the sector between the normals
-        if (cross(arc.first, arm) > 0 || cross(arm, arc.last) > 0)
+        if (cross(arc.first, arm) > overlap * rho ||
+            cross(arm, arc.last) > overlap * rho)
           continue;
         if (rho == 0 && arc.radius > 0)
           continue;

@@ -143,13 +143,21 @@ namespace Biface
   {
     Tensor<1, 3> result = (travels ? -travel * direction() : Tensor<1, 3>());
     for (const Screw &screw : screws)
-      {
-        const double rate = (screw.factor == BodyMotion::travel_of_foundation
-                               ? travel
-                               : rate_of(screw.factor));
-        result += rate * (screw.translation +
-                          cross_product_3d(screw.spin, x - screw.point));
-      }
+      result +=
+        screw.rate(travel, rate_of) *
+        (screw.translation + cross_product_3d(screw.spin, x - screw.point));
+    return result;
+  }
+
+
+  Tensor<1, 3>
+  RigidBody::angular_velocity(
+    const double                                     travel,
+    const std::function<double(const unsigned int)> &rate_of) const
+  {
+    Tensor<1, 3> result;
+    for (const Screw &screw : screws)
+      result += screw.rate(travel, rate_of) * screw.spin;
     return result;
   }
 

@@ -41,6 +41,13 @@ namespace Biface
     }
 
 
+    bool
+    is_blank(const char c)
+    {
+      return c == ' ' || c == '\t';
+    }
+
+
     /** Whether a character can belong to a name or a number. */
     bool
     is_word(const char c)
@@ -83,7 +90,8 @@ namespace Biface
     find_numbers(const std::string &text)
     {
       std::vector<Span> result;
-      // the last character that was not blank, and its place
+      // the last character that was not blank, 'x' for words and '0' for
+      // numbers, and its place
       char        before = '\0';
       std::size_t last   = 0;
       // whether it is a sign that belongs to a number
@@ -115,22 +123,27 @@ namespace Biface
                   const std::size_t begin = (sign ? last : at);
                   result.push_back({begin, end - begin});
                 }
-              before = 'x';
+              before = (number ? '0' : 'x');
               sign   = false;
               at     = end;
             }
           else
             {
-              if (c != ' ' && c != '\t')
+              if (!is_blank(c))
                 {
-                  // after an operand it is an operator; a sign is next to its
+                  // after an operand it is an operator, but after a number
+                  // and a blank, as in lists, a sign; a sign is next to its
                   // number; +- and -+ are two plies with the same number
                   const bool both = sign && last + 1 == at &&
                                     (c == '-' || c == '+') && c != before;
-                  sign = (c == '-' || c == '+') && !both && before != 'x' &&
+                  const bool next_item =
+                    before == '0' && is_blank(text[at - 1]) &&
+                    at + 1 < text.size() &&
+                    (is_digit(text[at + 1]) || text[at + 1] == '.');
+                  sign = (c == '-' || c == '+') && !both &&
+                         (next_item || (before != 'x' && before != '0')) &&
                          before != ')' && before != '"' &&
-                         at + 1 < text.size() && text[at + 1] != ' ' &&
-                         text[at + 1] != '\t';
+                         at + 1 < text.size() && !is_blank(text[at + 1]);
                   before = c;
                   last   = at;
                 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -179,6 +180,28 @@ namespace Biface
   void
   Parameters::check_bodies() const
   {
+    // other lines of forces.csv
+    std::set<std::string> lines{"foundation",
+                                "loads",
+                                "prestress",
+                                "interpolation",
+                                "alpha_1 min",
+                                "alpha_1 max",
+                                "alpha_2 min",
+                                "alpha_2 max"};
+    for (const BodyParameters &body : bodies)
+      {
+        // names of files have no blanks
+        std::string name = body.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        if (lines.count(body.name) > 0 || body.name.rfind("point ", 0) == 0 ||
+            !lines.insert(name).second)
+          throw InputError("Bodies",
+                           body.name,
+                           "the names of bodies must differ, also with '_' in "
+                           "place of blanks, and must not be those of other "
+                           "lines of forces.csv");
+      }
     for (const BodyParameters &body : bodies)
       body.check();
     for (unsigned int i = 0; i < stages.size(); ++i)

@@ -199,12 +199,14 @@ namespace Biface
       "Names of the bodies that are there in the stage, separated by "
       "commas; see the entry 'Bodies' outside the stages. Their places "
       "follow from 'Load factors'.");
-    prm.add_parameter("Glued",
-                      glued,
-                      "Whether the nodes in contact at the start of the stage "
-                      "cannot slip, as long as they are in contact. Nodes that "
-                      "come into contact later have friction.",
-                      Patterns::Bool());
+    prm.add_parameter(
+      "Glued",
+      glued,
+      "Whether the nodes in contact with the foundation at the "
+      "start of the stage cannot slip, as long as they are in "
+      "contact. Nodes that come into contact later have friction, as "
+      "have those in contact with other bodies.",
+      Patterns::Bool());
     add_optional_number(
       prm,
       "Load factor",

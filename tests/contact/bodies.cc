@@ -159,6 +159,52 @@ main()
   std::reverse(ring.profile.begin(), ring.profile.end());
   test("reversed ring", ring, square);
 
+  // points on the normals at the ends of lines, between two parts of the
+  // surface, and the radius of the first corner given at either place
+  double gap = 0;
+  for (unsigned int i = 0; i < 200; ++i)
+    {
+      std::vector<RoundedPolygon::Corner> corners(4);
+      for (unsigned int j = 0; j < 3; ++j)
+        corners[j].point = Point<2>(20 * std::cos(2.1 * j + 0.1 * i),
+                                    15 * std::sin(2.1 * j + i * 0.1));
+      corners[3] = corners[0];
+      const RoundedPolygon polygon(corners, "polygon");
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          Tensor<1, 2> way = corners[j + 1].point - corners[j].point;
+          way /= way.norm();
+          // counterclockwise
+          const Tensor<1, 2> out({way[1], -way[0]});
+          for (const unsigned int end : {j, j + 1})
+            gap = std::max(
+              gap,
+              std::abs(
+                polygon.evaluate(corners[end].point + (1 + 0.1 * i) * out)
+                  .distance -
+                (1 + 0.1 * i)));
+        }
+    }
+  std::cout << "no gaps: " << (gap < 1e-12) << std::endl;
+  double radius = 0;
+  for (const unsigned int rounded : {0, 3})
+    {
+      std::vector<RoundedPolygon::Corner> corners{{Point<2>(0, 0)},
+                                                  {Point<2>(3, -1)},
+                                                  {Point<2>(-3, -1)},
+                                                  {Point<2>(0, 0)}};
+      corners[rounded].radius = 0.5;
+      // the bisector of the corner
+      const double half = std::atan2(3, 1);
+      radius            = std::max(
+        radius,
+        std::abs(
+          RoundedPolygon(corners, "polygon").evaluate(Point<2>(0, 1)).distance -
+          (1 + 0.5 / std::sin(half) - 0.5)));
+    }
+  std::cout << "corner where a polygon closes: " << (radius < 1e-12)
+            << std::endl;
+
   // two motions about one axis, and a displacement of both
   const Tensor<1, 3> axis({0, 1, 0});
   BodyMotion         first, second;

@@ -87,6 +87,9 @@ main(int argc, char *argv[])
   change("Laminate/Plies[2]",
          {-45},
          {"Laminate/Plies=cord: 1.2 @ -+52, cord: 1.2 @ 2 - -10*alpha_1"});
+  change("Loads/Point forces[3]",
+         {-2},
+         {"Named points=P: 0 0", "Loads/Point forces=P: 5 0 -1.5"});
 
   // what is refused
   change("Stage 1/Presure", {1});

@@ -50,6 +50,8 @@ main(int argc, char *argv[])
                       {0.}, [](const RigidBody &body) { return body; })});
       const auto of_bar   = contact.pairs[1]->depth_between_nodes(state, loads),
                  of_plane = contact.pairs[2]->depth_between_nodes(state, loads);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+        continue;
       // from the circle through the nodes
       const double height  = radius - sagitta - pushed,
                    at_node = std::hypot(cell / 2, height) - radius,

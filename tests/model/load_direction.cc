@@ -2,7 +2,8 @@
 
 // The derivative of the residual with respect to the loads, at rates of the
 // pressure, of the load factor and of the foundation's travel, is that of its
-// differences, with dead and with follower loads.
+// differences, with dead and with follower loads; and likewise at the rate of a
+// motion that turns a body, without and with friction.
 
 #include <biface/model/equations/shell_equations.h>
 
@@ -74,6 +75,63 @@ namespace
           check_small(what, error, 1e-7, scale);
       }
   }
+
+
+  void
+  test_turning_body(const std::string &friction)
+  {
+    const Layup layup(Layup::Parameters(), cord_ply());
+    const auto  mesh = coarse_torus(layup);
+
+    ContactPair::Parameters ground;
+    ground.condition.regularization = 1;
+    ground.friction.regularization  = 0.5;
+    BodyParameters bar;
+    bar.name     = "bar";
+    bar.shape    = BodyParameters::Shape::sphere;
+    bar.radius   = 120;
+    bar.point    = Point<3>(360, 5, -8);
+    bar.axis     = Tensor<1, 3>({0.3, 1, -0.5});
+    bar.friction = friction;
+    BodyMotion motion;
+    motion.name        = "screw";
+    motion.translation = Tensor<1, 3>({-3, 1, 2});
+    motion.turn        = 0.2;
+    bar.motions        = {motion};
+    const ContactInteraction contact(*mesh, ground, {bar});
+    const ContactPair       &pair = *contact.pairs[1];
+    ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
+    const auto               loads_at = [&](const double factor) {
+      Loads loads;
+      loads.factors = {factor};
+      loads.place(1,
+                  {pair.body_at(loads.factors,
+                                [](const RigidBody &body) { return body; }),
+                   pair.law("", "", false, false)});
+      return loads;
+    };
+
+    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    // nodes stick to the body, and slip where the pressure is small
+    contact.settle(state, loads_at(0.2));
+    equations.commit_step(state, loads_at(0.2), {0, 1}, state);
+    contact.settle(state, loads_at(0.7));
+    const unsigned int n_active = contact.count_active(state);
+
+    LA::Vector deviation =
+      equations.load_direction(state, loads_at(0.7), {0, {1}, 0});
+    const double scale = deviation.l2_norm(), step = 1e-4;
+    for (const double sign : {-1., 1.})
+      {
+        equations.assemble(state, loads_at(0.7 + sign * step));
+        deviation.add(-sign / (2 * step), equations.residual());
+      }
+    const double error = deviation.l2_norm();
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    check_true("nodes touch the turning body", n_active > 3);
+    check_small("its motion", error, 1e-6, scale);
+  }
 } // namespace
 
 
@@ -84,4 +142,6 @@ main(int argc, char *argv[])
 
   test("dead pressure", PressureKind::dead);
   test("follower pressure", PressureKind::follower);
+  for (const std::string friction : {"0", "0.3"})
+    test_turning_body(friction);
 }

@@ -78,11 +78,11 @@ namespace Biface
     /** Throws InputError if there are fewer than two corners, or three of a
      * closed polygon, if corners coincide, if it turns back at a corner,
      * crosses itself, or has no room for the arcs.
-     * @param corners those of a closed polygon end with the first.
+     * @param corners those of a closed polygon end with the first, whose
+     * radius may be given at either place.
      * @param entry the name of the entry that contains them, for error
      * messages. */
-    RoundedPolygon(const std::vector<Corner> &corners,
-                   const std::string         &entry);
+    RoundedPolygon(std::vector<Corner> corners, const std::string &entry);
 
     SectionPoint
     evaluate(const dealii::Point<2> &x) const override;

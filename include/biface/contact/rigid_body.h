@@ -144,6 +144,12 @@ namespace Biface
              const double                                     travel,
              const std::function<double(const unsigned int)> &rate_of) const;
 
+    /** The angular velocity of the body, likewise. */
+    dealii::Tensor<1, 3>
+    angular_velocity(
+      const double                                     travel,
+      const std::function<double(const unsigned int)> &rate_of) const;
+
     /** The point of the foundation at rest, before all motions, that is now at
      * @p x. */
     dealii::Point<3>
@@ -238,6 +244,15 @@ namespace Biface
       dealii::Tensor<1, 3> spin;
       /** A point of the axis. */
       dealii::Point<3> point;
+
+      /** The rate of the factor, see RigidBody::velocity(). */
+      double
+      rate(const double                                     travel,
+           const std::function<double(const unsigned int)> &rate_of) const
+      {
+        return factor == BodyMotion::travel_of_foundation ? travel
+                                                          : rate_of(factor);
+      }
     };
 
     std::shared_ptr<const BodyShape> shape;

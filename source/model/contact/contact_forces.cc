@@ -151,13 +151,15 @@ namespace Biface
         if (!contact.state_of(at.state).active[node])
           continue;
         // a motion of the body is equivalent to the opposite displacement of
-        // the node
+        // the node, with a traction that turns with the body
         const LinearizedTraction traction =
           contact.traction(at.state, at.loads, node);
         const Tensor<1, 3> change =
           traction.stiffness *
             rates.velocity_of(body->body,
                               contact.position(at.state, mesh.nodes[node])) +
+          cross_product_3d(rates.angular_velocity_of(body->body),
+                           traction.value) +
           rates.angular_velocity * traction.per_angular_velocity;
         for (unsigned int r = 0; r < 4; ++r)
           {

@@ -286,6 +286,8 @@ namespace Biface
                           const Loads &loads_after) const
   {
     const double small = 1e-3 * mesh.thickness();
+    // the cosine of 120 degrees; the sides of a corner may be orthogonal
+    constexpr double opposite = -0.5;
     if (!body(loads_before) || !body(loads_after))
       return false;
     const RigidBody &start = body(loads_before)->body,
@@ -298,7 +300,13 @@ namespace Biface
                        to   = position(after, node);
         double d            = start.clearance(from);
         if (d <= small)
-          continue;
+          {
+            // from contact to the other side
+            if (start.evaluate(from).normal * end.evaluate(to).normal <
+                opposite)
+              return true;
+            continue;
+          }
         const Point<3>     rest   = start.at_rest(from);
         const Tensor<1, 3> way    = end.at_rest(to) - rest;
         const double       length = way.norm();

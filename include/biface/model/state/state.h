@@ -208,6 +208,15 @@ namespace Biface
         return factor_at(factors, factor);
       });
     }
+
+    /** The angular velocity of a body. */
+    dealii::Tensor<1, 3>
+    angular_velocity_of(const RigidBody &body) const
+    {
+      return body.angular_velocity(travel, [this](const unsigned int factor) {
+        return factor_at(factors, factor);
+      });
+    }
   };
 
 
