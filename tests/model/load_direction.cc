@@ -111,7 +111,8 @@ namespace
       return loads;
     };
 
-    State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
+    State state =
+      at(equations, contact.unloaded_state(), some_displacement(*mesh, 0.2, 1));
     // nodes stick to the body, and slip where the pressure is small
     contact.settle(state, loads_at(0.2));
     equations.commit_step(state, loads_at(0.2), {0, 1}, state);
