@@ -28,10 +28,15 @@ PLY, LINER, SIDEWALL, RUBBER = 1.1, 1.5, 2.5, 6
 BURST = 4  # over the rated pressure
 TURN = 0.2  # degrees, of the ground in the parameter file
 CLEARANCE = 2  # between the carcass and half the rim width
-FRICTION = 0.8  # of the rolling tire
+FRICTION = 0.8  # of the tire that stands and of that which rolls
 SLIP_ANGLE = 1  # degrees
-SPEEDS = (2, 10, 100)  # over the critical velocity, for free rolling
 DEFLECTIONS = (0.5, 0.75, 1, 1.25)  # over the rated one
+# what the laminate is, by entries beside those of the rules
+WALLS = {
+    "two layers": {},
+    "one layer": {"Laminate/Layers": "one"},
+    "equilibrium": {"Laminate/Transverse shear": "equilibrium"},
+}
 # of which the cornering power is computed with other inputs
 STUDIED = ("32x8.8 14PR", "18x4.4 6PR", "18x5.5 10PR", "49x17 26PR")
 
@@ -125,9 +130,14 @@ class Construction:
                 break
             self.plies += 2
 
-    def layup(self):
+    def layup(self, tread=None):
         """The entry 'Laminate/Plies': liner, carcass, turn-ups of half its
-        plies, sidewall and tread."""
+        plies, sidewall and tread.
+
+        tread: its thickness over that of the sidewall, by the rules if not
+        given."""
+        if tread is None:
+            tread = self.tread - SIDEWALL
         cord = f"cord: {PLY} @ "
         turn_up = [f"{self.plies // 4} x ({cord}+-lift(beta_c) RANGE)"]
         if self.plies % 4:
@@ -140,8 +150,14 @@ class Construction:
             + [ply.replace("RANGE", part) for part in
                ("from -end to -0.7*end", "from 0.7*end to end")
                for ply in turn_up]
-            + [f"rubber: {SIDEWALL} + {self.tread - SIDEWALL:.6g}"
+            + [f"rubber: {SIDEWALL} + {tread:.6g}"
                "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
+
+    def layers(self):
+        """The entry 'Laminate/Layers': the tread and the sidewall, which shear in
+        series with all other plies."""
+        turn_up = 2 * (self.plies // 4) + (self.plies % 4 > 0)
+        return f"{1 + self.plies + 2 * turn_up}, 1"
 
     def slide(self):
         """The motion of the ground by which stiffnesses are computed."""
@@ -157,6 +173,8 @@ class Construction:
             meridian + "End half width": f"{self.end_half_width:.10g}",
             "Laminate/Reference surface": f"ply {1 + self.plies // 2}",
             "Laminate/Plies": self.layup(),
+            "Laminate/Layers": self.layers(),
+            "Contact/Friction": f"{FRICTION}",
             "Stage 1/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Pressure": f"{self.pressure:.10g}",
             "Stage 2/Travel": f"{self.deflection:.10g}",
@@ -166,29 +184,33 @@ class Construction:
 
     def cornering_settings(self, deflection=1):
         """Those by which the loaded tire rolls freely, then with slip angles to
-        both sides, at a deflection over the rated one."""
+        both sides, at a deflection over the rated one. The tread is no ply but
+        bristles."""
         settings = {
             **self.settings(),
-            "Contact/Multiplier mass": "lumped",
-            "Contact/Friction": f"{FRICTION}",
-            "Contact/Critical velocity": "1",
+            "Laminate/Plies": self.layup(tread=0),
+            "Laminate/Layers": "one",
+            "Contact/Tread/Height": f"{self.tread - SIDEWALL:.6g}",
+            "Contact/Tread/Modulus": f"{RUBBER}",
+            "Contact/Regularization": "automatic",
+            "Contact/Tangential regularization": "automatic",
+            "Contact/Rolling friction": "bristles",
             "Stage 2/Friction": "0",
             "Stage 2/Travel": f"{deflection * self.deflection:.10g}",
             "Stage 3/Slide": "0, 0, 0",
             "Stage 4/Slide": "0, 0, 0",
             "Stage 5/Turn": "0",
+            "Number of stages": "5",
         }
-        stages = [("free", {"Ground velocity": f"{speed}"}) for speed in SPEEDS]
-        stages.append(("left", {"Slip angle": f"{SLIP_ANGLE}", "Steps": "4"}))
-        stages.append(("right", {"Slip angle": f"{-SLIP_ANGLE}", "Steps": "4",
-                                 "Start from": f"{2 + len(SPEEDS)}"}))
+        stages = (("free", {"Ground velocity": "1"}),
+                  ("left", {"Slip angle": f"{SLIP_ANGLE}"}),
+                  ("right", {"Slip angle": f"{-SLIP_ANGLE}", "Start from": "3"}))
         for number, (name, entries) in enumerate(stages, start=3):
             for entry, value in {
                     "Name": name, "Contact": "true", "Glued": "false",
                     "Strain theory": "nonlinear", "Control": "axle moment",
                     **entries}.items():
                 settings[f"Stage {number}/{entry}"] = value
-        settings["Number of stages"] = f"{2 + len(stages)}"
         return settings
 
 
@@ -292,21 +314,13 @@ def footprint(directory):
 
 
 def rolling_radius(directory):
-    """Of free rolling with little friction, from contact-NNNN.csv: the tread in
-    the footprint passes the ground with the velocity Omega dz/dphi, and its
-    mean, weighted with the pressure, is that of the ground."""
-    number = int(contact_step(directory)["step"])
-    lines = collections.defaultdict(list)
-    with open(directory / f"contact-{number:04d}.csv", encoding="utf-8") as file:
-        for node in csv.DictReader(file):
-            lines[node["alpha_1"]].append(
-                [float(node[c]) for c in ("alpha_2", "z", "pressure")])
-    distance = weight = 0
-    for line in lines.values():
-        for before, node, after in zip(line, line[1:], line[2:]):
-            distance += node[2] * (after[1] - before[1])
-            weight += node[2] * math.radians(after[0] - before[0])
-    return abs(distance / weight)
+    """Of the tire that rolls freely; NaN if this stage has failed."""
+    if directory is None or not (directory / "rolling.csv").exists():
+        return math.nan
+    with open(directory / "rolling.csv", encoding="utf-8") as file:
+        return next((float(line["rolling_radius"])
+                     for line in csv.DictReader(file)
+                     if line["stage"] == "free"), math.nan)
 
 
 def cornering_power(directory):
@@ -324,24 +338,24 @@ def cornering_power(directory):
 
 
 def compute_cornering(arguments, rows, varied):
-    """For each row: construction and cornering power; then, for the row to be
-    varied, that at each deflection."""
+    """For each row: construction, rolling radius and cornering power; then, for
+    the row to be varied, the latter at each deflection."""
     def one(case):
         row, deflection = case
         tire = Construction(row)
-        power = cornering_power(run(
-            arguments, f"{row['name']} cornering {deflection:g}",
-            tire.cornering_settings(deflection)))
+        directory = run(arguments, f"{row['name']} cornering {deflection:g}",
+                        tire.cornering_settings(deflection))
+        power = cornering_power(directory)
         print(f"{row['name']:16} {deflection:g} of the deflection: cornering "
               f"power {power / nasa_cornering_power(tire, deflection):.3f} of "
               "NASA's", flush=True)
-        return tire, power
+        return tire, rolling_radius(directory), power
 
     cases = [(row, 1) for row in rows]
     cases += [(varied, deflection) for deflection in DEFLECTIONS]
     with ThreadPoolExecutor(arguments.jobs) as pool:
         results = list(pool.map(one, cases))
-    return results[:len(rows)], [power for _, power in results[len(rows):]]
+    return results[:len(rows)], [power for *_, power in results[len(rows):]]
 
 
 def vary_cornering(arguments, rows):
@@ -356,7 +370,8 @@ def vary_cornering(arguments, rows):
          {"Material cord/E_L compression": "E_L/10"}),
         ("transverse shear from equilibrium", shear),
         ("rubber of 4 instead of 6 MPa", {"Material cord/E_rubber": "4",
-                                          "Material rubber/E": "4"})]
+                                          "Material rubber/E": "4",
+                                          "Contact/Tread/Modulus": "4"})]
 
     def one(case):
         words, settings = case
@@ -393,18 +408,19 @@ def fill(text):
                        for part in text.strip().split("\n\n"))
 
 
-def compute(arguments, rows):
-    """For each row: the construction, force over rated load, footprint; None
-    where the run fails."""
+def compute(arguments, rows, wall="two layers"):
+    """For each row: the construction, force, and footprint, rolling radius and
+    stiffnesses; None where the run fails."""
     def one(row):
         tire = Construction(row)
-        directory = run(arguments, row["name"], tire.settings())
+        directory = run(arguments, f"{row['name']} {wall}",
+                        {**tire.settings(), **WALLS[wall]})
         if directory is None:
             return tire, None, None
         result = (last_force(directory),
-                  [*footprint(directory), rolling_radius(directory),
+                  [*footprint(directory),
                    *stiffnesses(directory, tire.slide())])
-        print(f"{row['name']:16} {tire.plies:3} plies, "
+        print(f"{row['name']:16} {wall}, {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
         return tire, *result
@@ -448,49 +464,56 @@ def vary(arguments, row):
         return list(pool.map(one, cases))
 
 
-def results_table(results):
+def results_table(results, singles):
     lines = []
-    for tire, force, sizes in results:
+    for (tire, force, sizes), (_, single, _) in zip(results, singles):
         name = tire.row["name"]
         if force is None:
             lines.append([name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
                           f"{tire.load:.1f}", "failed", "", "", "", "", ""])
             continue
-        nasa_force, length, width, radius = nasa(tire)[:4]
+        nasa_force, length, width = nasa(tire)[:3]
         lines.append([
             name, f"{tire.plies}", f"{tire.curve.degrees:.1f}",
             f"{tire.load:.1f}", f"{force:.1f}", f"{force / tire.load:.3f}",
+            "failed" if single is None else f"{single / tire.load:.3f}",
             f"{nasa_force / tire.load:.3f}",
             f"{sizes[0]:.0f} ({sizes[0] / length:.2f})",
-            f"{sizes[1]:.0f} ({sizes[1] / width:.2f})",
-            f"{sizes[2]:.1f} ({sizes[2] / radius:.3f})"])
+            f"{sizes[1]:.0f} ({sizes[1] / width:.2f})"])
     return table(["Tire", "Plies", "Angle", "Rated load, kN", "Force, kN",
-                  "Ratio", "NASA", "Length, mm", "Width, mm",
-                  "Rolling radius, mm"], lines)
+                  "Ratio", "One layer", "NASA", "Length, mm", "Width, mm"],
+                 lines)
 
 
-def stiffness_table(results):
+def stiffness_table(results, singles):
+    def ratio(tire, sizes, i):
+        return ("failed" if sizes is None or math.isnan(sizes[i]) else
+                f"{sizes[i] / nasa(tire)[i + 2]:.2f}")
+
     lines = []
-    for tire, force, sizes in results:
+    for (tire, force, sizes), (_, _, single) in zip(results, singles):
         if force is not None:
             lines.append([tire.row["name"]] + [
                 "failed" if math.isnan(sizes[i]) else
-                f"{sizes[i]:.3g} ({sizes[i] / nasa(tire)[i + 1]:.2f})"
-                for i in (3, 4, 5)])
+                f"{sizes[i]:.3g} ({ratio(tire, sizes, i)}; "
+                f"{ratio(tire, single, i)})"
+                for i in (2, 3, 4)])
     return table(["Tire", "Lateral, kN/mm", "Fore-and-aft, kN/mm",
                   "Torsional, kN m per degree"], lines)
 
 
 def cornering_table(cornering):
     lines = []
-    for tire, power in cornering:
+    for tire, radius, power in cornering:
         law = nasa_cornering_power(tire)
         lines.append([
             tire.row["name"], f"{tire.deflection / tire.diameter:.4f}",
+            "failed" if math.isnan(radius) else
+            f"{radius:.1f} ({radius / nasa(tire)[3]:.3f})",
             "failed" if math.isnan(power) else f"{power:.3g}", f"{law:.3g}",
             "" if math.isnan(power) else f"{power / law:.2f}"])
-    return table(["Tire", "Deflection/D", "Cornering power, kN per degree",
-                  "NASA", "Ratio"], lines)
+    return table(["Tire", "Deflection/D", "Rolling radius, mm",
+                  "Cornering power, kN per degree", "NASA", "Ratio"], lines)
 
 
 def deflection_table(tire, powers):
@@ -520,39 +543,36 @@ def cornering_inputs(studied):
         some are compressed, and if they are as stiff as in tension, the tire is too
         stiff for a side force. Their modulus in compression is not known from the
         databook; with a tenth of that in tension in place of a hundredth the
-        cornering power is 12 to 24 % larger. The modulus of the rubber is an estimate, too.
-
-        The tread of 6 to 15 mm is a part of the shell, whose tangential
-        displacements are linear over the thickness: the traction of the ground
-        shears all layers alike, with the sum of their stiffnesses, while the tread
-        of a tire shears by itself, in series with the carcass. `Transverse shear =
-        equilibrium` is the law of layers in series, for the shear forces of bending;
-        with it some of the other tires do not converge, since their treads shear by
-        more than 0.5.
+        cornering power is 13 to 21 % larger. The modulus of the rubber is an estimate, too.
         """)])
 
 
 def cornering_section(cornering, powers, studied, varied):
-    """The section on cornering, and the words that sum it up."""
-    tire = next(tire for tire, _ in cornering if tire.row["name"] == varied)
-    good = [(tire, power) for tire, power in cornering
+    """The section on the rolling tire, and the words that sum it up."""
+    tire = next(tire for tire, *_ in cornering if tire.row["name"] == varied)
+    good = [(tire, radius, power) for tire, radius, power in cornering
             if not math.isnan(power)]
-    ratios = [power / nasa_cornering_power(tire) for tire, power in good]
-    mean, deviation = mean_and_deviation(ratios)
+    ratios = [power / nasa_cornering_power(tire) for tire, _, power in good]
     within = sum(abs(ratio - 1) <= 0.25 for ratio in ratios)
+    radii = in_words([radius / nasa(tire)[3] for tire, radius, _ in good], 3)
     return "\n\n".join([
-        "## Cornering power",
+        "## Rolling radius and cornering power",
         fill(f"""
-        The loaded tire rolls freely with the slip angles {SLIP_ANGLE}° and
-        -{SLIP_ANGLE}°, the coefficient of friction {FRICTION} and a critical
-        velocity of {100 / max(SPEEDS):g} % of the speed, on the same mesh as
-        above, without inertia. The cornering power, the difference of the side
-        forces over that of the angles, is {mean:.2f} ± {deviation:.2f} of
-        NASA's C (p + 0.44 p_r) W² (1.2 δ/D - 8.8 (δ/D)²) with C = 57 per radian
-        and the rated pressure p_r: {within} of {len(good)} tires are within 25 %.
-        Beyond δ/D = 0.0875 the law continues along its tangent. Tires with a large
-        ratio have one of the lateral stiffness above, too: a side force bends the
-        same carcass.
+        The loaded tire rolls freely, then with the slip angles {SLIP_ANGLE}° and
+        -{SLIP_ANGLE}°, without inertia. Its tread is bristles (`Contact/Tread`) of
+        the same height and rubber instead of a ply, and the coefficient of friction
+        is {FRICTION} as above: no number is added to the rules. {len(good)} of
+        {len(cornering)} runs converge.
+
+        The rolling radius is {radii} of NASA's, D/2 less a third of the deflection,
+        in parentheses. It is that of the outer face of the carcass, on which the
+        bristles stand. The cornering power, the difference of the side forces over
+        that of the angles, is {in_words(ratios)} of NASA's
+        C (p + 0.44 p_r) W² (1.2 δ/D - 8.8 (δ/D)²) with C = 57 per radian and the
+        rated pressure p_r: {within} of {len(good)} tires are within 25 %. Beyond
+        δ/D = 0.0875 the law continues along its tangent. Tires with a large ratio
+        have one of the lateral stiffness above, too: a side force bends the same
+        carcass.
         """),
         cornering_table(cornering),
         cornering_inputs(studied),
@@ -563,12 +583,16 @@ def cornering_section(cornering, powers, studied, varied):
         deflection_table(tire, powers)])
 
 
-def ratio_to_nasa(results, i, digits=2):
-    """Mean and deviation, in words, of the ratio of a number to NASA's."""
-    mean, deviation = mean_and_deviation(
-        [sizes[i] / nasa(tire)[i + 1] for tire, force, sizes in results
-         if force is not None and not math.isnan(sizes[i])])
+def in_words(values, digits=2):
+    """Mean and deviation."""
+    mean, deviation = mean_and_deviation(values)
     return f"{mean:.{digits}f} ± {deviation:.{digits}f}"
+
+
+def stiffness_ratio(results, i):
+    """Mean and deviation, in words, of the ratio of a stiffness to NASA's."""
+    return in_words([sizes[i] / nasa(tire)[i + 2] for tire, force, sizes in results
+                     if force is not None and not math.isnan(sizes[i])])
 
 
 def summary(results):
@@ -584,7 +608,9 @@ def summary(results):
     return len(good), ratio, law, length, width
 
 
-def page(results, variations, cornering, varied):
+def page(results, singles, equilibrium, variations, cornering, varied):
+    _, single_ratio, _, _, _ = summary(singles)
+    n_equilibrium, equilibrium_ratio, _, _, _ = summary(equilibrium)
     n, ratio, law, length, width = summary(results)
     failed = [tire.row["name"] for tire, force, _ in results if force is None]
     least = min((f / t.load, t.row["name"]) for t, f, _ in results if f)
@@ -621,10 +647,15 @@ def page(results, variations, cornering, varied):
             a ply has a hundredth of its stiffness along them.""",
             f"""Liner {LINER} mm, sidewall {SIDEWALL} mm, tread 4 mm + 0.022 W over the
             middle 40 % of the section, tapering to the sidewall at 60 %.""",
+            """Two layers: the sidewall with the tread, and all plies inside it. The
+            tread shears in series with the carcass.""",
             """Turn-ups: half the plies again on the outer 30 % of each side. The
             ends are clamped.""",
-            """The known shape is that under pressure (`Start from prestress`).
-            True pressure; the ground is pressed on without friction.""")),
+            f"""The known shape is that under pressure (`Start from prestress`).
+            True pressure; the ground is pressed on with the coefficient of friction
+            {FRICTION}. Without it, rubber of this modulus, which is a linear material,
+            is squeezed out of the footprint of the smallest tires at high pressure:
+            18x4.4 12PR then stops short of its deflection.""")),
         "## Results",
         fill(f"""
         The force over the rated load is {ratio[0]:.3f} in the mean, with a
@@ -637,25 +668,35 @@ def page(results, variations, cornering, varied):
         {width[0]:.2f} ± {width[1]:.2f} of theirs, which are in parentheses in
         the table; they are measured to the line of zero clearance. The width depends on the
         profile of the tread, of which the databook says nothing.
-
-        A tire that rolls freely with little friction passes the ground with the mean
-        velocity of its tread in the footprint, weighted with the pressure. Its rolling
-        radius is {ratio_to_nasa(results, 2, 3)} of NASA's, D/2 less a third of the
-        deflection.
         """),
-        results_table(results),
+        fill(f"""
+        With all plies in one layer (`Laminate/Layers = one`), the ratio beside it in
+        the table, it is {single_ratio[0]:.3f} and {single_ratio[1]:.3f}; with two
+        layers and `Transverse shear = equilibrium` {equilibrium_ratio[0]:.3f} and
+        {equilibrium_ratio[1]:.3f}, where {n_equilibrium} of {len(equilibrium)} runs
+        converge.
+        """),
+        results_table(results, singles),
         "## Stiffness of the loaded tire",
         fill(f"""
         The ground slides by 1 % of the deflection along the axle, then along the
         tread, and turns by 0.2°; the nodes in contact do not slip. In parentheses: relative to
-        NASA's formulas. The mean ratios are {ratio_to_nasa(results, 3)}
-        (lateral), {ratio_to_nasa(results, 4)} (fore-and-aft) and
-        {ratio_to_nasa(results, 5)} (torsional). Measured stiffnesses are secants
+        NASA's formulas, and the same with all plies in one layer. The mean ratios are
+        {stiffness_ratio(results, 2)} (lateral), {stiffness_ratio(results, 3)}
+        (fore-and-aft) and {stiffness_ratio(results, 4)} (torsional); with one layer
+        {stiffness_ratio(singles, 2)}, {stiffness_ratio(singles, 3)} and
+        {stiffness_ratio(singles, 4)}; with the shear strains from equilibrium
+        {stiffness_ratio(equilibrium, 2)}, {stiffness_ratio(equilibrium, 3)} and
+        {stiffness_ratio(equilibrium, 4)}. A tread in series with the carcass turns more
+        easily. That the layers hardly change the other two has two reasons: the
+        tread is in series, but it keeps its shear modulus G under the
+        contact pressure p, where that of a single layer of a linear material is G - p.
+        Measured stiffnesses are secants
         over larger displacements, in which a part of the footprint slips, so
         that they are lower than those without slip. A stage that does not
         converge would be marked as failed.
         """),
-        stiffness_table(results),
+        stiffness_table(results, singles),
         cornering_section(*cornering, varied),
         "## What an input does",
         fill(f"""
@@ -714,7 +755,9 @@ def main():
         cornering = (*compute_cornering(arguments, rows, row),
                      vary_cornering(arguments, rows))
         (arguments.output / "real_tires.md").write_text(
-            page(results, variations, cornering, varied), encoding="utf-8")
+            page(results, compute(arguments, rows, "one layer"),
+                 compute(arguments, rows, "equilibrium"), variations, cornering,
+                 varied), encoding="utf-8")
     return 0 if all(force is not None for _, force, _ in results) else 1
 
 
