@@ -32,8 +32,9 @@ is a shell described by its outer face in the mold, whose heel has a radius of 1
 *The section in the plane of the ground's center, in the mold, inflated to 0.2 MPa, and
 pressed on the ground by 30 mm; right, one bead.* The pressure slides the beads outward
 on the seats of 5 degrees. The seats stretch the wires by tan 5 degrees times the way, and
-the beads come to rest where the flanges hold them. Per bead, with the coefficient of friction
-0.3 as shipped and without friction:
+the beads come to rest against the flanges, already at 0.05 MPa. The heel is the outermost point
+of the outer face within 190 mm from the axle. With the coefficient of friction
+0.3, as shipped, and without friction:
 
 {inflation}
 
@@ -48,7 +49,9 @@ the tire, the moment about the axle in N m:
 
 {load}
 
-The forces of the rim and the ground do not sum to zero: the pressure in the tire also acts on the rim.
+The forces of the rim and the ground do not sum to zero: the pressure in the tire also acts on the rim,
+and far from the ground the cells are so wide that the error of the interpolation of rigid motions is
+2 to 3 % of the force of the rim.
 Both times the ground gives way before the beads do.
 
 ## How far it goes
@@ -227,7 +230,7 @@ def main():
             load.append([label, body, *(f"{f + 0:.0f}".replace("-0", "0")
                                         if abs(f) < 0.5 else f"{f:.0f}"
                                         for f in force),
-                         f"{moment / 1000:.0f}"])
+                         f"{round(moment / 1000)}"])
     reached = [line for line in lines_of(deep / "history.csv")
                if line["stage"] == "contact"][-1]
     at_30 = -forces(aside, "foundation")[last_step(aside, "contact")][0]

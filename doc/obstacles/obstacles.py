@@ -32,7 +32,7 @@ the carcass.
 
 *Vertical and longitudinal force of road and cleat on the tire, the sum of two lines of
 forces.csv, over the position of the cleat ahead of the axle.* At a constant height of the axle the
-force is largest, {maximum:.0f} N, with the bar {where:.0f} mm beside the axle. Below the axle it is {below:.0f} N,
+force is largest, {maximum:.0f} N, with the bar {where:.0f} mm ahead of or behind the axle. Below the axle it is {below:.0f} N,
 little more than the {plane:.0f} N without a bar, since the bar lifts the middle of the
 footprint off the road. The longitudinal force pushes the wheel back from an
 obstacle ahead, by up to {back:.0f} N.

@@ -20,17 +20,6 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    std::string
-    name_of_body(const ContactInteraction &contact, const ContactPair &pair)
-    {
-      return &pair == &contact.ground() ? "the foundation"
-                                        : "the body '" + pair.name + "'";
-    }
-  } // namespace
-
-
   void
   StepWarnings::warn_of_large_cells(const StageRun &run, const Loads &loads)
   {
@@ -39,7 +28,9 @@ namespace Biface
 
     for (const auto &pair : run.contact.pairs)
       {
-        if (warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
+        // on the foundation the footprint shows whether cells are small
+        if (pair.get() == &run.contact.ground() ||
+            warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
         const auto deepest = pair->depth_between_nodes(run.state, loads);
         if (deepest.relative <= remarkable)
@@ -50,9 +41,9 @@ namespace Biface
                       "%.3g, %.2g %% of its thickness,",
                       deepest.depth,
                       100 * deepest.relative);
-        out << "  Warning: between nodes, which alone make contact, "
-            << name_of_body(run.contact, *pair) << " is in the shell by "
-            << depth << " more than at the nodes around; make the cells "
+        out << "  Warning: between nodes, which alone make contact, the body '"
+            << pair->name << "' is in the shell by " << depth
+            << " more than at the nodes around; make the cells "
             << "smaller, or its edges rounder" << std::endl;
         warned_of_large_cells.insert(pair->name);
       }
@@ -71,7 +62,10 @@ namespace Biface
           pierced.begin(), pierced.end(), [](const char node) { return node; });
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
           continue;
-        out << "  Warning: " << name_of_body(run.contact, *pair)
+        out << "  Warning: "
+            << (pair.get() == &run.contact.ground()
+                  ? "the foundation"
+                  : "the body '" + pair->name + "'")
             << " penetrates supported nodes, which cannot come into contact: "
             << name_nodes(run.contact.mesh, pierced) << std::endl;
         warned_of_pierced_nodes.insert(pair->name);

@@ -244,35 +244,59 @@ namespace Biface
   ContactPair::DepthBetweenNodes
   ContactPair::depth_between_nodes(const State &state, const Loads &loads) const
   {
-    static const std::vector<std::vector<unsigned int>> between{
-      {0, 1}, {2, 3}, {0, 2}, {1, 3}, {0, 1, 2, 3}};
+    // the sides of a cell, and both ways across its middle
+    static const std::vector<std::vector<std::array<unsigned int, 2>>> between{
+      {{{0, 1}}},
+      {{{2, 3}}},
+      {{{0, 2}}},
+      {{{1, 3}}},
+      {{{0, 1}}, {{2, 3}}, {{0, 2}}, {{1, 3}}}};
 
     DepthBetweenNodes deepest;
     if (!body(loads))
       return deepest;
-    const RigidBody &now = body(loads)->body;
+    const RigidBody       &now = body(loads)->body;
+    const Resultants::Face other =
+      (face == Resultants::outer) ? Resultants::inner : Resultants::outer;
     for (const Cell &cell : mesh.wall_elements())
-      for (const auto &vertices : between)
-        {
-          Tensor<1, 3> sum;
-          double       clearances = 0, thickness = 0;
-          for (const unsigned int q : vertices)
-            {
-              const Node &node = mesh.nodes[cell.nodes[q]];
-              sum += position(state, node);
-              clearances += clearance(state, loads, node);
-              thickness += node.face_heights[1] - node.face_heights[0];
-            }
-          const double n        = vertices.size();
-          const double in_shell = -now.clearance(Point<3>(sum / n));
-          if (in_shell <= 0)
-            continue;
-          const double depth = in_shell + clearances / n;
-          deepest.depth      = std::max(deepest.depth, depth);
-          deepest.relative =
-            std::max(deepest.relative,
-                     depth / (thickness / n + tread.height.value_or(0)));
-        }
+      {
+        std::array<Point<3>, 4>     x;
+        std::array<Tensor<1, 3>, 4> normal;
+        std::array<double, 4>       clearances, thickness;
+        for (unsigned int q = 0; q < 4; ++q)
+          {
+            const Node &node = mesh.nodes[cell.nodes[q]];
+            x[q]             = position(state, node);
+            normal[q] =
+              x[q] - mesh.deformed_position(state.displacement, node, other);
+            normal[q] /= normal[q].norm();
+            clearances[q] = now.clearance(x[q]);
+            thickness[q]  = node.face_heights[1] - node.face_heights[0];
+          }
+        for (const auto &sides : between)
+          {
+            // the mean of the ends, and what the face bulges between normals
+            Tensor<1, 3> middle;
+            double       at_nodes = 0, wall = tread.height.value_or(0);
+            for (const auto &[i, j] : sides)
+              {
+                const double part = 1. / sides.size();
+                const double bulge =
+                  (x[j] - x[i]) * (normal[j] - normal[i]) / 8;
+                middle += part * (x[i] + (x[j] - x[i]) / 2 - Point<3>());
+                middle += part * std::min<std::size_t>(sides.size(), 2) *
+                          bulge * (normal[i] + normal[j]) / 2;
+                at_nodes += part * (clearances[i] + clearances[j]) / 2;
+                wall += part * (thickness[i] + thickness[j]) / 2;
+              }
+            const double in_shell = -now.clearance(Point<3>(middle));
+            if (in_shell <= 0)
+              continue;
+            const double depth = in_shell + at_nodes;
+            deepest.depth      = std::max(deepest.depth, depth);
+            deepest.relative   = std::max(deepest.relative, depth / wall);
+          }
+      }
     deepest.depth    = Utilities::MPI::max(deepest.depth, mesh.communicator);
     deepest.relative = Utilities::MPI::max(deepest.relative, mesh.communicator);
     return deepest;

@@ -236,8 +236,9 @@ namespace Biface
       double depth = 0, relative = 0;
     };
 
-    /** The largest at the middle of cells and of their sides, where the face is
-     * straight between nodes. Must be called on all ranks. */
+    /** The largest at the middle of cells and of their sides, where the face
+     * bulges between nodes as its directors turn. Must be called on all ranks.
+     */
     DepthBetweenNodes
     depth_between_nodes(const State &state, const Loads &loads) const;
 
