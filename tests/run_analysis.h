@@ -61,4 +61,22 @@ run_analysis(const std::string                   &file,
   return reports;
 }
 
+
+/** Run a parameter file with some entries changed.
+ * @return the strain energy at the end. */
+inline double
+energy_at_end(const std::string                   &file,
+              const std::vector<Biface::Override> &overrides)
+{
+  double result = 0;
+  run_analysis(file,
+               overrides,
+               [&](const Biface::ShellEquations &equations,
+                   const Biface::StepReport &,
+                   const Biface::State &state) {
+                 result = equations.internal_forces().strain_energy(state);
+               });
+  return result;
+}
+
 #endif

@@ -183,8 +183,8 @@ def heel(directory, step):
 
 
 def inflation_rows(directory, label):
-    """A row per step: how far the bead has moved, the tension of its wires, and
-    the largest contact pressure on the rim."""
+    """A row per step: where the heel of a bead is, and the largest contact
+    pressure on the rim."""
     rows = []
     for step in range(1, last_step(directory, "inflation") + 1):
         pressure = next(float(line["pressure"])
@@ -227,9 +227,7 @@ def main():
             ("rim turned by 10°", braked, last_step(braked, "braked"))):
         for body in ("foundation", "rim"):
             *force, moment = forces(directory, body)[step]
-            load.append([label, body, *(f"{f + 0:.0f}".replace("-0", "0")
-                                        if abs(f) < 0.5 else f"{f:.0f}"
-                                        for f in force),
+            load.append([label, body, *(f"{round(f)}" for f in force),
                          f"{round(moment / 1000)}"])
     reached = [line for line in lines_of(deep / "history.csv")
                if line["stage"] == "contact"][-1]

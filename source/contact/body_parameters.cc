@@ -237,7 +237,7 @@ namespace Biface
   {
     make();
     const std::string entry = "Body " + name + "/Friction";
-    check_friction(entry, friction);
+    // the law checks its coefficient
     if (FrictionLaw(entry, friction, 1).depends_on_speed())
       throw InputError(
         entry,

@@ -29,15 +29,7 @@ namespace
         overrides.push_back("Supports/alpha_2 min=cyclic");
         overrides.push_back("Supports/alpha_2 max=cyclic");
       }
-    double result = 0;
-    run_analysis(PRM_DIR "/mounted_tire.prm",
-                 overrides,
-                 [&](const ShellEquations &equations,
-                     const StepReport &,
-                     const State &state) {
-                   result = equations.internal_forces().strain_energy(state);
-                 });
-    return result;
+    return energy_at_end(PRM_DIR "/mounted_tire.prm", overrides);
   }
 } // namespace
 

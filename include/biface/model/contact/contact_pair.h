@@ -242,9 +242,10 @@ namespace Biface
     DepthBetweenNodes
     depth_between_nodes(const State &state, const Loads &loads) const;
 
-    /** Whether a node of this rank that did not touch the body has passed
-     * through it, on the straight line between its places relative to the
-     * body. */
+    /** Whether a node of this rank has passed through the body: one that did
+     * not touch it, on the straight line between its places relative to the
+     * body, and one that did, if the normal has turned by more than 120
+     * degrees. */
     bool
     was_passed(const State &before,
                const Loads &loads_before,
