@@ -2,6 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,29 +40,45 @@ namespace Biface
     parse_motions(const std::string &entry, const std::string &text)
     {
       const std::string form =
-        "each item must have the form 'name: x y z' or 'name: x y z turn angle'";
+        "each item must have the form 'name: x y z', 'name: x y z turn angle' or "
+        "'name: x y z turn angle about x y z'";
       std::vector<BodyMotion> motions;
-      for (const std::string &item : split_list(entry, text, ',', 100))
+      for (const auto &[name, motion_text] :
+           split_named_list(entry, text, form))
         {
-          const auto named = split_named(entry, item, form);
           BodyMotion motion;
-          for (const std::string &word : split_words(named.first))
-            motion.name += (motion.name.empty() ? "" : " ") + word;
-          for (const BodyMotion &other : motions)
-            if (other.name == motion.name)
-              throw InputError(
-                entry, text, "'" + motion.name + "' is named twice");
-          const std::vector<std::string> words = split_words(named.second);
-          if (words.size() != 3 && !(words.size() == 5 && words[3] == "turn"))
-            throw InputError(entry, item, form);
+          motion.name                          = name;
+          const std::vector<std::string> words = split_words(motion_text);
+          const unsigned int             n     = words.size();
+          if ((n != 3 && n != 5 && n != 9) || (n > 3 && words[3] != "turn") ||
+              (n == 9 && words[5] != "about"))
+            throw InputError(entry, name + ": " + motion_text, form);
           for (unsigned int i = 0; i < 3; ++i)
             motion.translation[i] = parse_number(entry, words[i], form);
-          if (words.size() == 5)
+          if (n > 3)
             motion.turn =
               parse_number(entry, words[4], form) * numbers::PI / 180;
+          if (n == 9)
+            {
+              motion.axis = Tensor<1, 3>();
+              for (unsigned int i = 0; i < 3; ++i)
+                (*motion.axis)[i] = parse_number(entry, words[6 + i], form);
+              unit_vector(entry, *motion.axis);
+            }
           motions.push_back(motion);
         }
       return motions;
+    }
+
+
+    Springs
+    parse_springs(const std::string &entry, const std::string &text)
+    {
+      const std::string form = "each item must have the form 'name: stiffness'";
+      Springs           springs;
+      for (const auto &[name, stiffness] : split_named_list(entry, text, form))
+        springs.emplace_back(name, parse_number(entry, stiffness, form));
+      return springs;
     }
 
 
@@ -201,13 +218,26 @@ namespace Biface
                "",
                motions,
                parse_motions,
-               "Motions of the body at the factor 1, one after the other: a "
-               "comma-separated list 'name: x y z' or 'name: x y z turn angle' "
-               "of a translation and of an angle in degrees, right-handed "
-               "about 'Axis' through 'Point', which moves along. Their factors "
+               "Motions of the body at the factor 1: a comma-separated list "
+               "'name: x y z' or 'name: x y z turn angle' of a translation and "
+               "of an angle in degrees, right-handed about 'Axis' through "
+               "'Point', or about another axis through this point with 'about' "
+               "and its components after the angle. The point moves along with "
+               "all translations, and an axis with the turns that follow it in "
+               "the list. Their factors "
                "are those of 'Load factors' of the stages, by the names "
                "'bodies', 'bodies NAME' or 'bodies NAME name', or 'Load "
-               "factor'. Unit: length.");
+               "factor'; or 'Forces on bodies' find them. Unit: length.");
+    add_parsed(prm,
+               section,
+               "Springs",
+               "",
+               springs,
+               parse_springs,
+               "Springs against motions that 'Forces on bodies' of a stage "
+               "find, without force at the factor 0: a comma-separated list of "
+               "'name: stiffness'. Unit: force/length, for a motion that only "
+               "turns force*length per radian.");
   }
 
 
@@ -236,6 +266,18 @@ namespace Biface
   BodyParameters::check() const
   {
     make();
+    for (const auto &[motion, stiffness] : springs)
+      {
+        const std::string section = "Body " + name + "/";
+        if (std::none_of(motions.begin(),
+                         motions.end(),
+                         [&, &wanted = motion](const BodyMotion &item) {
+                           return item.name == wanted;
+                         }))
+          throw InputError(
+            section + "Springs", motion, "it must be one of 'Motions'");
+        check_not_negative(section + "Springs", stiffness);
+      }
     const std::string entry = "Body " + name + "/Friction";
     // the law checks its coefficient
     if (FrictionLaw(entry, friction, 1).depends_on_speed())

@@ -114,23 +114,27 @@ namespace Biface
     const Tensor<1, 3>                              &axis,
     const Point<3>                                  &on_axis) const
   {
-    Tensor<1, 3> slide;
-    double       turn = 0;
+    Tensor<1, 3>              slide;
+    Tensor<2, 3>              rotation = unit_symmetric_tensor<3>();
+    std::vector<Tensor<1, 3>> spins;
     for (const BodyMotion &motion : motions)
       {
-        slide += factor_of(motion.factor) * motion.translation;
-        turn += factor_of(motion.factor) * motion.turn;
+        const double       factor = factor_of(motion.factor);
+        const Tensor<1, 3> about =
+          motion.axis ? *motion.axis / motion.axis->norm() : axis;
+        const Tensor<2, 3> turned =
+          Physics::Transformations::Rotations::rotation_matrix_3d(
+            Point<3>(about), factor * motion.turn);
+        slide += factor * motion.translation;
+        for (Tensor<1, 3> &spin : spins)
+          spin = turned * spin;
+        spins.push_back(motion.turn * about);
+        rotation = turned * rotation;
       }
-    RigidBody result =
-      after({slide,
-             Physics::Transformations::Rotations::rotation_matrix_3d(
-               Point<3>(axis), turn),
-             on_axis});
-    for (const BodyMotion &motion : motions)
-      result.screws.push_back({motion.factor,
-                               motion.translation,
-                               motion.turn * axis,
-                               on_axis + slide});
+    RigidBody result = after({slide, rotation, on_axis});
+    for (unsigned int i = 0; i < motions.size(); ++i)
+      result.screws.push_back(
+        {motions[i].factor, motions[i].translation, spins[i], on_axis + slide});
     return result;
   }
 
@@ -147,6 +151,63 @@ namespace Biface
         screw.rate(travel, rate_of) *
         (screw.translation + cross_product_3d(screw.spin, x - screw.point));
     return result;
+  }
+
+
+  Tensor<1, 3>
+  RigidBody::change_of_velocity(
+    const Point<3>                                  &x,
+    const double                                     travel,
+    const std::function<double(const unsigned int)> &rate_of,
+    const double                                     other_travel,
+    const std::function<double(const unsigned int)> &other_rate_of) const
+  {
+    Tensor<1, 3> result;
+    for (unsigned int i = 0; i < screws.size(); ++i)
+      for (unsigned int j = 0; j < screws.size(); ++j)
+        {
+          const Screw &screw = screws[i], &other = screws[j];
+          const double rates = screw.rate(travel, rate_of) *
+                               other.rate(other_travel, other_rate_of);
+          const Tensor<1, 3> of_axis =
+            other.translation +
+            cross_product_3d(other.spin, screw.point - other.point);
+          result -= rates * cross_product_3d(screw.spin, of_axis);
+          if (j > i)
+            result +=
+              rates * cross_product_3d(cross_product_3d(other.spin, screw.spin),
+                                       x - screw.point);
+        }
+    return result;
+  }
+
+
+  Tensor<1, 3>
+  RigidBody::rotation_vector() const
+  {
+    if (!displacement)
+      return {};
+    const Tensor<2, 3> &R = displacement->rotation;
+    // twice the sine and the cosine
+    const Tensor<1, 3> axis(
+      {R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]});
+    const double cosine = trace(R) - 1, sine = axis.norm();
+    const double angle = std::atan2(sine, cosine);
+    if (sine > 1e-6)
+      return angle / sine * axis;
+    if (cosine > 0)
+      return axis / 2;
+    // half a turn: the symmetric part has the axis
+    Tensor<1, 3> along;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        Tensor<1, 3> column;
+        for (unsigned int j = 0; j < 3; ++j)
+          column[j] = R[j][i] + (i == j ? 1. : 0.);
+        if (column.norm() > along.norm())
+          along = column;
+      }
+    return angle / along.norm() * along;
   }
 
 

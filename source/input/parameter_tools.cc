@@ -259,6 +259,29 @@ namespace Biface
   }
 
 
+  std::vector<std::pair<std::string, std::string>>
+  split_named_list(const std::string &entry,
+                   const std::string &text,
+                   const std::string &allowed)
+  {
+    std::vector<std::pair<std::string, std::string>> list;
+    for (const std::string &item : split_list(entry, text, ',', 1000))
+      {
+        const auto named = split_named(entry, item, allowed);
+        if (named.second.empty())
+          throw InputError(entry, item, allowed);
+        std::string name;
+        for (const std::string &word : split_words(named.first))
+          name += (name.empty() ? "" : " ") + word;
+        for (const auto &other : list)
+          if (other.first == name)
+            throw InputError(entry, text, "'" + name + "' is named twice");
+        list.emplace_back(name, named.second);
+      }
+    return list;
+  }
+
+
   namespace
   {
     /** A number, or a word. */

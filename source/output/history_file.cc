@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include <biface/output/csv.h>
@@ -26,16 +29,59 @@ namespace Biface
     {
       return denominator > 0 ? numerator / denominator : 0.;
     }
+
+
+    /** Empty fields while the body is not there. */
+    HistoryGroup
+    group_of_body(const std::string &name)
+    {
+      const std::vector<std::string> of_body{"contact_nodes",
+                                             "slipping_nodes",
+                                             "contact_area",
+                                             "max_pressure",
+                                             "u_x",
+                                             "u_y",
+                                             "u_z",
+                                             "turn_x",
+                                             "turn_y",
+                                             "turn_z"};
+      std::string                    prefix = name;
+      std::replace(prefix.begin(), prefix.end(), ' ', '_');
+      HistoryGroup group;
+      for (const std::string &column : of_body)
+        group.columns.push_back(prefix + "_" + column);
+      group.values = [name,
+                      n = of_body.size()](const HistoryGroup::Step &step) {
+        std::vector<std::optional<double>> values(n);
+        const auto found = step.report.bodies.find(name);
+        if (found == step.report.bodies.end())
+          return values;
+        const BodyReport &body = found->second;
+        values[0]              = body.contact.n_nodes;
+        values[1]              = body.contact.n_slipping;
+        values[2]              = body.contact.area;
+        values[3]              = body.contact.max_pressure;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            values[4 + i] = body.displacement[i];
+            values[7 + i] = body.rotation[i] * 180 / numbers::PI;
+          }
+        return values;
+      };
+      return group;
+    }
   } // namespace
 
 
   std::vector<HistoryGroup>
   history_groups(const FailureCriteria &criteria,
-                 const ShellMesh       &mesh,
+                 const ShellEquations  &equations,
                  const bool             with_volume)
   {
     using Step   = HistoryGroup::Step;
     using Values = std::vector<std::optional<double>>;
+
+    const ShellMesh &mesh = equations.mesh;
 
     std::vector<HistoryGroup> groups{
       {{"approach",
@@ -159,18 +205,21 @@ namespace Biface
                                     static_cast<double>(maximum.ply)};
                           }});
       }
+    for (const ForceTerm *term : equations.get_terms())
+      if (!term->other_body().empty())
+        groups.push_back(group_of_body(term->other_body()));
     return groups;
   }
 
 
   std::string
   HistoryFile::header(const FailureCriteria &criteria,
-                      const ShellMesh       &mesh,
+                      const ShellEquations  &equations,
                       const bool             with_volume)
   {
     std::string text = "step,stage";
     for (const HistoryGroup &group :
-         history_groups(criteria, mesh, with_volume))
+         history_groups(criteria, equations, with_volume))
       for (const std::string &column : group.columns)
         text += "," + column;
     return text;
@@ -182,13 +231,13 @@ namespace Biface
                            ResultsDirectory      &directory,
                            const ShellEquations  &equations)
     : StepTable("history.csv",
-                header(criteria, equations.mesh, cavity != nullptr),
+                header(criteria, equations, cavity != nullptr),
                 1,
                 directory,
                 equations)
     , criteria(criteria)
     , cavity(cavity)
-    , groups(history_groups(criteria, equations.mesh, cavity != nullptr))
+    , groups(history_groups(criteria, equations, cavity != nullptr))
   {}
 
 

@@ -29,14 +29,11 @@ namespace Biface
         return column.size() >= end.size() &&
                column.compare(column.size() - end.size(), end.size(), end) == 0;
       };
-      for (const std::string counted : {"iterations",
-                                        "seconds",
-                                        "contact_nodes",
-                                        "slipping_nodes",
-                                        "slack_cords"})
+      for (const std::string counted : {"iterations", "seconds", "slack_cords"})
         if (column == counted)
           return false;
-      return !ends_with("_work") && !ends_with("_alpha_1") &&
+      return !ends_with("contact_nodes") && !ends_with("slipping_nodes") &&
+             !ends_with("_work") && !ends_with("_alpha_1") &&
              !ends_with("_alpha_2") && !ends_with("_ply");
     }
 
@@ -100,7 +97,7 @@ namespace Biface
     , criteria(criteria)
     , moment_center(moment_center)
     , columns(columns)
-    , history(history_groups(criteria, equations.mesh, known.volume))
+    , history(history_groups(criteria, equations, known.volume))
   {
     for (const std::string &name : names)
       {

@@ -110,6 +110,58 @@ namespace Biface
   } // namespace
 
 
+  std::vector<MotionByForce>
+  Parameters::motions_by_force(const unsigned int i) const
+  {
+    const Stage      &stage = stages[i];
+    const std::string entry =
+      "Stage " + std::to_string(i + 1) + "/Forces on bodies";
+    std::vector<MotionByForce> result;
+    for (const auto &[name, force] : stage.forces_on_bodies)
+      {
+        std::string known;
+        for (const std::string &there : stage.bodies)
+          for (const BodyParameters &body : bodies)
+            for (const BodyMotion &motion : body.motions)
+              if (body.name == there)
+                {
+                  const MotionByForce candidate{body.name, motion, force};
+                  known +=
+                    (known.empty() ? "'" : ", '") + candidate.name() + "'";
+                  if (candidate.name() != name)
+                    continue;
+                  if (!result.empty() && result.back().name() == name)
+                    throw InputError(entry,
+                                     name,
+                                     "several bodies have a motion of this "
+                                     "name; rename one");
+                  if (motion.amplitude() == 0)
+                    throw InputError(
+                      entry, name, "this motion must not be zero");
+                  result.push_back(candidate);
+                  for (const auto &[of_motion, stiffness] : body.springs)
+                    if (of_motion == motion.name)
+                      result.back().motion.spring = stiffness;
+                }
+        if (result.empty() || result.back().name() != name)
+          throw InputError(entry,
+                           name,
+                           known.empty()
+                             ? "no body of the stage has 'Motions'"
+                             : "it must be a motion of a body of the stage, "
+                               "one of " +
+                                 known);
+        for (const auto &own_factor : stage.own_factors)
+          if (own_factor.first == "bodies " + name)
+            throw InputError("Stage " + std::to_string(i + 1) + "/Load factors",
+                             own_factor.first,
+                             "it must not be named, since 'Forces on bodies' "
+                             "finds it");
+      }
+    return result;
+  }
+
+
   void
   Parameters::assign_load_factors()
   {
@@ -138,6 +190,12 @@ namespace Biface
                 : "it must be one of " + in_words(items));
           positions[name] = 0;
         }
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        stages[i].motions_by_force = motions_by_force(i);
+        for (const MotionByForce &motion : stages[i].motions_by_force)
+          positions["bodies " + motion.name()] = 0;
+      }
     unsigned int last = 0;
     for (auto &position : positions)
       position.second = ++last;
@@ -170,6 +228,13 @@ namespace Biface
           }
       }
     for (Stage &stage : stages)
-      stage.set_factors(names);
+      {
+        stage.set_factors(names);
+        for (MotionByForce &motion : stage.motions_by_force)
+          {
+            motion.motion.factor = positions.at("bodies " + motion.name());
+            stage.factors[motion.motion.factor].reset();
+          }
+      }
   }
 } // namespace Biface

@@ -523,13 +523,17 @@ namespace Biface
     state.displacement         = balanced;
     LoadParameters balanced_mu = step.mu;
     add(balanced_mu, 1, perturbed.balanced.mu);
-    const auto contact_before = perturbed.model.contact.linearize(
-      state, perturbed.run->loads_at(perturbed.trial.level(balanced_mu)));
-    LoadRates of_loads;
+    LoadRates change;
     if (perturbed.trial.equations)
-      for (unsigned int i = 0; i < mu.size(); ++i)
-        of_loads.add(perturbed.deviation.mu[i] - perturbed.balanced.mu[i],
-                     perturbed.trial.equations->rates[i]);
+      {
+        LoadParameters mu_since = perturbed.deviation.mu;
+        add(mu_since, -1, perturbed.balanced.mu);
+        change = perturbed.trial.equations->change_of_loads(mu_since);
+      }
+    const auto contact_before = perturbed.model.contact.linearize(
+      state,
+      perturbed.run->loads_at(perturbed.trial.level(balanced_mu)),
+      change);
     LA::Vector moved = perturbed.fixed;
     moved += perturbed.deviation.displacements;
     state.displacement           = moved;
@@ -539,7 +543,7 @@ namespace Biface
       perturbed.model.equations.with_dependent_loads(state, perturbed.loads);
     perturbed.level.pressure = perturbed.loads.pressure;
     perturbed.model.contact.compute_multipliers(
-      state, perturbed.loads, contact_before, ghosted_increment, of_loads);
+      state, perturbed.loads, contact_before, ghosted_increment);
   }
 
 

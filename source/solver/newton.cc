@@ -444,7 +444,11 @@ namespace Biface
     if (!increment.mu.empty())
       add(iterate.mu, 1, increment.mu);
     iterate.total += increment.displacement;
-    const auto contacts = contact.linearize(iterate.state, iterate.loads);
+    const ControlEquations *control  = iterate.parametrized.equations;
+    const auto              contacts = contact.linearize(
+      iterate.state,
+      iterate.loads,
+      control ? control->change_of_loads(increment.mu) : LoadRates());
     equations.update(iterate.state, increment.displacement, iterate.iteration);
     iterate.loads = equations.with_dependent_loads(
       iterate.state, iterate.parametrized.at(iterate.mu));

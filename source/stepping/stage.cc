@@ -59,7 +59,7 @@ namespace Biface
       "state. Loads that are 'unchanged' are those at the end of that "
       "stage.");
     StageLoads::add_parameters(prm, section);
-    StageControl::add_parameters(prm);
+    StageControl::add_parameters(prm, section);
     add_choice(prm,
                "Strain theory",
                theory,
@@ -95,6 +95,7 @@ namespace Biface
                                       "Friction",
                                       "Glued",
                                       "Control",
+                                      "Forces on bodies",
                                       "Control point",
                                       "Control component"};
     return fixed.count(entry) == 0;
@@ -112,10 +113,12 @@ namespace Biface
     StageLoads::check(section);
     StageControl::check(section);
     StageResults::check(section);
-    if (theory == StrainTheory::linear && control != ControlKind::load)
+    if (theory == StrainTheory::linear &&
+        (control != ControlKind::load || !forces_on_bodies.empty()))
       throw InputError(section + "/Strain theory",
                        "linear",
-                       "a linear stage must have 'Control = load'");
+                       "a linear stage must have 'Control = load' and no "
+                       "'Forces on bodies'");
     check_critical_points(section);
   }
 
@@ -135,6 +138,7 @@ namespace Biface
     refuse(sealed, "it needs 'Gas = open'");
     refuse(theory == StrainTheory::linear,
            "it needs 'Strain theory = nonlinear'");
+    refuse(!forces_on_bodies.empty(), "'Forces on bodies' must be empty");
     if (critical_points != CriticalPoints::switch_branch)
       return;
     refuse(control != ControlKind::load && control != ControlKind::arc_length,

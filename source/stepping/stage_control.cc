@@ -31,8 +31,24 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    std::vector<std::pair<std::string, double>>
+    parse_forces(const std::string &entry, const std::string &text)
+    {
+      const std::string form =
+        "each item must have the form 'body motion: force'";
+      std::vector<std::pair<std::string, double>> forces;
+      for (const auto &[name, force] : split_named_list(entry, text, form))
+        forces.emplace_back(name, parse_number(entry, force, form));
+      return forces;
+    }
+  } // namespace
+
+
   void
-  StageControl::add_parameters(ParameterHandler &prm)
+  StageControl::add_parameters(ParameterHandler  &prm,
+                               const std::string &section)
   {
     add_choice(
       prm,
@@ -79,6 +95,21 @@ namespace Biface
                       "free rolling, negative for braking. Unit: "
                       "force*length.",
                       Patterns::Double());
+    add_parsed(prm,
+               section + "/",
+               "Forces on bodies",
+               "",
+               forces_on_bodies,
+               parse_forces,
+               "Forces that push bodies along their motions at the end of the "
+               "stage; the factors of these motions are found: a "
+               "comma-separated list of 'body motion: force', 0 for a body "
+               "that gives way. A force acts along the translation of the "
+               "motion; a motion that only turns has a moment about the axis. "
+               "The body rests on the shell and on the spring of 'Springs', if "
+               "it has one. The force at the start of the stage is what they "
+               "exert there; it changes in equal steps. Unit: force, or "
+               "force*length.");
     prm.add_parameter("Steps",
                       n_steps,
                       "Number of steps; see 'Control'.",
@@ -101,5 +132,11 @@ namespace Biface
                        number_to_string(force),
                        "it needs 'Control = foundation force' or "
                        "'foundation force and axle moment'");
+    if (!forces_on_bodies.empty() && (control == ControlKind::displacement ||
+                                      control == ControlKind::arc_length))
+      throw InputError(section + "/Forces on bodies",
+                       forces_on_bodies.front().first,
+                       "it must be empty with 'Control = " + control_name() +
+                         "'");
   }
 } // namespace Biface

@@ -16,20 +16,11 @@ namespace Biface
     const std::string form =
       "each item must have the form 'name: factor' or 'name: unchanged'";
     NamedFactors factors;
-    for (const std::string &item : split_list(entry, text, ',', 1000))
+    for (const auto &[name, factor] : split_named_list(entry, text, form))
       {
-        const auto named = split_named(entry, item, form);
-        if (named.second.empty())
-          throw InputError(entry, item, form);
-        std::string name;
-        for (const std::string &word : split_words(named.first))
-          name += (name.empty() ? "" : " ") + word;
-        for (const auto &other : factors)
-          if (other.first == name)
-            throw InputError(entry, text, "'" + name + "' is named twice");
         factors.emplace_back(name, std::nullopt);
-        if (named.second != "unchanged")
-          factors.back().second = parse_number(entry, named.second, form);
+        if (factor != "unchanged")
+          factors.back().second = parse_number(entry, factor, form);
       }
     return factors;
   }

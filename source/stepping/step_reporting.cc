@@ -20,6 +20,12 @@ namespace Biface
                       LoadLevel());
     report.contact   = run.contact.ground().summarize(run.state, loads);
     report.footprint = find_footprint(run.contact.ground(), run.state, loads);
+    for (const auto &pair : run.contact.pairs)
+      if (pair.get() != &run.contact.ground())
+        if (const PlacedBody *placed = pair->body(loads))
+          report.bodies[pair->name] = {pair->summarize(run.state, loads),
+                                       placed->body.displacement_of_point(),
+                                       placed->body.rotation_vector()};
   }
 
 

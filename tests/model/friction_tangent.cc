@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <biface/model/quantities/foundation_resultants.h>
+#include <biface/model/quantities/contact_resultants.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -3,9 +3,11 @@
 // The derivative of the residual with respect to the loads, at rates of the
 // pressure, of the load factor and of the foundation's travel, is that of its
 // differences, with dead and with follower loads; and likewise at the rate of a
-// motion that turns a body, without and with friction.
+// motion that turns a body, without and with friction. So are the derivatives
+// of the power of the body in this motion.
 
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/quantities/contact_resultants.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -78,7 +80,8 @@ namespace
 
 
   void
-  test_turning_body(const std::string &friction)
+  test_turning_body(const BodyParameters::Shape shape,
+                    const std::string          &friction)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
@@ -87,23 +90,30 @@ namespace
     ground.condition.regularization = 1;
     ground.friction.regularization  = 0.5;
     BodyParameters bar;
-    bar.name     = "bar";
-    bar.shape    = BodyParameters::Shape::sphere;
-    bar.radius   = 120;
-    bar.point    = Point<3>(360, 5, -8);
+    bar.name   = "bar";
+    bar.shape  = shape;
+    bar.radius = 120;
+    // a plane turns about a point of it
+    bar.point =
+      Point<3>(shape == BodyParameters::Shape::sphere ? 360 : 240, 5, -8);
     bar.axis     = Tensor<1, 3>({0.3, 1, -0.5});
     bar.friction = friction;
     BodyMotion motion;
     motion.name        = "screw";
     motion.translation = Tensor<1, 3>({-3, 1, 2});
     motion.turn        = 0.2;
-    bar.motions        = {motion};
+    BodyMotion camber;
+    camber.name   = "camber";
+    camber.turn   = -0.1;
+    camber.axis   = Tensor<1, 3>({1, 0.2, 2});
+    camber.factor = 1;
+    bar.motions   = {motion, camber};
     const ContactInteraction contact(*mesh, ground, {bar});
     const ContactPair       &pair = *contact.pairs[1];
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
     const auto               loads_at = [&](const double factor) {
       Loads loads;
-      loads.factors = {factor};
+      loads.factors = {factor, 0.5 * factor};
       loads.place(1,
                   {pair.body_at(loads.factors,
                                 [](const RigidBody &body) { return body; }),
@@ -120,7 +130,7 @@ namespace
     const unsigned int n_active = contact.count_active(state);
 
     LA::Vector deviation =
-      equations.load_direction(state, loads_at(0.7), {0, {1}, 0});
+      equations.load_direction(state, loads_at(0.7), {0, {1, 0.5}, 0});
     const double scale = deviation.l2_norm(), step = 1e-4;
     for (const double sign : {-1., 1.})
       {
@@ -128,10 +138,36 @@ namespace
         deviation.add(-sign / (2 * step), equations.residual());
       }
     const double error = deviation.l2_norm();
+
+    const LoadRates        rates{0, {1, 0}, 0}, moves{0, {1, 0.5}, 0};
+    const ContactResultant power =
+      power_of_body(pair, state, loads_at(0.7), rates, {moves});
+    double     by_motion = -power.per_load[0], by_displacement = 0;
+    LA::Vector direction = some_displacement(*mesh, 1, 3);
+    by_displacement      = -(power.gradient * direction);
+    for (const double sign : {-1., 1.})
+      {
+        const double part = sign / (2 * step);
+        by_motion +=
+          part *
+          power_of_body(pair, state, loads_at(0.7 + sign * step), rates).value;
+        LA::Vector V = some_displacement(*mesh, 0.2, 1);
+        V.add(sign * step, direction);
+        by_displacement +=
+          part *
+          power_of_body(pair, at(equations, state, V), loads_at(0.7), rates)
+            .value;
+      }
+    const double scale_of_displacement = power.gradient.l2_norm();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     check_true("nodes touch the turning body", n_active > 3);
     check_small("its motion", error, 1e-6, scale);
+    check_small("its power by its motion", by_motion, 1e-6, power.per_load[0]);
+    check_small("its power by displacements",
+                by_displacement,
+                1e-6,
+                scale_of_displacement);
   }
 } // namespace
 
@@ -143,6 +179,8 @@ main(int argc, char *argv[])
 
   test("dead pressure", PressureKind::dead);
   test("follower pressure", PressureKind::follower);
-  for (const std::string friction : {"0", "0.3"})
-    test_turning_body(friction);
+  using Shape = BodyParameters::Shape;
+  for (const Shape shape : {Shape::sphere, Shape::plane})
+    for (const std::string friction : {"0", "0.3"})
+      test_turning_body(shape, friction);
 }

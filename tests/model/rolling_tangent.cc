@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include <biface/model/quantities/foundation_resultants.h>
+#include <biface/model/quantities/contact_resultants.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -80,7 +80,7 @@ namespace
     rates[0].angular_velocity = 1;
     rates[1].travel           = 1;
     const auto resultants     = [&](const State &state, const Loads &loads) {
-      return std::array<FoundationResultant, 2>{
+      return std::array<ContactResultant, 2>{
         {axle_moment(contact.ground(), state, loads, rates),
          foundation_force(contact.ground(), state, loads, rates)}};
     };

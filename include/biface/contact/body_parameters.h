@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/contact/body_section.h>
@@ -20,6 +21,10 @@
 
 namespace Biface
 {
+  /** Stiffnesses by name. */
+  using Springs = std::vector<std::pair<std::string, double>>;
+
+
   /** A rigid body beside the foundation: an obstacle on it, a rim, a piston. */
   struct BodyParameters
   {
@@ -63,6 +68,8 @@ namespace Biface
     std::string friction = "0";
 
     std::vector<BodyMotion> motions;
+    /** Stiffnesses by the names of motions. */
+    Springs springs;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -20,8 +20,9 @@
 
 namespace Biface
 {
-  /** A motion of a body: a translation, and a turn about an axis of the body,
-   * which moves along. */
+  /** A motion of a body: a translation, and a turn about an axis through a
+   * point of the body, which moves along. Of several turns, the first one is
+   * about the axis that the later ones take along. */
   struct BodyMotion
   {
     std::string name;
@@ -29,12 +30,25 @@ namespace Biface
     dealii::Tensor<1, 3> translation;
     /** At the factor 1, right-handed, in radians. */
     double turn = 0;
+    /** Of any length; if not set, that of the body. */
+    std::optional<dealii::Tensor<1, 3>> axis;
+    /** The stiffness of a spring against the motion, where a force determines
+     * it. Unit: force/length, or force*length for a turn alone. */
+    double spring = 0;
     /** The position of the factor in Loads::factors, or travel_of_foundation.
      */
     unsigned int factor = 0;
 
     static constexpr unsigned int travel_of_foundation =
       dealii::numbers::invalid_unsigned_int;
+
+    /** The way at the factor 1, to which a force refers: the length of the
+     * translation or, without one, the angle. */
+    double
+    amplitude() const
+    {
+      return translation.norm() > 0 ? translation.norm() : turn;
+    }
   };
 
 
@@ -112,11 +126,11 @@ namespace Biface
     RigidBody
     around(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
-    /** The same body after further motions at once: their axis slides with
-     * the sum of their translations.
+    /** The same body after further motions: their axes slide with the sum of
+     * their translations.
      * @param factor_of gives the factor at a position.
-     * @param axis of unit length, and a point on it, both at the present
-     * place. */
+     * @param axis of unit length, of turns without one of their own.
+     * @param on_axis a point of all axes; both at the present place. */
     RigidBody
     after_motions(const std::vector<BodyMotion>                   &motions,
                   const std::function<double(const unsigned int)> &factor_of,
@@ -143,6 +157,16 @@ namespace Biface
     velocity(const dealii::Point<3>                          &x,
              const double                                     travel,
              const std::function<double(const unsigned int)> &rate_of) const;
+
+    /** The change of velocity() at a fixed point by other rates, as the axes
+     * move along. */
+    dealii::Tensor<1, 3>
+    change_of_velocity(
+      const dealii::Point<3>                          &x,
+      const double                                     travel,
+      const std::function<double(const unsigned int)> &rate_of,
+      const double                                     other_travel,
+      const std::function<double(const unsigned int)> &other_rate_of) const;
 
     /** The angular velocity of the body, likewise. */
     dealii::Tensor<1, 3>
@@ -195,6 +219,17 @@ namespace Biface
     {
       return present(shape->point);
     }
+
+    /** The displacement of this point. */
+    dealii::Tensor<1, 3>
+    displacement_of_point() const
+    {
+      return apex() - shape->point;
+    }
+
+    /** The rotation as a vector along its axis, with an angle up to pi. */
+    dealii::Tensor<1, 3>
+    rotation_vector() const;
 
     /** With its present axis, see BodyShape::cylinder(). */
     std::optional<BodyShape::Cylinder>
@@ -261,7 +296,8 @@ namespace Biface
     /** See behind(). */
     double                      distance = 0;
     std::optional<Displacement> displacement;
-    std::vector<Screw>          screws;
+    /** The later ones take along the axes of those before. */
+    std::vector<Screw> screws;
   };
 } // namespace Biface
 

@@ -131,6 +131,14 @@ namespace Biface
               const std::string &text,
               const std::string &allowed);
 
+  /** Split a list of "name: rest" with different names, whose words are
+   * separated by single blanks in the result. Throws InputError, like
+   * split_named(), also if nothing follows a colon. */
+  std::vector<std::pair<std::string, std::string>>
+  split_named_list(const std::string &entry,
+                   const std::string &text,
+                   const std::string &allowed);
+
   /** Call a function that may throw InputError on some ranks only, and throw
    * the first of these errors on all ranks. Must be called on all ranks. */
   void

@@ -40,7 +40,7 @@ namespace Biface
    * @param with_volume whether that of the cavity is one of them. */
   std::vector<HistoryGroup>
   history_groups(const FailureCriteria &criteria,
-                 const ShellMesh       &mesh,
+                 const ShellEquations  &equations,
                  const bool             with_volume);
 
 
@@ -58,7 +58,7 @@ namespace Biface
     /** The names of the columns, separated by commas. */
     static std::string
     header(const FailureCriteria &criteria,
-           const ShellMesh       &mesh,
+           const ShellEquations  &equations,
            const bool             with_volume);
 
     std::vector<std::string>

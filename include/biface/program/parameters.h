@@ -90,6 +90,11 @@ namespace Biface
     named_pairs() const;
 
   private:
+    /** The 'Forces on bodies' of a stage with their motions. Throws InputError
+     * if there is no such motion. */
+    std::vector<MotionByForce>
+    motions_by_force(const unsigned int i) const;
+
     /** Throws InputError if the gas of a stage cannot be sealed. */
     void
     check_gas() const;

@@ -71,6 +71,17 @@ namespace Biface
     virtual double
     violation(const Iteration &iteration) const = 0;
 
+    /** The change of the loads for given changes of all @f$\mu_i@f$. */
+    LoadRates
+    change_of_loads(const LoadParameters &changes) const
+    {
+      AssertDimension(changes.size(), rates.size());
+      LoadRates result;
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        result.add(changes[i], rates[i]);
+      return result;
+    }
+
     const std::vector<LoadRates> rates;
   };
 

@@ -6,8 +6,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <biface/contact/rigid_body.h>
 #include <biface/model/mesh/component.h>
 
 namespace Biface
@@ -28,6 +30,24 @@ namespace Biface
   control_names();
 
 
+  /** A motion of a body that is not prescribed but found by a force. */
+  struct MotionByForce
+  {
+    std::string body;
+    BodyMotion  motion;
+    /** At the end of the stage: along the translation of the motion or, without
+     * one, the moment about the axis. */
+    double force = 0;
+
+    /** As in 'Forces on bodies'. */
+    std::string
+    name() const
+    {
+      return body + " " + motion.name;
+    }
+  };
+
+
   /** How the steps of a stage are controlled. */
   struct StageControl
   {
@@ -41,8 +61,12 @@ namespace Biface
     double force = 0;
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
-    double       axle_moment = 0;
-    unsigned int n_steps     = 1;
+    double axle_moment = 0;
+    /** The forces on bodies as given, by the names of body and motion. */
+    std::vector<std::pair<std::string, double>> forces_on_bodies;
+    /** The same with the motions, set by Parameters::assign_load_factors(). */
+    std::vector<MotionByForce> motions_by_force;
+    unsigned int               n_steps = 1;
     /** Whether steps of the loads or the force grow after fast convergence. */
     bool adaptive = false;
 
@@ -71,8 +95,9 @@ namespace Biface
     const std::string &
     control_name() const;
 
+    /** @param section the name of the section of the stage. */
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm, const std::string &section);
 
     /** Throws InputError if a value is invalid. */
     void
@@ -82,8 +107,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &control &control_point &control_component &control_value;
-      archive &force &axle_moment &n_steps               &adaptive;
+      archive &control &control_point &control_component     &control_value;
+      archive &force &axle_moment &forces_on_bodies &n_steps &adaptive;
     }
   };
 } // namespace Biface

@@ -3,6 +3,7 @@
 #ifndef biface_stepping_step_report_h
 #define biface_stepping_step_report_h
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,16 @@ namespace Biface
   struct CriticalPoint;
   struct SensitivityTable;
   struct VibrationModes;
+
+
+  /** A body, other than the foundation, after a step. */
+  struct BodyReport
+  {
+    ContactSummary contact;
+    /** The displacement of its 'Point', and its rotation as a vector, in
+     * radians. */
+    dealii::Tensor<1, 3> displacement, rotation;
+  };
 
 
   /** The report of a converged step: the data needed by output in addition to
@@ -52,6 +63,8 @@ namespace Biface
     Work           work;
     ContactSummary contact;
     Footprint      footprint;
+    /** The bodies that are there beside the foundation, by name. */
+    std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */
     std::shared_ptr<const NodalForces> forces;
     /** If the foundation alone has moved, in one way, since the start of the

@@ -77,11 +77,13 @@ namespace Biface
 
 
   ContactInteraction::Linearizations
-  ContactInteraction::linearize(const State &state, const Loads &loads) const
+  ContactInteraction::linearize(const State     &state,
+                                const Loads     &loads,
+                                const LoadRates &change) const
   {
     Linearizations result;
     for (const auto &pair : pairs)
-      result.push_back(pair->linearize(state, loads));
+      result.push_back(pair->linearize(state, loads, change));
     return result;
   }
 
@@ -176,12 +178,10 @@ namespace Biface
   ContactInteraction::compute_multipliers(State                &state,
                                           const Loads          &loads,
                                           const Linearizations &before,
-                                          const LA::Vector     &increment,
-                                          const LoadRates      &of_loads) const
+                                          const LA::Vector     &increment) const
   {
     for (const auto &pair : pairs)
-      pair->compute_multipliers(
-        state, loads, before[pair->number], increment, of_loads);
+      pair->compute_multipliers(state, loads, before[pair->number], increment);
   }
 
 

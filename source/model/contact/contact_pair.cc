@@ -363,6 +363,31 @@ namespace Biface
 
 
   double
+  ContactPair::way_to_shell(const State     &state,
+                            const Loads     &loads,
+                            const LoadRates &direction,
+                            const double     depth) const
+  {
+    // the sine of the angle to the surface
+    constexpr double glancing = 1e-3;
+
+    const RigidBody &body = this->body(loads)->body;
+    double           way  = std::numeric_limits<double>::infinity();
+    for (const Node &node : mesh.nodes)
+      if (node.face_is_free[face])
+        {
+          const Point<3>     x        = position(state, node);
+          const BodyPoint    at       = body.evaluate(x);
+          const Tensor<1, 3> velocity = direction.velocity_of(body, x);
+          const double       approach = -(at.normal * velocity);
+          if (approach > glancing * velocity.norm())
+            way = std::min(way, (at.clearance + depth) / approach);
+        }
+    return Utilities::MPI::min(way, mesh.communicator);
+  }
+
+
+  double
   ContactPair::minimum_travel(const State &state, const RigidBody &body) const
   {
     double minimum = std::numeric_limits<double>::infinity();
@@ -414,7 +439,9 @@ namespace Biface
 
 
   ContactPair::Linearizations
-  ContactPair::linearize(const State &state, const Loads &loads) const
+  ContactPair::linearize(const State     &state,
+                         const Loads     &loads,
+                         const LoadRates &change) const
   {
     Linearizations result(mesh.nodes.size());
     if (body(loads))
@@ -422,8 +449,10 @@ namespace Biface
         if (state_of(state).active[n])
           {
             const NodeInContact at = at_node(state, loads, n);
-            result[n]              = {
-                           at.body.at_rest(at.x), at.at_body.clearance, at.at_body.normal};
+            result[n]              = {at.x,
+                                      at.at_body.clearance,
+                                      at.at_body.normal,
+                                      change.velocity_of(at.body, at.x)};
           }
     return result;
   }
@@ -440,10 +469,10 @@ namespace Biface
       if (body(loads) && zone.active[n])
         {
           const Tensor<1, 3> motion =
-            position(state, mesh.nodes[n]) -
-            body(loads)->body.present(before[n].at_rest);
+            position(state, mesh.nodes[n]) - before[n].position;
           zone.multipliers[n][0] = condition.multiplier(
-            before[n].clearance - before[n].normal * motion);
+            before[n].clearance -
+            before[n].normal * (motion - before[n].of_body));
           if (!body(loads)->law->acts_on(zone, n))
             continue;
           // the same traction, with the tangents at the new place
@@ -477,8 +506,7 @@ namespace Biface
   ContactPair::compute_multipliers(State                &state,
                                    const Loads          &loads,
                                    const Linearizations &before,
-                                   const LA::Vector     &increment,
-                                   const LoadRates      &of_loads) const
+                                   const LA::Vector     &increment) const
   {
     AssertDimension(before.size(), mesh.nodes.size());
     const PlacedBody *placed = body(loads);
@@ -491,10 +519,9 @@ namespace Biface
         const Node        &node = mesh.nodes[n];
         const Tensor<1, 3> motion =
           node.surface.from_frame(mesh.displacement(increment, node, face));
-        const Tensor<1, 3> of_body =
-          of_loads.velocity_of(placed->body, position(state, node));
-        zone.multipliers[n][0] = condition.multiplier(
-          before[n].clearance - before[n].normal * (motion - of_body));
+        zone.multipliers[n][0] =
+          condition.multiplier(before[n].clearance -
+                               before[n].normal * (motion - before[n].of_body));
         if (placed->law->acts_on(zone, n))
           set_tangential_multipliers(
             state, *placed->law, at_node(state, loads, n));

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/quantities/forces_on_shell.h>
-#include <biface/model/quantities/foundation_resultants.h>
 #include <biface/model/quantities/rolling_summary.h>
 
 namespace Biface

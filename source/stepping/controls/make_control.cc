@@ -20,13 +20,18 @@ namespace Biface
     }
 
 
-    /** @param controlled the resultants that are prescribed. */
-    template <std::shared_ptr<const ControlledResultant> (*...controlled)()>
-    std::unique_ptr<Control>
-    prescribe(const Stage &stage, const Control::Parameters &parameters)
+    /** The resultants that a stage prescribes. */
+    ResultantControl::Resultants
+    prescribed_resultants(const Stage &stage)
     {
-      return std::make_unique<ResultantControl>(
-        stage, parameters, ResultantControl::Resultants{controlled()...});
+      ResultantControl::Resultants resultants;
+      if (stage.prescribes_force())
+        resultants.push_back(controlled_force());
+      if (stage.prescribes_axle_moment())
+        resultants.push_back(controlled_axle_moment());
+      for (const MotionByForce &motion : stage.motions_by_force)
+        resultants.push_back(controlled_motion(motion, stage.factors.size()));
+      return resultants;
     }
   } // namespace
 
@@ -36,19 +41,21 @@ namespace Biface
   {
     switch (stage.control)
       {
-        case ControlKind::load:
-          return make<LoadControl>(stage, parameters);
         case ControlKind::displacement:
           return make<DisplacementControl>(stage, parameters);
         case ControlKind::arc_length:
           return make<ArcLengthControl>(stage, parameters);
+        case ControlKind::load:
         case ControlKind::foundation_force:
-          return prescribe<controlled_force>(stage, parameters);
         case ControlKind::axle_moment:
-          return prescribe<controlled_axle_moment>(stage, parameters);
         case ControlKind::foundation_force_and_axle_moment:
-          return prescribe<controlled_force, controlled_axle_moment>(
-            stage, parameters);
+          {
+            const auto resultants = prescribed_resultants(stage);
+            if (resultants.empty())
+              return make<LoadControl>(stage, parameters);
+            return std::make_unique<ResultantControl>(
+              stage, parameters, resultants);
+          }
       }
     Assert(false, ExcInternalError());
     return {};

@@ -4,6 +4,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,16 @@ namespace Biface
 
   namespace
   {
+    void
+    check_foundation(const Stage &stage, const std::string &section)
+    {
+      if (!stage.contact)
+        throw InputError(section + "/Control",
+                         stage.control_name(),
+                         "it needs 'Contact = true'");
+    }
+
+
     class ControlledForce : public ControlledResultant
     {
     public:
@@ -32,6 +43,7 @@ namespace Biface
             const std::string &section,
             const Control::KnownStart & /*start*/) const override
       {
+        check_foundation(stage, section);
         if (stage.travel.value_or(0) != 0)
           throw InputError(section + "/Travel",
                            number_to_string(*stage.travel),
@@ -46,32 +58,33 @@ namespace Biface
         return stage.force;
       }
 
-      FoundationResultant
-      evaluate(const ContactPair            &ground,
+      ContactResultant
+      evaluate(const ContactInteraction     &contact,
                const State                  &state,
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
-        return foundation_force(ground, state, loads, rates);
+        return foundation_force(contact.ground(), state, loads, rates);
       }
 
       double
       scale(const double prescribed,
+            const ContactResultant & /*now*/,
             const ControlEquations::Iteration & /*iteration*/) const override
       {
         return std::abs(prescribed);
       }
 
-      double LoadLevel::       *
-      load() const override
+      double &
+      load(LoadLevel &level) const override
       {
-        return &LoadLevel::travel;
+        return level.travel;
       }
 
-      std::optional<double> Control::KnownStart::                      *
-      known_load() const override
+      std::optional<double> &
+      known_load(Control::KnownStart &start) const override
       {
-        return &Control::KnownStart::travel;
+        return start.travel;
       }
 
       LoadRates
@@ -87,7 +100,7 @@ namespace Biface
             const LoadLevel & /*next*/) const override
       {
         double travel = from.level.travel;
-        if (from.contact.count_active(from.state) == 0)
+        if (from.contact.ground().count_active(from.state) == 0)
           travel +=
             beyond_touch(from.contact, from.state, from.loads(from.level));
         return travel;
@@ -95,9 +108,10 @@ namespace Biface
 
       std::optional<double>
       change_to_appear(
+        const double /*prescribed*/,
         const ControlEquations::Iteration &iteration) const override
       {
-        if (iteration.contact.count_active(iteration.state) > 0)
+        if (iteration.contact.ground().count_active(iteration.state) > 0)
           return {};
         return beyond_touch(
           iteration.contact, iteration.state, iteration.loads);
@@ -131,6 +145,7 @@ namespace Biface
             const std::string         &section,
             const Control::KnownStart &start) const override
       {
+        check_foundation(stage, section);
         const std::string with =
           "with 'Control = " + stage.control_name() + "' ";
         if (stage.angular_velocity)
@@ -152,17 +167,24 @@ namespace Biface
         return stage.axle_moment;
       }
 
-      FoundationResultant
-      evaluate(const ContactPair            &ground,
+      ContactResultant
+      evaluate(const ContactInteraction     &contact,
                const State                  &state,
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
-        return axle_moment(ground, state, loads, rates);
+        return axle_moment(contact.ground(), state, loads, rates);
+      }
+
+      bool
+      needs_contact() const override
+      {
+        return true;
       }
 
       double
-      scale(const double                       prescribed,
+      scale(const double prescribed,
+            const ContactResultant & /*now*/,
             const ControlEquations::Iteration &iteration) const override
       {
         // free rolling prescribes zero: relative to what the force on the
@@ -176,16 +198,16 @@ namespace Biface
                         iteration.loads.ground()->clearance(Point<3>()));
       }
 
-      double LoadLevel::       *
-      load() const override
+      double &
+      load(LoadLevel &level) const override
       {
-        return &LoadLevel::angular_velocity;
+        return level.angular_velocity;
       }
 
-      std::optional<double> Control::KnownStart::                      *
-      known_load() const override
+      std::optional<double> &
+      known_load(Control::KnownStart &start) const override
       {
-        return &Control::KnownStart::angular_velocity;
+        return start.angular_velocity;
       }
 
       LoadRates
@@ -215,6 +237,141 @@ namespace Biface
         return next.ground_velocity /
                std::abs(loads.ground()->clearance(Point<3>()));
       }
+    };
+
+
+    class ControlledMotion : public ControlledResultant
+    {
+    public:
+      ControlledMotion(const MotionByForce &of_stage,
+                       const unsigned int   n_factors)
+        : of_stage(of_stage)
+        , factor(of_stage.motion.factor)
+        , amplitude(of_stage.motion.amplitude())
+        , n_factors(n_factors)
+      {}
+
+      std::string
+      name() const override
+      {
+        return "force on " + of_stage.name();
+      }
+
+      void
+      check(const Stage &stage,
+            const std::string & /*section*/,
+            const Control::KnownStart & /*start*/) const override
+      {
+        (void) stage;
+        Assert(!stage.factors[factor], ExcInternalError());
+      }
+
+      double
+      end(const Stage &stage) const override
+      {
+        for (const MotionByForce &item : stage.motions_by_force)
+          if (item.name() == of_stage.name())
+            return item.force;
+        Assert(false, ExcInternalError());
+        return 0;
+      }
+
+      ContactResultant
+      evaluate(const ContactInteraction     &contact,
+               const State                  &state,
+               const Loads                  &loads,
+               const std::vector<LoadRates> &rates) const override
+      {
+        ContactResultant result =
+          power_of_body(pair(contact), state, loads, rate(), rates);
+        result.value /= amplitude;
+        result.magnitude /= amplitude;
+        result.gradient /= amplitude;
+        for (double &per_load : result.per_load)
+          per_load /= amplitude;
+
+        // the spring takes its part of the force
+        const double spring = of_stage.motion.spring * amplitude;
+        const double taken  = spring * factor_at(loads.factors, factor);
+        result.value += taken;
+        result.magnitude += std::abs(taken);
+        for (unsigned int i = 0; i < rates.size(); ++i)
+          result.per_load[i] += spring * factor_at(rates[i].factors, factor);
+        return result;
+      }
+
+      double
+      scale(const double            prescribed,
+            const ContactResultant &now,
+            const ControlEquations::Iteration & /*iteration*/) const override
+      {
+        return std::abs(prescribed) + now.magnitude;
+      }
+
+      double &
+      load(LoadLevel &level) const override
+      {
+        return level.factors[factor];
+      }
+
+      std::optional<double> &
+      known_load(Control::KnownStart &start) const override
+      {
+        return start.factors[factor];
+      }
+
+      LoadRates
+      rate() const override
+      {
+        LoadRates rates;
+        rates.factors.assign(n_factors, 0);
+        rates.factors[factor] = 1;
+        return rates;
+      }
+
+      double
+      guess(const Control::Equilibrium &from,
+            const LoadLevel & /*next*/) const override
+      {
+        return factor_at(from.level.factors, factor);
+      }
+
+      std::optional<double>
+      change_to_appear(
+        const double                       prescribed,
+        const ControlEquations::Iteration &iteration) const override
+      {
+        const ContactPair &body = pair(iteration.contact);
+        if (of_stage.motion.spring > 0 || prescribed == 0 ||
+            body.count_active(iteration.state) > 0)
+          return {};
+        // into the shell by a small part of its thickness
+        LoadRates direction = rate();
+        direction.factors[factor] =
+          std::copysign(1., prescribed * amplitude) / std::abs(amplitude);
+        const double way =
+          body.way_to_shell(iteration.state,
+                            iteration.loads,
+                            direction,
+                            0.01 * iteration.contact.mesh.thickness());
+        return way * direction.factors[factor];
+      }
+
+    private:
+      const ContactPair &
+      pair(const ContactInteraction &contact) const
+      {
+        for (const auto &pair : contact.pairs)
+          if (pair->name == of_stage.body && pair.get() != &contact.ground())
+            return *pair;
+        Assert(false, ExcInternalError());
+        return contact.ground();
+      }
+
+      const MotionByForce of_stage;
+      const unsigned int  factor;
+      const double        amplitude;
+      const unsigned int  n_factors;
     };
 
 
@@ -264,7 +421,8 @@ namespace Biface
       {
         const unsigned int n = resultants.size();
         for (unsigned int i = 0; i < n; ++i)
-          if (const auto change = resultants[i]->change_to_appear(iteration))
+          if (const auto change =
+                resultants[i]->change_to_appear(values[i], iteration))
             {
               LoadParameters changes(n);
               changes[i] = *change;
@@ -275,14 +433,14 @@ namespace Biface
         Vector<double>           missing(n);
         for (unsigned int i = 0; i < n; ++i)
           {
-            const FoundationResultant now =
-              resultants[i]->evaluate(iteration.contact.ground(),
-                                      iteration.state,
-                                      iteration.loads,
-                                      rates);
+            const ContactResultant now = resultants[i]->evaluate(
+              iteration.contact, iteration.state, iteration.loads, rates);
             missing[i] = values[i] - now.value - now.gradient * dV_R;
             for (unsigned int j = 0; j < n; ++j)
               matrix(i, j) = now.gradient * dV_q[j] + now.per_load[j];
+            // a body without force that touches nothing stays where it is
+            if (values[i] == 0 && now.magnitude == 0)
+              matrix(i, i) = 1;
           }
         return solve(matrix, missing);
       }
@@ -293,14 +451,13 @@ namespace Biface
         double largest = 0;
         for (unsigned int i = 0; i < resultants.size(); ++i)
           {
-            const double now = resultants[i]
-                                 ->evaluate(iteration.contact.ground(),
-                                            iteration.state,
-                                            iteration.loads,
-                                            {})
-                                 .value;
-            const double relative = std::abs(now - values[i]) /
-                                    resultants[i]->scale(values[i], iteration);
+            const ContactResultant now = resultants[i]->evaluate(
+              iteration.contact, iteration.state, iteration.loads, {});
+            if (now.value == values[i])
+              continue;
+            const double relative =
+              std::abs(now.value - values[i]) /
+              resultants[i]->scale(values[i], now, iteration);
             // not a number is none
             largest = (relative <= largest ? largest : relative);
           }
@@ -327,10 +484,6 @@ namespace Biface
   ResultantControl::check(const std::string &section,
                           const KnownStart  &start) const
   {
-    if (!stage.contact)
-      throw InputError(section + "/Control",
-                       stage.control_name(),
-                       "it needs 'Contact = true'");
     for (const auto &resultant : resultants)
       resultant->check(stage, section, start);
   }
@@ -341,7 +494,7 @@ namespace Biface
   {
     KnownStart end = EqualSteps::known_end(start);
     for (const auto &resultant : resultants)
-      (end.*resultant->known_load()).reset();
+      resultant->known_load(end).reset();
     return end;
   }
 
@@ -351,7 +504,12 @@ namespace Biface
   {
     EqualSteps::begin(from);
     // without pressure no moment depends on the angular velocity
-    if (resultants.size() > 1 && from.contact.count_active(from.state) == 0)
+    const bool needs_contact =
+      resultants.size() > 1 &&
+      std::any_of(resultants.begin(), resultants.end(), [](const auto &item) {
+        return item->needs_contact();
+      });
+    if (needs_contact && from.contact.ground().count_active(from.state) == 0)
       throw InputError("the stage '" + stage.name +
                        "' has 'Control = " + stage.control_name() +
                        "' and must start in contact, such as after a stage "
@@ -359,9 +517,7 @@ namespace Biface
     const Loads loads = from.loads(from.level);
     for (unsigned int i = 0; i < resultants.size(); ++i)
       start_values[i] =
-        resultants[i]
-          ->evaluate(from.contact.ground(), from.state, loads, {})
-          .value;
+        resultants[i]->evaluate(from.contact, from.state, loads, {}).value;
   }
 
 
@@ -374,7 +530,7 @@ namespace Biface
     trial.level = [this, end](const LoadParameters &mu) {
       LoadLevel level = end;
       for (unsigned int i = 0; i < resultants.size(); ++i)
-        level.*resultants[i]->load() = mu[i];
+        resultants[i]->load(level) = mu[i];
       return level;
     };
     trial.mu.clear();
@@ -423,8 +579,7 @@ namespace Biface
     // the unknown loads follow no path
     LoadLevel from = reached, to = now.end(start);
     for (const auto &resultant : resultants)
-      from.*resultant->load() = to.*resultant->load() =
-                                  start.*resultant->load();
+      resultant->load(from) = resultant->load(to) = resultant->load(start);
     std::vector<Progression> progressions = progressions_of_loads(from, to);
     for (unsigned int i = 0; i < resultants.size(); ++i)
       progressions.push_back(
@@ -445,5 +600,12 @@ namespace Biface
   controlled_axle_moment()
   {
     return std::make_shared<ControlledAxleMoment>();
+  }
+
+
+  std::shared_ptr<const ControlledResultant>
+  controlled_motion(const MotionByForce &motion, const unsigned int n_factors)
+  {
+    return std::make_shared<ControlledMotion>(motion, n_factors);
   }
 } // namespace Biface

@@ -55,7 +55,9 @@ namespace Biface
 
     /** See ContactPair::linearize(). */
     Linearizations
-    linearize(const State &state, const Loads &loads) const;
+    linearize(const State     &state,
+              const Loads     &loads,
+              const LoadRates &change = LoadRates()) const;
 
     /** See ContactPair::predict_multipliers(). */
     void
@@ -95,8 +97,7 @@ namespace Biface
     compute_multipliers(State                &state,
                         const Loads          &loads,
                         const Linearizations &before,
-                        const LA::Vector     &increment,
-                        const LoadRates      &of_loads) const;
+                        const LA::Vector     &increment) const;
 
     /** See ContactPair::let_stick(). */
     void

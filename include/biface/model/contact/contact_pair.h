@@ -257,6 +257,15 @@ namespace Biface
     double
     remaining_travel(const State &state, const Loads &loads) const;
 
+    /** The way of the body until it is in a free node of the face, by the given
+     * depth and its velocity at present; infinite if it approaches none.
+     * @param direction the rates of the loads per way. */
+    double
+    way_to_shell(const State     &state,
+                 const Loads     &loads,
+                 const LoadRates &direction,
+                 const double     depth) const;
+
     /** The deformed position of the face at a node. */
     dealii::Point<3>
     position(const State &state, const Node &node) const
@@ -282,22 +291,27 @@ namespace Biface
      * against the body. */
     struct Linearization
     {
-      /** The point of the body at rest at the node. */
-      dealii::Point<3>     at_rest;
+      dealii::Point<3>     position;
       double               clearance;
       dealii::Tensor<1, 3> normal;
+      /** The motion of the body there in the increment that follows. */
+      dealii::Tensor<1, 3> of_body;
     };
 
     /** By node of this rank; of use at active nodes only. */
     using Linearizations = std::vector<Linearization>;
 
+    /** @param change that of the loads in the increment that follows. */
     Linearizations
-    linearize(const State &state, const Loads &loads) const;
+    linearize(const State     &state,
+              const Loads     &loads,
+              const LoadRates &change = LoadRates()) const;
 
     /** After an increment, set the multipliers along the normal of the active
      * nodes to those of the linear system, which are linear in the motions of
      * shell and body, and those of the other nodes to zero.
-     * @param before the contact before the increment. */
+     * @param before the contact before the increment, with the change of the
+     * loads. */
     void
     predict_multipliers(State                &state,
                         const Loads          &loads,
@@ -326,14 +340,13 @@ namespace Biface
      * multipliers for the active set and the slipping nodes of the state. Those
      * along the normal are linear in the increments: the round-off of
      * positions, which is large beside the penetration, is that before.
-     * @param before the contact before the increments.
+     * @param before the contact before the increments, with that of the loads.
      * @param increment of the displacements, a vector with ghosts. */
     void
     compute_multipliers(State                &state,
                         const Loads          &loads,
                         const Linearizations &before,
-                        const LA::Vector     &increment,
-                        const LoadRates      &of_loads) const;
+                        const LA::Vector     &increment) const;
 
     /** Let all nodes stick that have a stick point, where nothing is known
      * about the slip: too many slipping nodes have too little stiffness. */

@@ -209,6 +209,22 @@ namespace Biface
       });
     }
 
+    /** The change of this velocity, at a point that does not move, as the body
+     * moves by other rates. */
+    dealii::Tensor<1, 3>
+    change_of_velocity(const RigidBody        &body,
+                       const dealii::Point<3> &x,
+                       const LoadRates        &moves) const
+    {
+      const auto rate_of = [](const LoadRates &rates) {
+        return [&rates](const unsigned int factor) {
+          return factor_at(rates.factors, factor);
+        };
+      };
+      return body.change_of_velocity(
+        x, travel, rate_of(*this), moves.travel, rate_of(moves));
+    }
+
     /** The angular velocity of a body. */
     dealii::Tensor<1, 3>
     angular_velocity_of(const RigidBody &body) const

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/quantities/foundation_resultants.h>
+#include <biface/model/quantities/contact_resultants.h>
 #include <biface/stepping/controls/equal_steps.h>
 
 namespace Biface
 {
-  /** A resultant of the forces between shell and foundation that is prescribed,
-   * and the load that is computed instead. It has no data. */
+  /** A resultant of the forces between shell and foundation, or another body,
+   * that is prescribed, and the load that is computed instead. */
   class ControlledResultant
   {
   public:
@@ -33,24 +33,26 @@ namespace Biface
     virtual double
     end(const Stage &stage) const = 0;
 
-    virtual FoundationResultant
-    evaluate(const ContactPair            &ground,
+    virtual ContactResultant
+    evaluate(const ContactInteraction     &contact,
              const State                  &state,
              const Loads                  &loads,
              const std::vector<LoadRates> &rates) const = 0;
 
-    /** What the violation of a prescribed value is relative to. */
+    /** What the violation of a prescribed value is relative to.
+     * @param now the resultant. */
     virtual double
     scale(const double                       prescribed,
+          const ContactResultant            &now,
           const ControlEquations::Iteration &iteration) const = 0;
 
     /** The unknown load. */
-    virtual double LoadLevel::               *
-    load() const = 0;
+    virtual double &
+    load(LoadLevel &level) const = 0;
 
     /** The same before the run. */
-    virtual std::optional<double> Control::KnownStart::                              *
-    known_load() const = 0;
+    virtual std::optional<double> &
+    known_load(Control::KnownStart &start) const = 0;
 
     /** The derivative of the loads by the unknown one. */
     virtual LoadRates
@@ -65,15 +67,23 @@ namespace Biface
      * is zero, whatever the loads: then no other load changes. None if it does
      * not know. */
     virtual std::optional<double>
-    change_to_appear(const ControlEquations::Iteration & /*iteration*/) const
+    change_to_appear(const double /*prescribed*/,
+                     const ControlEquations::Iteration & /*iteration*/) const
     {
       return {};
+    }
+
+    /** Whether it depends on its load only in contact with the ground. */
+    virtual bool
+    needs_contact() const
+    {
+      return false;
     }
   };
 
 
-  /** Resultants of the foundation are prescribed in every step, together with
-   * all loads but one for each of them, which is unknown. */
+  /** Resultants of the foundation and of bodies are prescribed in every step,
+   * together with all loads but one for each of them, which is unknown. */
   class ResultantControl : public EqualSteps
   {
   public:
@@ -126,6 +136,13 @@ namespace Biface
    * rolling; the angular velocity is unknown. */
   std::shared_ptr<const ControlledResultant>
   controlled_axle_moment();
+
+
+  /** The force that pushes a body along one of its motions is prescribed, its
+   * factor is unknown.
+   * @param n_factors the number of all factors. */
+  std::shared_ptr<const ControlledResultant>
+  controlled_motion(const MotionByForce &motion, const unsigned int n_factors);
 } // namespace Biface
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_quantities_foundation_resultants_h
-#define biface_model_quantities_foundation_resultants_h
+#ifndef biface_model_quantities_contact_resultants_h
+#define biface_model_quantities_contact_resultants_h
 
 #include <vector>
 
@@ -12,10 +12,12 @@
 namespace Biface
 {
   /** A component of the resultant of the forces between shell and foundation,
-   * with its derivatives for a fixed active set. */
-  struct FoundationResultant
+   * or another body, with its derivatives for a fixed active set. */
+  struct ContactResultant
   {
     double value = 0;
+    /** The sum of the absolute values of what adds up to it. */
+    double magnitude = 0;
     /** With respect to the displacements. */
     LA::Vector gradient;
     /** With respect to load parameters: for each of the given rates of the
@@ -27,7 +29,7 @@ namespace Biface
   /** The compressive force on the foundation, along its direction. Unit: force.
    *
    * Must be called on all ranks. */
-  FoundationResultant
+  ContactResultant
   foundation_force(const ContactPair            &ground,
                    const State                  &state,
                    const Loads                  &loads,
@@ -46,11 +48,26 @@ namespace Biface
    *
    * Must be called on all ranks.
    */
-  FoundationResultant
+  ContactResultant
   axle_moment(const ContactPair            &ground,
               const State                  &state,
               const Loads                  &loads,
               const std::vector<LoadRates> &rates = {});
+
+
+  /**
+   * The power of a body, by its forces on the shell, in a motion with the given
+   * rates of the loads: for a translation of unit velocity the force along it,
+   * for a turn of unit angular velocity the moment about the axis.
+   *
+   * Must be called on all ranks; the body must be there.
+   */
+  ContactResultant
+  power_of_body(const ContactPair            &pair,
+                const State                  &state,
+                const Loads                  &loads,
+                const LoadRates              &motion,
+                const std::vector<LoadRates> &rates = {});
 } // namespace Biface
 
 #endif

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <functional>
+
+#include <biface/model/contact/contact_forces.h>
+#include <biface/model/quantities/contact_resultants.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A motion of the face, the work of the forces of a body on which is the
+     * resultant. */
+    struct Motion
+    {
+      /** The motion of a point at the given position. */
+      std::function<Tensor<1, 3>(const Tensor<1, 3> &)> at;
+      /** The transposed derivative of the motion times a force; null if the
+       * motion is a translation. */
+      std::function<Tensor<1, 3>(const Tensor<1, 3> &)> transposed_derivative;
+      /** The change of the motion at a position by each of the loads; empty if
+       * it does not depend on them. */
+      std::vector<std::function<Tensor<1, 3>(const Tensor<1, 3> &)>> change;
+    };
+
+
+    ContactResultant
+    work_of_contact(const ContactPair            &pair,
+                    const State                  &state,
+                    const Loads                  &loads,
+                    const std::vector<LoadRates> &rates,
+                    const Motion                 &motion)
+    {
+      const ShellMesh    &mesh = pair.mesh;
+      const ContactForces of_pair(pair);
+      ContactResultant    result;
+      result.gradient = mesh.owned_vector();
+
+      // the value, its magnitude, then the derivatives by the loads
+      std::vector<double>                    sums(2 + rates.size());
+      ForceTerm::CellForces                  forces;
+      std::vector<MixedElement::NodalVector> per_load(rates.size());
+      for (const unsigned int c : mesh.walls)
+        {
+          const Cell &cell = mesh.cells[c];
+          const auto  V    = mesh.cell_values(state.displacement, cell);
+          forces.clear();
+          for (MixedElement::NodalVector &vector : per_load)
+            vector = 0;
+          if (!of_pair.acts_on(c, state, loads))
+            continue;
+          const ForceTerm::CellState at{c, cell, V, state, loads};
+          of_pair.add(at, forces);
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            of_pair.add_load_derivative(at, rates[i], per_load[i]);
+
+          const MixedElement::NodalVector force = forces.force + forces.load;
+          MixedElement::NodalVector       moved, gradient;
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              const Node &node = mesh.nodes[cell.nodes[v]];
+              // all forces act on the face of the node
+              Tensor<1, 3> f;
+              for (unsigned int i = 0; i < 3; ++i)
+                f[i] = force[MixedElement::dof(v, i, MixedElement::mean)];
+              if (motion.transposed_derivative)
+                MixedElement::add_force(
+                  node.surface.to_frame(
+                    motion.transposed_derivative(node.surface.from_frame(f))),
+                  v,
+                  cell.sign_of_face(v, pair.face),
+                  gradient);
+              const Tensor<1, 3> x(pair.position(state, node));
+              for (unsigned int i = 0; i < motion.change.size(); ++i)
+                sums[2 + i] += f * node.surface.to_frame(motion.change[i](x));
+              const Tensor<1, 3> r = node.surface.to_frame(motion.at(x));
+              for (unsigned int i = 0; i < 3; ++i)
+                moved[MixedElement::dof(v, i, MixedElement::mean)] = r[i];
+              sums[1] += std::abs(f * r);
+            }
+          for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+            for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+              gradient[j] -= forces.tangent[i][j] * moved[i];
+          sums[0] += moved * force;
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            sums[2 + i] += moved * per_load[i];
+          mesh.add_nodal_forces(cell, gradient, result.gradient);
+        }
+
+      if (pair.has_bristles(loads))
+        {
+          std::vector<double> per_rate(rates.size());
+          sums[0] += pair.bristle_lines(state, loads)
+                       .add_work(motion.at,
+                                 motion.transposed_derivative,
+                                 rates,
+                                 result.gradient,
+                                 per_rate);
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            sums[2 + i] += per_rate[i];
+        }
+      result.gradient.compress(VectorOperation::add);
+      mesh.condense(result.gradient);
+      Utilities::MPI::sum(sums, mesh.communicator, sums);
+      result.value     = sums[0];
+      result.magnitude = sums[1];
+      result.per_load.assign(sums.begin() + 2, sums.end());
+      return result;
+    }
+  } // namespace
+
+
+  ContactResultant
+  foundation_force(const ContactPair            &ground,
+                   const State                  &state,
+                   const Loads                  &loads,
+                   const std::vector<LoadRates> &rates)
+  {
+    const Tensor<1, 3> outward = -loads.ground()->direction();
+    return work_of_contact(
+      ground,
+      state,
+      loads,
+      rates,
+      {[&](const Tensor<1, 3> &) { return outward; }, nullptr, {}});
+  }
+
+
+  ContactResultant
+  axle_moment(const ContactPair            &ground,
+              const State                  &state,
+              const Loads                  &loads,
+              const std::vector<LoadRates> &rates)
+  {
+    const Tensor<1, 3> axle({0., 1., 0.});
+    return work_of_contact(
+      ground,
+      state,
+      loads,
+      rates,
+      {[&](const Tensor<1, 3> &x) { return cross_product_3d(x, axle); },
+       [&](const Tensor<1, 3> &f) { return cross_product_3d(axle, f); },
+       {}});
+  }
+
+
+  ContactResultant
+  power_of_body(const ContactPair            &pair,
+                const State                  &state,
+                const Loads                  &loads,
+                const LoadRates              &motion,
+                const std::vector<LoadRates> &rates)
+  {
+    const RigidBody   &body = pair.body(loads)->body;
+    const Tensor<1, 3> spin = motion.angular_velocity_of(body);
+    Motion             velocity;
+    velocity.at = [&](const Tensor<1, 3> &x) {
+      return motion.velocity_of(body, Point<3>(x));
+    };
+    velocity.transposed_derivative = [&](const Tensor<1, 3> &f) {
+      return cross_product_3d(f, spin);
+    };
+    for (const LoadRates &of_loads : rates)
+      velocity.change.push_back([&](const Tensor<1, 3> &x) {
+        return motion.change_of_velocity(body, Point<3>(x), of_loads);
+      });
+    return work_of_contact(pair, state, loads, rates, velocity);
+  }
+} // namespace Biface
