@@ -15,7 +15,30 @@ namespace Biface
   void
   Parameters::check_gas() const
   {
-    gas.check(surface.type == ReferenceSurface::Parameters::Type::revolution);
+    const bool revolution =
+      surface.type == ReferenceSurface::Parameters::Type::revolution;
+    gas.check(revolution);
+    if (!pressure.end_plates.empty())
+      {
+        const auto refuse = [this](const std::string &why) {
+          std::string text;
+          for (const Edge edge : pressure.end_plates)
+            text += (text.empty() ? "" : ", ") +
+                    edge_names[static_cast<unsigned int>(edge)];
+          throw InputError("Loads/End plates", text, why);
+        };
+        if (!revolution)
+          refuse("it needs 'Surface/Type = surface of revolution'");
+        if (!pressure.is_uniform())
+          refuse("it needs 'Pressure distribution = 1'");
+        for (const Edge edge : pressure.end_plates)
+          if (supports.edges[static_cast<unsigned int>(edge)].empty())
+            refuse("the plate needs a support of its edge in the section "
+                   "'Supports', which holds at least the radius");
+        if (gas.ambient_pressure && gas.cavity.rim_radius.value_or(0) != 0)
+          refuse("the cavity reaches to the axis: 'Gas/Rim radius' must be 0 "
+                 "or 'edges'");
+      }
 
     // the pressures at the ends of the stages
     std::vector<double> ends;

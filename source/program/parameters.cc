@@ -281,7 +281,8 @@ namespace Biface
         for (unsigned int face = 0; face < 2; ++face)
           if ((condition.component == Component::v_2 ||
                condition.component == Component::circumferential) &&
-              condition.value == 0 && condition.coefficients[face] == 1 &&
+              condition.value == 0 && !condition.formula &&
+              condition.coefficients[face] == 1 &&
               condition.coefficients[1 - face] == 0)
             held[face] = true;
       return held[0] && held[1];
@@ -323,7 +324,8 @@ namespace Biface
         return std::any_of(support.begin(),
                            support.end(),
                            [&](const SupportCondition &condition) {
-                             return condition.value != 0 &&
+                             return (condition.value != 0 ||
+                                     condition.formula) &&
                                     rests(condition.factor);
                            });
       };

@@ -69,6 +69,21 @@ namespace Biface
     }
 
 
+    /** The cavity of the gas, if any. */
+    std::unique_ptr<const Cavity>
+    make_cavity(const Parameters &parameters, const ShellMesh &mesh)
+    {
+      if (!parameters.gas.ambient_pressure)
+        return nullptr;
+      Cavity::Parameters cavity = parameters.gas.cavity;
+      // plates close it down to the axis
+      if (!parameters.pressure.end_plates.empty())
+        cavity.rim_radius = 0;
+      return std::make_unique<const Cavity>(
+        mesh, cavity, parameters.pressure.face);
+    }
+
+
     /** The terms of make_force_terms(), and the gas in the cavity, if any. */
     ForceTerms
     force_terms(const Parameters         &parameters,
@@ -123,10 +138,7 @@ namespace Biface
                          std::shared_ptr<const ShellMesh> shell_mesh)
     : mesh(std::move(shell_mesh))
     , contact(*mesh, parameters.contact, parameters.bodies)
-    , cavity(parameters.gas.ambient_pressure
-               ? std::make_unique<const Cavity>(
-                   *mesh, parameters.gas.cavity, parameters.pressure.face)
-               : nullptr)
+    , cavity(make_cavity(parameters, *mesh))
     , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
   {}
 } // namespace Biface

@@ -14,6 +14,7 @@
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/centrifugal_forces.h>
 #include <biface/model/forces/edge_moments.h>
+#include <biface/model/forces/end_plates.h>
 
 namespace Biface
 {
@@ -29,6 +30,8 @@ namespace Biface
     terms.push_back(
       std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
+    if (!pressure.end_plates.empty())
+      terms.push_back(std::make_unique<EndPlates>(mesh, pressure));
     terms.push_back(
       std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
     terms.push_back(std::make_unique<CentrifugalForces>(mesh));

@@ -35,7 +35,8 @@ namespace Biface
       "edges",
       "Radius of the cylinder that closes the cavity of a surface of "
       "revolution toward the axis; 0 for a vessel without a rim. 'edges': the "
-      "smallest radius of the face under pressure at the edges of alpha_1. "
+      "smallest radius of the face under pressure at the edges of alpha_1, or "
+      "0 with 'Loads/End plates'. "
       "Unit: length.");
   }
 

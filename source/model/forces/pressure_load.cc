@@ -1,11 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
+#include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/pressure_load.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    std::vector<Edge>
+    parse_end_plates(const std::string &entry, const std::string &text)
+    {
+      std::vector<Edge> edges;
+      for (const std::string &name : split_list(entry, text))
+        {
+          const Edge edge = parse_edge(entry, text, name);
+          if (edge != Edge::alpha_1_min && edge != Edge::alpha_1_max)
+            throw InputError(entry,
+                             text,
+                             "the edges must be 'alpha_1 min' or 'alpha_1 "
+                             "max'");
+          if (std::find(edges.begin(), edges.end(), edge) != edges.end())
+            throw InputError(entry, text, "an edge is named twice");
+          edges.push_back(edge);
+        }
+      return edges;
+    }
+  } // namespace
+
 
   void
   PressureLoad::add_parameters(ParameterHandler &prm)
@@ -24,6 +50,18 @@ namespace Biface
                {"inner", "outer"},
                "The face on which the pressure of the stages acts. Positive "
                "pressure pushes the face toward the shell.");
+    add_parsed(prm,
+               "Loads/",
+               "End plates",
+               "",
+               end_plates,
+               parse_end_plates,
+               "Edges of a surface of revolution, 'alpha_1 min' and 'alpha_1 "
+               "max' separated by a comma, that a rigid plate closes. The "
+               "pressure acts on the plate as well, which passes the force on "
+               "to the edge: along the axis, that of the circle within the "
+               "face under pressure. The support of the edge is that of the "
+               "plate, and must hold its radius.");
     add_parsed(prm,
                "Loads/",
                "Pressure distribution",

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/constraints.h>
 
 namespace Biface
@@ -174,19 +175,30 @@ namespace Biface
     std::vector<SupportEquation>
     equations_of(const SupportCondition &condition,
                  const Node             &node,
-                 const Tensor<1, 3>     &axis,
+                 const ReferenceSurface &surface,
                  const unsigned int      body,
                  const double            share,
                  const unsigned int      n_factors)
     {
       const Tensor<1, 3> unit =
-        direction(condition.component, node.surface, axis);
+        direction(condition.component, node.surface, surface.axis());
+      const auto value_at = [&](const double height) {
+        return condition.value_at(
+          node.surface,
+          node.alpha,
+          height,
+          {{surface.coordinate_unit(0), surface.coordinate_unit(1)}});
+      };
       const unsigned int n_faces = node.n_parts();
       SupportEquation    equation{std::valarray<double>(0., 3 * n_faces),
                                std::valarray<double>(0., n_factors),
                                body,
                                share};
-      equation.values[condition.factor] = condition.value;
+      const double inner = node.height(0), outer = node.height(n_faces - 1);
+      equation.values[condition.factor] =
+        value_at(condition.coefficients[0] == 0   ? outer
+                 : condition.coefficients[1] == 0 ? inner
+                                                  : (inner + outer) / 2);
       const auto set = [&](const unsigned int face, const double value) {
         for (unsigned int i = 0; i < 3; ++i)
           equation.coefficients[n_faces * i + face] = value * unit[i];
@@ -201,6 +213,7 @@ namespace Biface
           {
             equation.coefficients = 0;
             set(face, condition.coefficients[1]);
+            equation.values[condition.factor] = value_at(node.height(face));
             equations.push_back(equation);
           }
       return equations;
@@ -296,7 +309,6 @@ namespace Biface
                    SupportedNodes                      &supported)
   {
     const ReferenceSurface                &surface = mesh.get_surface();
-    const Tensor<1, 3>                     axis    = surface.axis();
     std::map<unsigned int, NodalEquations> equations;
     bool                                   contradiction = false;
     std::map<unsigned int, unsigned int>   first_of;
@@ -316,7 +328,7 @@ namespace Biface
         for (const SupportEquation &equation :
              equations_of(condition,
                           mesh.nodes[node],
-                          axis,
+                          surface,
                           supported.bodies.size() - 1,
                           share,
                           n_factors))
@@ -336,8 +348,10 @@ namespace Biface
         supported.bodies.push_back("point " + item.point);
         const unsigned int node =
           mesh.node_of_point("Supports/Point supports", item.point);
-        if (node != numbers::invalid_unsigned_int)
-          add(node, item.conditions, false);
+        agree_on_errors(mesh.communicator, [&]() {
+          if (node != numbers::invalid_unsigned_int)
+            add(node, item.conditions, false);
+        });
       }
     for (unsigned int edge = 0; edge < 4; ++edge)
       if (!supports.edges[edge].empty())
@@ -345,12 +359,14 @@ namespace Biface
           check_components(
             "Supports/" + edge_names[edge], supports.edges[edge], surface);
           supported.bodies.push_back(edge_names[edge]);
-          for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-            if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
-                                  static_cast<Edge>(edge)))
-              add(n,
-                  supports.edges[edge],
-                  first_of.count(n) > 0 || is_first.count(n) > 0);
+          agree_on_errors(mesh.communicator, [&]() {
+            for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+              if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
+                                    static_cast<Edge>(edge)))
+                add(n,
+                    supports.edges[edge],
+                    first_of.count(n) > 0 || is_first.count(n) > 0);
+          });
         }
     if (supports.is_cyclic())
       for (unsigned int i = 0; i < 2; ++i)

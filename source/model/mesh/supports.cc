@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -60,8 +61,11 @@ namespace Biface
           "the frame of the coordinate lines), x, y, z, and, for a surface of "
           "revolution, radial, axial (along y), circumferential (along "
           "alpha_2), in the undeformed shell; FACE is one of inner, outer, "
-          "both (and those between layers), middle, difference (outer minus inner). Values are multiplied "
-          "by the load factor of the stage, see 'Load factors'. A closed "
+          "both (and those between layers), middle, difference (outer minus "
+          "inner). A value is a number, or a formula of the undeformed "
+          "position x, y, z of the face and of alpha_1, alpha_2: 'axial both = "
+          "-0.01*x' tilts an edge by 0.01 radians. Values are multiplied by "
+          "the load factor of the stage, see 'Load factors'. A closed "
           "coordinate has no edges; leave them 'free'. Unit: length.");
     add_parsed(prm,
                "Supports/",
@@ -71,6 +75,20 @@ namespace Biface
                parse_point_supports,
                "Supports of named points: a comma-separated list of 'name: "
                "support', with supports as for edges.");
+  }
+
+
+  double
+  SupportCondition::value_at(const SurfacePoint          &surface,
+                             const Point<2>              &alpha,
+                             const double                 height,
+                             const std::array<double, 2> &unit) const
+  {
+    if (!formula)
+      return value;
+    const Point<3> x = surface.position + height * surface.frame[2];
+    return (*formula)(
+      {x[0], x[1], x[2], alpha[0] / unit[0], alpha[1] / unit[1]});
   }
 
 
@@ -122,10 +140,18 @@ namespace Biface
         const auto                     equals = item.find('=');
         const std::vector<std::string> words =
           split_words(item.substr(0, equals));
-        const double value =
+        const std::string value_text =
           (equals == std::string::npos
-             ? 0.
-             : parse_number(entry, item.substr(equals + 1), form));
+             ? "0"
+             : dealii::Utilities::trim(item.substr(equals + 1)));
+        double                 value = 0;
+        std::optional<Formula> formula;
+        if (value_text.empty())
+          throw InputError(entry, text, form);
+        if (Patterns::Double().match(value_text))
+          value = parse_number(entry, value_text, form);
+        else
+          formula = parse_position_formula(entry, value_text);
         if (words.size() != 2)
           throw InputError(entry, text, form);
         const auto &names = component_names();
@@ -137,6 +163,7 @@ namespace Biface
                                    inner_only,
                                    value,
                                    equals != std::string::npos};
+        condition.formula = formula;
         const std::map<std::string, std::array<double, 2>> faces{
           {"inner", inner_only},
           {"outer", outer_only},

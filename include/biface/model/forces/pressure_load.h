@@ -14,6 +14,7 @@
 #include <biface/input/formula.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/surface/chart_grid.h>
 
 namespace Biface
 {
@@ -47,6 +48,9 @@ namespace Biface
     PressureKind     kind = PressureKind::follower;
     Resultants::Face face = Resultants::inner;
     AreaMeasure      area = AreaMeasure::middle;
+    /** Edges of alpha_1 that a rigid plate closes, on which the pressure acts,
+     * too. */
+    std::vector<Edge> end_plates;
     /** Formula of the position that multiplies the pressure. */
     Formula distribution =
       parse_position_formula("Loads/Pressure distribution", "1");

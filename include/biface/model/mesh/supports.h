@@ -6,10 +6,13 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <biface/input/formula.h>
 #include <biface/model/mesh/component.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -31,6 +34,19 @@ namespace Biface
     unsigned int factor = 0;
     /** Whether the faces between layers are held like the outer one. */
     bool holds_all_faces = false;
+    /** Instead of the value, a formula of the undeformed position of the face,
+     * or of the middle of the wall; see parse_position_formula(). */
+    std::optional<Formula> formula = {};
+
+    /** @f$\bar v@f$ at a node for the load factor 1.
+     * @param height above the reference surface.
+     * @param unit the units of both coordinates. Throws InputError if it is not
+     * finite. */
+    double
+    value_at(const SurfacePoint          &surface,
+             const dealii::Point<2>      &alpha,
+             const double                 height,
+             const std::array<double, 2> &unit) const;
   };
 
 
@@ -40,9 +56,9 @@ namespace Biface
    * The text is one of the words `free`, `fixed`, `hinged` (on the middle
    * surface), `hinged inner`, `hinged outer`, `symmetry` (only for edges, see
    * @p across); or a list, separated by semicolons, of `COMPONENT FACE` or
-   * `COMPONENT FACE = value` with COMPONENT one of component_names() and FACE
-   * one of `inner`, `outer`, `both`, `middle`, `difference` (outer minus
-   * inner).
+   * `COMPONENT FACE = value` with COMPONENT one of component_names(), FACE one
+   * of `inner`, `outer`, `both`, `middle`, `difference` (outer minus inner),
+   * and a number or formula.
    *
    * @param entry its name, for error messages.
    * @param across the position in the frame of the component normal to an edge,
