@@ -2,16 +2,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write mounted_tire.md and its picture, from runs of prm/mounted_tire.prm."""
 
-import argparse
-import csv
 import math
-import subprocess
+import sys
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import (EXAMPLES, Runs, last_step, lines_of,
+                          parse_arguments, section, table)
+
+EXAMPLE = "mounted_tire.prm"
 
 PAGE = """<!-- Written by doc/mounted_tire/mounted_tire.py: cmake --build build --target mounted_tire -->
 
@@ -62,55 +66,12 @@ of −0.4, where a linear material has no stiffness left ([limits](limits.md)). 
 """
 
 
-def lines_of(path):
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def table(header, rows):
-    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
-class Runs:
-    """Runs of the example with entries changed."""
-
-    def __init__(self, program, scratch):
-        self.program, self.scratch = program, scratch
-        self.prm = (Path(__file__).resolve().parents[2] /
-                    "prm/mounted_tire.prm")
-
-    def run(self, name, entries, may_stop=False):
-        directory = self.scratch / name
-        command = [self.program, "--quiet", self.prm, "--output", directory,
-                   "--set", "Output/Write VTU=false"]
-        for entry, value in entries.items():
-            command += ["--set", f"{entry}={value}"]
-        subprocess.run(command, check=not may_stop, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL if may_stop else None)
-        return directory
-
-
 def forces(directory, body):
     """F_x, F_y, F_z and the moment about the axle by step."""
     return {int(line["step"]): [float(line[name]) for name in
                                 ("F_x", "F_y", "F_z", "M_y")]
             for line in lines_of(directory / "forces.csv")
             if line["body"] == body}
-
-
-def last_step(directory, stage):
-    return max(int(line["step"])
-               for line in lines_of(directory / "history.csv")
-               if line["stage"] == stage)
-
-
-def section(directory, step, face):
-    """Axial coordinate and distance from the axle of a face."""
-    points = lines_of(directory / f"profile-{step:04d}.csv")
-    return ([float(p[f"{face}_y"]) for p in points],
-            [math.hypot(float(p[f"{face}_x"]), float(p[f"{face}_z"]))
-             for p in points])
 
 
 def read_corners(path):
@@ -149,10 +110,10 @@ def rounded(corners):
     return result + result[:1]
 
 
-def draw(runs, directory, picture):
-    corners = rounded(read_corners(runs.prm.with_name("mounted_tire_rim.csv")))
+def draw(directory, picture):
+    corners = rounded(read_corners(EXAMPLES / "mounted_tire_rim.csv"))
     mold = [[float(cell) for cell in line.split(",")]
-            for line in open(runs.prm.with_name("mounted_tire_profile.csv"),
+            for line in open(EXAMPLES / "mounted_tire_profile.csv",
                              encoding="utf-8") if line[0] not in "#r"]
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.5),
                                 constrained_layout=True)
@@ -198,27 +159,19 @@ def inflation_rows(directory, label):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True, help="the program biface")
-    parser.add_argument("--scratch", type=Path,
-                        default=Path("mounted_tire_runs"))
-    parser.add_argument("--output", type=Path, required=True,
-                        help="where to write mounted_tire.md and its picture")
-    arguments = parser.parse_args()
-    arguments.scratch.mkdir(parents=True, exist_ok=True)
-    (arguments.output / "figures").mkdir(parents=True, exist_ok=True)
-    runs = Runs(arguments.program, arguments.scratch)
+    arguments = parse_arguments("mounted_tire", __doc__)
+    runs = Runs(arguments)
 
-    aside = runs.run("aside", {})
-    draw(runs, aside, arguments.output / "figures/mounted_tire.png")
-    smooth = runs.run("smooth", {"Body rim/Friction": 0,
-                                 "Number of stages": 1})
-    braked = runs.run("braked", {"Stage 3/Name": "braked",
-                                 "Stage 3/Slide": "0, 0, 0",
-                                 "Stage 3/Load factors": "bodies rim turn: 10",
-                                 "Stage 3/Steps": 10})
-    deep = runs.run("deep", {"Number of stages": 2, "Stage 2/Travel": 100,
-                             "Stage 2/Steps": 20}, may_stop=True)
+    aside = runs.run("aside", EXAMPLE, {})
+    draw(aside, arguments.output / "figures/mounted_tire.png")
+    smooth = runs.run("smooth", EXAMPLE, {
+        "Body rim/Friction": 0, "Number of stages": 1})
+    braked = runs.run("braked", EXAMPLE, {
+        "Stage 3/Name": "braked", "Stage 3/Slide": "0, 0, 0",
+        "Stage 3/Load factors": "bodies rim turn: 10", "Stage 3/Steps": 10})
+    deep = runs.run("deep", EXAMPLE, {
+        "Number of stages": 2, "Stage 2/Travel": 100, "Stage 2/Steps": 20},
+        may_stop=True)
 
     load = []
     for label, directory, step in (

@@ -3,16 +3,17 @@
 """Write obstacles.md and its picture, from runs of prm/cleat.prm and
 prm/curb_step.prm."""
 
-import argparse
 import collections
-import csv
-import subprocess
+import sys
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import Runs, lines_of, parse_arguments, table
 
 PAGE = """<!-- Written by doc/obstacles/obstacles.py: cmake --build build --target obstacles -->
 
@@ -73,35 +74,16 @@ RIGID = {-40: (2077.2, 109.4), -90: (2027.7, 256.0)}
 WALL = 48
 
 
-class Runs:
-    """Runs of examples with entries changed."""
-
-    def __init__(self, program, scratch):
-        self.program, self.scratch = program, scratch
-        self.prm = Path(__file__).resolve().parents[2] / "prm"
-
-    def steps(self, name, example, entries, body="cleat"):
-        """Vertical and longitudinal force of each step of the last stage."""
-        directory = self.scratch / name
-        command = [self.program, "--quiet", self.prm / example,
-                   "--output", directory, "--set", "Output/Write VTU=false"]
-        for entry, value in entries.items():
-            command += ["--set", f"{entry}={value}"]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        forces = collections.defaultdict(lambda: [0, 0])
-        with open(directory / "forces.csv", encoding="utf-8") as file:
-            lines = list(csv.DictReader(file))
-        for line in lines:
-            if (line["stage"] == lines[-1]["stage"]
-                    and line["body"] in ("foundation", body)):
-                forces[int(line["step"])][0] -= float(line["F_x"])
-                forces[int(line["step"])][1] += float(line["F_z"])
-        return [forces[step] for step in sorted(forces)]
-
-
-def table(header, rows):
-    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+def steps_of(runs, name, example, entries, body="cleat"):
+    """Vertical and longitudinal force of each step of the last stage."""
+    lines = lines_of(runs.run(name, example, entries) / "forces.csv")
+    forces = collections.defaultdict(lambda: [0, 0])
+    for line in lines:
+        if (line["stage"] == lines[-1]["stage"]
+                and line["body"] in ("foundation", body)):
+            forces[int(line["step"])][0] -= float(line["F_x"])
+            forces[int(line["step"])][1] += float(line["F_z"])
+    return [forces[step] for step in sorted(forces)]
 
 
 def beside(forces, other):
@@ -113,7 +95,7 @@ def beside(forces, other):
 def envelope(runs, picture):
     """The numbers in the words on the enveloping curve; draw it."""
     # the first step has the bar 5 mm behind its start
-    forces = runs.steps("envelope", "cleat.prm", {})
+    forces = steps_of(runs, "envelope", "cleat.prm", {})
     positions = [130 - 5 * (i + 1) for i in range(len(forces))]
     if len(forces) != 52:
         raise SystemExit("some steps were cut; the positions are not known")
@@ -136,33 +118,26 @@ def envelope(runs, picture):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True, help="the program biface")
-    parser.add_argument("--scratch", type=Path, default=Path("obstacle_runs"))
-    parser.add_argument("--output", type=Path, required=True,
-                        help="where to write obstacles.md and figures/cleat.png")
-    arguments = parser.parse_args()
-    arguments.scratch.mkdir(parents=True, exist_ok=True)
-    (arguments.output / "figures").mkdir(parents=True, exist_ok=True)
-    runs = Runs(arguments.program, arguments.scratch)
+    arguments = parse_arguments("obstacles", __doc__)
+    runs = Runs(arguments)
 
     words = envelope(runs, arguments.output / "figures/cleat.png")
     bars = []
     for (mesh, z), expected in BARS.items():
-        forces = runs.steps(f"bar_{len(bars)}", "cleat.prm", {
+        forces = steps_of(runs, f"bar_{len(bars)}", "cleat.prm", {
             "Mesh/Intervals alpha_2": MESHES[mesh],
             "Body cleat/Motions": f"pass: 0 0 {z - 130}",
             "Stage 3/Steps": 16})[-1]
         bars.append([mesh, f"{-z}", *beside(forces, expected)])
     steps = []
     for mesh, expected in STEPS.items():
-        forces = runs.steps(f"step_{len(steps)}", "curb_step.prm", {
+        forces = steps_of(runs, f"step_{len(steps)}", "curb_step.prm", {
             "Mesh/Intervals alpha_2": MESHES[mesh],
             "Body step/Point": f"1, 0, {-WALL}"}, "step")[-1]
         steps.append([mesh, *beside(forces, expected)])
     rigid = []
     for z, expected in RIGID.items():
-        forces = runs.steps(f"rigid_{len(rigid)}", "cleat.prm", {
+        forces = steps_of(runs, f"rigid_{len(rigid)}", "cleat.prm", {
             "Mesh/Intervals alpha_2": MESHES["42 × 40"],
             "Contact/Tread/Height": "none",
             "Contact/Tread/Modulus": 0,

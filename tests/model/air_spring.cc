@@ -23,6 +23,72 @@ namespace
   {
     double height, force, of_piston_side, pressure, energy, volume;
   };
+
+
+  Reading
+  read(const ShellEquations &equations,
+       const Cavity         &cavity,
+       const StepReport     &report,
+       const State          &state)
+  {
+    Reading result{30 * report.level.factors[0],
+                   0,
+                   0,
+                   report.loads.pressure,
+                   equations.internal_forces().strain_energy(state),
+                   cavity.volume(state)};
+    for (const auto &item :
+         forces_on_shell(equations, state, *report.forces, {}))
+      if (item.body == "alpha_1 max")
+        result.force = item.force[1];
+      else if (item.body == "alpha_1 min" || item.body == "piston")
+        result.of_piston_side += item.force[1];
+    return result;
+  }
+} // namespace
+
+
+namespace
+{
+  /** The last step of a run. */
+  Reading
+  end_of(const std::string &file, const std::vector<Override> &entries)
+  {
+    Analysis     analysis(file, entries);
+    const Cavity cavity(
+      analysis.simulation.get_equations().mesh, {{}, 0.}, Resultants::inner);
+    Reading result{};
+    analysis.simulation.run([&](const StepReport &report, const State &state) {
+      result = read(analysis.simulation.get_equations(), cavity, report, state);
+    });
+    return result;
+  }
+
+
+  void
+  test_reciprocity()
+  {
+    const std::string file = PRM_DIR "/bellows.prm";
+    const auto        at   = [&](const double pressure, const double height) {
+      return end_of(file,
+                    {"Number of stages=2",
+                     "Stage 1/Pressure=" + std::to_string(pressure),
+                     "Stage 2/Gas=open",
+                     "Stage 2/Load factor=" + std::to_string(height / 20),
+                     "Stage 2/Steps=1"});
+    };
+    const double p = 0.01, h = 0.2, out = 5;
+    // away from where the plates begin to touch
+    const double by_pressure =
+      (at(0.5 + p, out).force - at(0.5 - p, out).force) / (2 * p);
+    const double by_height =
+      (at(0.5, out + h).volume - at(0.5, out - h).volume) / (2 * h);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      check_small("force by pressure is volume by height",
+                  by_pressure + by_height,
+                  1e-3,
+                  by_height);
+  }
 } // namespace
 
 
@@ -36,28 +102,16 @@ main(int argc, char *argv[])
   std::vector<Reading>        path;
   const std::vector<Override> entries{"Number of stages=2"};
   Analysis                    analysis(PRM_DIR "/air_spring.prm", entries);
-  const Parameters            parameters =
-    parameters_of(PRM_DIR "/air_spring.prm", entries);
-  const Cavity cavity(
+  const Cavity                cavity(
     analysis.simulation.get_equations().mesh, {{}, 0.}, Resultants::inner);
   const auto result =
     analysis.simulation.run([&](const StepReport &report, const State &state) {
-      const ShellEquations &equations = analysis.simulation.get_equations();
-      Reading               point{30 * report.level.factors[0],
-                    0,
-                    0,
-                    report.loads.pressure,
-                    equations.internal_forces().strain_energy(state),
-                    cavity.volume(state)};
-      for (const auto &item :
-           forces_on_shell(equations, state, *report.forces, {}))
-        if (item.body == "alpha_1 max")
-          point.force = item.force[1];
-        else if (item.body == "alpha_1 min" || item.body == "piston")
-          point.of_piston_side += item.force[1];
+      const Reading point =
+        read(analysis.simulation.get_equations(), cavity, report, state);
       if (report.instant.stage == 1 || report.instant.fraction == 1)
         path.push_back(point);
     });
+  test_reciprocity();
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_true("success", result.success);

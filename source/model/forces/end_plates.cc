@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/model/forces/dead_loads.h>
+#include <deal.II/base/types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <biface/model/forces/end_plates.h>
 
 namespace Biface
@@ -8,33 +13,46 @@ namespace Biface
   using namespace dealii;
 
   EndPlates::EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
+    : at_unit_pressure(mesh.owned_vector())
   {
-    const Tensor<1, 3> axis = mesh.get_surface().axis();
-    DeadLoads          loads;
-    for (const Edge edge : pressure.end_plates)
-      {
-        const bool         at_end  = (edge == Edge::alpha_1_max);
-        const auto        &lines   = mesh.grid.lines;
-        const SurfacePoint surface = mesh.get_surface().evaluate(Point<2>(
-          at_end ? lines[0].back() : lines[0].front(), lines[1].front()));
-        const Strip &strip = mesh.strips[at_end ? mesh.n_strips() - 1 : 0];
-        const double height =
-          strip.at_lines[at_end].face_heights()[pressure.face];
-        const Point<3> x = surface.position + height * surface.frame[2];
-        const double   r = (x - (x * axis) * axis).norm();
+    const Tensor<1, 3>       axis  = mesh.get_surface().axis();
+    const std::vector<Edge> &edges = pressure.end_plates;
+    for (const BoundarySegment &segment : mesh.boundary)
+      if (std::find(edges.begin(), edges.end(), segment.edge) != edges.end())
+        for (const unsigned int n : segment.nodes)
+          {
+            const Node         &node    = mesh.nodes[n];
+            const SurfacePoint &surface = node.surface;
+            const Tensor<1, 3>  x(surface.position +
+                                 node.face_heights[pressure.face] *
+                                   surface.frame[2]);
+            const Tensor<1, 3>  arm = x - (x * axis) * axis;
+            // half of a triangle between the axis and a side of the polygon
+            const double angle = segment.length / surface.lame[1];
+            const double area  = arm.norm_square() * std::sin(angle) / 4;
 
-        // away from the cavity, which is on the side of the face
-        const Tensor<1, 3> arm =
-          surface.position - (surface.position * axis) * axis;
-        const double around =
-          cross_product_3d(axis, Tensor<1, 3>(arm)) * surface.frame[1];
-        const double outward = ((around > 0) == at_end ? -1. : 1.) *
-                               (pressure.face == Resultants::inner ? 1. : -1.);
-        EdgeForce force;
-        force.edge             = edge;
-        force.force.components = outward * r * r / (2 * surface.lame[1]) * axis;
-        loads.edge_forces.push_back(force);
-      }
-    at_unit_pressure = loads.assemble(mesh, pressure.area)[0];
+            // away from the cavity, which is on the side of the face
+            const Tensor<1, 3> of_axis =
+              surface.position - (surface.position * axis) * axis;
+            const bool at_end = (segment.edge == Edge::alpha_1_max);
+            const bool follows =
+              cross_product_3d(axis, of_axis) * surface.frame[1] > 0;
+            const double outward =
+              (follows == at_end ? -1. : 1.) *
+              (pressure.face == Resultants::inner ? 1. : -1.);
+
+            const Tensor<1, 3> force = surface.to_frame(outward * area * axis);
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                std::vector<double> values{force[i]};
+                for (const double part : node.spread())
+                  values.push_back(part * force[i]);
+                const auto *first = &node.dofs[node.position(i, 0)];
+                at_unit_pressure.add(std::vector<types::global_dof_index>(
+                                       first, first + node.n_parts()),
+                                     values);
+              }
+          }
+    at_unit_pressure.compress(VectorOperation::add);
   }
 } // namespace Biface

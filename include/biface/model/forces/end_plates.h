@@ -12,10 +12,10 @@ namespace Biface
 {
   /**
    * The pressure on rigid plates that close edges of a surface of revolution,
-   * which pass it on to the edge: along the axis, with the resultant @f$\pi
-   * r^2 p@f$ of a full turn, where @f$r@f$ is the radius of the face under
-   * pressure at the edge before the deformation. With Cavity, whose volume
-   * includes what the plate sweeps, a sealed gas remains conservative.
+   * which pass it on to the edge: along the axis, on the area of the polygon
+   * through the nodes of the face under pressure before the deformation, as the
+   * pressure on the bilinear face. With Cavity, whose volume includes what the
+   * plate sweeps, a sealed gas remains conservative.
    */
   class EndPlates : public ForceTerm
   {
