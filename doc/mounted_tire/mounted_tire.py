@@ -16,6 +16,7 @@ from example_page import (EXAMPLES, Runs, last_step, lines_of,
                           parse_arguments, section, table)
 
 EXAMPLE = "mounted_tire.prm"
+MOUNTING_PRESSURE = 0.02
 
 PAGE = """<!-- Written by doc/mounted_tire/mounted_tire.py: cmake --build build --target mounted_tire -->
 
@@ -57,6 +58,24 @@ The forces of the rim and the ground do not sum to zero: the pressure in the tir
 and far from the ground the cells are so wide that the error of the interpolation of rigid motions is
 2 to 3 % of the force of the rim.
 Both times the ground gives way before the beads do.
+
+## Mounting by two halves
+
+The rim may be two bodies, the halves of a divided rim, that close on the beads: each with half of the
+profile, 10 mm farther out at first, so that it does not touch the tire, and with a motion along the axle.
+Under {mounting_pressure:g} MPa the halves close and push the beads along the seats; then the tire is inflated. On a sector of 30
+degrees whose equator is held in its middle plane, which takes no force, the heel ends at
+{halves:.2f} mm and a bead presses on its flange with {pull:.0f} N all around.
+
+## A wheel that finds its place
+
+The rim has motions down, aside and in camber. The wheel is lowered by 10 mm, and then pressed on
+the ground, with friction, by a given force of {given:.0f} N, while it may move aside freely
+(`Forces on bodies = rim down: {given:.0f}, rim side: 0`) and is turned to a camber angle:
+
+{camber}
+
+*Where the rim is, and its force on the tire in N.* The wheel moves aside to where its side force vanishes.
 
 ## How far it goes
 
@@ -173,6 +192,48 @@ def main():
         "Number of stages": 2, "Stage 2/Travel": 100, "Stage 2/Steps": 20},
         may_stop=True)
 
+    half = "{0}0 155, {0}24 155, {0}32 174.6441 5, {0}63.5 177.4 6.5, " \
+        "{0}63.5 195 9.5, {0}80 195 6, {0}80 140, {0}0 140, {0}0 155"
+    divided = {}
+    for body, sign, opposite in (("left", "-", ""), ("right", "", "-")):
+        divided.update({
+            f"Body {body}/Shape": "revolved", f"Body {body}/Axis": "0, 1, 0",
+            f"Body {body}/Friction": 0.3, f"Body {body}/Profile":
+                half.format(sign).replace("-0 ", "0 "),
+            f"Body {body}/Point": f"0, {sign}10, 0",
+            f"Body {body}/Motions": f"close: 0 {opposite}10 0"})
+    halves = runs.run("halves", EXAMPLE, {
+        "Bodies": "rim, rim inside, left, right", **divided,
+        "Mesh/Intervals alpha_2": "-15:15:1",
+        "Mesh/Closed in alpha_2": "false", "Supports/alpha_2 min": "cyclic",
+        "Supports/alpha_2 max": "cyclic", "Named points": "crown: end/2 -15",
+        "Supports/Point supports":
+            "crown: axial middle; circumferential middle",
+        "Number of stages": 2, "Stage 1/Name": "mounting",
+        "Stage 1/Bodies": "left, right",
+        "Stage 1/Pressure": MOUNTING_PRESSURE, "Stage 1/Load factor": 1,
+        "Stage 1/Steps": 10, "Stage 2/Name": "inflation",
+        "Stage 2/Contact": "false", "Stage 2/Travel": "unchanged",
+        "Stage 2/Bodies": "left, right", "Stage 2/Steps": 4})
+    given = round(abs(forces(aside, "rim")[last_step(aside, "contact")][0]))
+    placed = {"Stage 2/Name": "touch", "Stage 2/Bodies": "rim",
+              "Stage 2/Travel": 0, "Stage 2/Steps": 2,
+              "Stage 2/Load factors": "bodies rim down: 10",
+              "Stage 3/Name": "load", "Stage 3/Bodies": "rim",
+              "Stage 3/Travel": 0, "Stage 3/Slide": "unchanged",
+              "Stage 3/Forces on bodies": f"rim down: {given}, rim side: 0",
+              "Stage 3/Steps": 4}
+    camber = []
+    for angle in (0, 4):
+        directory = runs.run(f"camber_{angle}", EXAMPLE, {
+            **placed, "Stage 3/Load factors": f"bodies rim camber: {angle}"})
+        place = lines_of(directory / "history.csv")[-1]
+        on_tire = forces(directory, "rim")[last_step(directory, "load")]
+        camber.append([f"{angle}",
+                       *(f"{float(place[f'rim_u_{i}']):.2f}" for i in "xy"),
+                       *(f"{abs(round(value, 1)):.1f}" if abs(value) < 0.05
+                         else f"{value:.1f}" for value in on_tire[:3])])
+
     load = []
     for label, directory, step in (
             ("pressed on", aside, last_step(aside, "contact")),
@@ -192,6 +253,13 @@ def main():
                         inflation_rows(aside, "0.3") +
                         inflation_rows(smooth, "0")),
         load=table(["", "Body", "F_x", "F_y", "F_z", "M_y"], load),
+        mounting_pressure=MOUNTING_PRESSURE,
+        halves=heel(halves, last_step(halves, "inflation")),
+        pull=12 * abs(forces(halves, "right")
+                      [last_step(halves, "inflation")][1]),
+        given=given,
+        camber=table(["Camber, degrees", "down, mm", "aside, mm", "F_x", "F_y",
+                      "F_z"], camber),
         deepest=float(reached["approach"]), largest=largest,
         times=largest / at_30), encoding="utf-8")
 

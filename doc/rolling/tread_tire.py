@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tables of doc/rolling.md about the tire with a tread: the tire of
-rolling_tire.prm with the rubber of tread_tire.prm, as a ply of a single layer
-and as a layer of its own, rolls freely with slip angles from -6 to 6 degrees.
+rolling_tire.prm with the rubber of tread_tire.prm, as bristles, as a ply of a
+single layer and as a layer of its own, rolls freely with slip angles from -6 to 6 degrees.
 
     python3 doc/rolling/tread_tire.py --program build/biface
 """
@@ -15,10 +15,17 @@ import tempfile
 
 PRM = pathlib.Path(__file__).parents[2] / "prm" / "rolling_tire.prm"
 SPEED = 1e4  # mm/s, in the parameter file
-WALLS = (("no tread", {}),
-         ("one layer", {"Laminate/Layers": "one"}),
-         ("two layers", {"Laminate/Layers": "4, 1"}))
+# instead of the tread of bristles of the parameter file
+SLIP_VELOCITY = {
+    "Contact/Rolling friction": "slip velocity",
+    "Contact/Critical velocity": 0.005 * SPEED,
+    "Contact/Tread/Height": "none",
+    "Contact/Tread/Modulus": 0,
+    "Contact/Regularization": 1e4,
+    "Stage 3/Steps": 5,
+}
 TREAD = {
+    **SLIP_VELOCITY,
     "Materials": "cord, rubber",
     "Material rubber/Type": "isotropic",
     "Material rubber/E": 1.8,
@@ -28,6 +35,10 @@ TREAD = {
     "Mesh/Intervals alpha_1": "-120:-60:9, -60:60:24, 60:120:9",
     "Element/Strain sampling": "means",
 }
+WALLS = (("no tread", SLIP_VELOCITY),
+         ("bristles", {}),
+         ("one layer", {**TREAD, "Laminate/Layers": "one"}),
+         ("two layers", {**TREAD, "Laminate/Layers": "4, 1"}))
 # without braking
 CORNERING = {"Number of stages": 5, "Output/Write VTU": "false"}
 # s_c over the speed
@@ -62,8 +73,7 @@ def main():
               "| slip angles that converge |")
         print("| --- | --- | --- | --- | --- | --- | --- |")
         for name, wall in WALLS:
-            entries = {} if name == "no tread" else {**TREAD, **wall}
-            lines = run(program, directory, entries)
+            lines = run(program, directory, wall)
 
             def ratio(angle):
                 line = lines.get(angle)
@@ -80,11 +90,11 @@ def main():
         before = [math.nan, math.nan]
         for fraction in FRACTIONS:
             cells = []
-            for i, (_, wall) in enumerate(WALLS[1:]):
+            for i, (_, wall) in enumerate(WALLS[2:]):
                 entries = {"Contact/Critical velocity": fraction * SPEED,
                            "Stage 4/Slip angle": -0.5, "Stage 4/Steps": 1,
                            "Stage 5/Slip angle": 0.5, "Stage 5/Steps": 1}
-                lines = run(program, directory, {**TREAD, **wall, **entries})
+                lines = run(program, directory, {**wall, **entries})
                 slope = (float(lines[-0.5]["F_y"]) - float(lines[0.5]["F_y"])
                          if {-0.5, 0.5} <= set(lines) else math.nan)
                 cells += [f"{slope:.1f}", "" if math.isnan(before[i]) else

@@ -145,7 +145,10 @@ main(int argc, char *argv[])
            "Stage 5/Steps=1"},
           {", Stage 3/Slide[2]", "", ""});
   compare("rolling_tire.prm",
-          {"Contact/Critical velocity=500",
+          {"Contact/Rolling friction=slip velocity",
+           "Contact/Critical velocity=500",
+           "Contact/Tread/Height=none",
+           "Contact/Tread/Modulus=0",
            "Stage 2/Steps=1",
            "Stage 3/Steps=2",
            "Stage 4/Slip angle=-1",
