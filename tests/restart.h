@@ -141,7 +141,8 @@ difference(const std::string &file,
         // components of displacements, forces and moments
         auto &[distance, size] =
           found[name.size() == 3 && name[1] == '_' ? name.substr(0, 1) : name];
-        if (*end == 0)
+        // fields may be empty
+        if (*end == 0 && !x.empty() && !y.empty())
           {
             distance = std::max(distance, std::abs(number - std::stod(y)));
             size     = std::max(size, std::abs(number));

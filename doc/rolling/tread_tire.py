@@ -39,26 +39,26 @@ WALLS = (("no tread", SLIP_VELOCITY),
          ("bristles", {}),
          ("one layer", {**TREAD, "Laminate/Layers": "one"}),
          ("two layers", {**TREAD, "Laminate/Layers": "4, 1"}))
-# without braking
-CORNERING = {"Number of stages": 5, "Output/Write VTU": "false"}
 # s_c over the speed
 FRACTIONS = (0.02, 0.01, 0.005)
 
 
-def run(program, directory, entries):
-    """The last lines of rolling.csv by slip angle; what the program says if it
-    fails."""
-    command = [program, PRM, "--quiet", "--output", directory]
-    for entry, value in {**CORNERING, **entries}.items():
-        command += ["--set", f"{entry}={value}"]
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
+def run(program, directory, entries, angle=6, steps=6):
+    """The last lines of rolling.csv by slip angle, to both sides up to the given
+    one or as far as steps converge."""
     lines = {}
-    with open(directory / "rolling.csv", newline="", encoding="utf-8") as file:
-        for line in csv.DictReader(file):
-            if line["stage"] in ("free", "right", "left"):
-                lines[round(float(line["slip_angle"]), 6)] = line
-    if done.returncode != 0:
-        print(done.stdout, done.stderr)
+    for end in (-angle, angle):
+        command = [program, PRM, "--quiet", "--output", directory]
+        cornering = {"Number of stages": 4, "Stage 4/Slip angle": end,
+                     "Stage 4/Steps": steps, "Output/Write VTU": "false"}
+        for entry, value in {**cornering, **entries}.items():
+            command += ["--set", f"{entry}={value}"]
+        subprocess.run(command, check=False, capture_output=True)
+        with open(directory / "rolling.csv", newline="",
+                  encoding="utf-8") as file:
+            for line in csv.DictReader(file):
+                if line["stage"] in ("free", "right"):
+                    lines[round(float(line["slip_angle"]), 6)] = line
     return lines
 
 
@@ -91,10 +91,8 @@ def main():
         for fraction in FRACTIONS:
             cells = []
             for i, (_, wall) in enumerate(WALLS[2:]):
-                entries = {"Contact/Critical velocity": fraction * SPEED,
-                           "Stage 4/Slip angle": -0.5, "Stage 4/Steps": 1,
-                           "Stage 5/Slip angle": 0.5, "Stage 5/Steps": 1}
-                lines = run(program, directory, {**wall, **entries})
+                entries = {"Contact/Critical velocity": fraction * SPEED}
+                lines = run(program, directory, {**wall, **entries}, 0.5, 1)
                 slope = (float(lines[-0.5]["F_y"]) - float(lines[0.5]["F_y"])
                          if {-0.5, 0.5} <= set(lines) else math.nan)
                 cells += [f"{slope:.1f}", "" if math.isnan(before[i]) else

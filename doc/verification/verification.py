@@ -420,7 +420,9 @@ STACKS = (
     "layers per ply and a constant shear strain in each (`Laminate/Layers`, see "
     "[theory.md](theory.md)): first the largest deviation of a deflection, then that "
     "of a stress. Deflections of stacks are those in the middle of the thickness "
-    "where a face lies there, and otherwise the mean of the outermost faces. A dash "
+    "where a face lies there, and otherwise the mean of the outermost faces. Where a "
+    "file holds the deflection of the middle of an edge, that of all faces is held in "
+    "stacks. A dash "
     "means that there is no such published value. The published value of the sandwich "
     "plate R0031/3 is rounded; the parameter file with three layers has one with more "
     "digits.")
@@ -978,6 +980,15 @@ def in_the_middle(expected, run):
             for quantity, reference in expected]
 
 
+def support_of_all_faces(prm):
+    """Settings that hold the deflection of all faces where the file holds that of
+    the middle: in a stack, the mean of the outermost faces would be held."""
+    return [f"Supports/{edge}={support.replace('v_3 middle', 'v_3 both')}"
+            for edge, support in re.findall(
+                r"^\s*set\s+(alpha_\d m..)\s*=\s*(.*v_3 middle.*?)\s*$",
+                prm.read_text(encoding="utf-8"), re.MULTILINE)]
+
+
 def stacks(arguments, prms):
     """The chapter that compares one layer with several."""
     rows = []
@@ -987,7 +998,9 @@ def stacks(arguments, prms):
                          for item in reversed(read_expected(prm))}.values())
         row = [heading(prm.stem)]
         _, mesh = mesh_of(prm, 1)
-        runs = [make_run(arguments, prm, 1, f"{mesh} {name}", settings)
+        runs = [make_run(arguments, prm, 1, f"{mesh} {name}",
+                         settings + ([] if settings[0].endswith("=one") else
+                                     support_of_all_faces(prm)))
                 for name, settings in WALLS.items()]
         for wanted in (True, False):
             for run in runs:

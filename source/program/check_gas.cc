@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,31 @@
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** Whether a support of an edge of alpha_1 of a surface of revolution holds
+     * its radius. */
+    bool
+    holds_radius(const std::vector<SupportCondition> &support)
+    {
+      std::set<Component> held;
+      for (const SupportCondition &condition : support)
+        // not the difference of the faces
+        if (condition.coefficients[0] + condition.coefficients[1] > 0.5)
+          held.insert(condition.component);
+      const auto holds = [&](const std::vector<Component> &components) {
+        return std::all_of(
+          components.begin(), components.end(), [&](const Component c) {
+            return held.count(c) > 0;
+          });
+      };
+      return holds({Component::radial}) ||
+             holds({Component::x, Component::z}) ||
+             holds({Component::v_1, Component::v_3});
+    }
+  } // namespace
+
 
   void
   Parameters::check_gas() const
@@ -32,9 +59,9 @@ namespace Biface
         if (!pressure.is_uniform())
           refuse("it needs 'Pressure distribution = 1'");
         for (const Edge edge : pressure.end_plates)
-          if (supports.edges[static_cast<unsigned int>(edge)].empty())
+          if (!holds_radius(supports.edges[static_cast<unsigned int>(edge)]))
             refuse("the plate needs a support of its edge in the section "
-                   "'Supports', which holds at least the radius");
+                   "'Supports' that holds the radius, such as 'radial both'");
         if (gas.ambient_pressure && gas.cavity.rim_radius.value_or(0) != 0)
           refuse("the cavity reaches to the axis: 'Gas/Rim radius' must be 0 "
                  "or 'edges'");

@@ -130,11 +130,6 @@ namespace Biface
                     (known.empty() ? "'" : ", '") + candidate.name() + "'";
                   if (candidate.name() != name)
                     continue;
-                  if (!result.empty() && result.back().name() == name)
-                    throw InputError(entry,
-                                     name,
-                                     "several bodies have a motion of this "
-                                     "name; rename one");
                   if (motion.amplitude() == 0)
                     throw InputError(
                       entry, name, "this motion must not be zero");
@@ -170,9 +165,18 @@ namespace Biface
       return "Stage " + std::to_string(stage + 1) + "/Load factors";
     };
 
-    std::set<std::string> known;
+    std::set<std::string> known, motions;
     for (const Item &item : items)
-      known.insert(item.names.begin(), item.names.end());
+      {
+        known.insert(item.names.begin(), item.names.end());
+        // body 'a b' with the motion 'c', and body 'a' with 'b c'
+        if (item.names.front() == "bodies" &&
+            !motions.insert(item.names.back()).second)
+          throw InputError("Bodies",
+                           item.names.back().substr(7),
+                           "two motions have this name, made of those of body "
+                           "and motion; rename one");
+      }
 
     // the positions of the factors, the same in every order of the stages
     std::map<std::string, unsigned int> positions;

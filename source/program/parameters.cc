@@ -185,6 +185,8 @@ namespace Biface
                                 "loads",
                                 "prestress",
                                 "interpolation",
+                                // a column of history.csv
+                                "recovered",
                                 "alpha_1 min",
                                 "alpha_1 max",
                                 "alpha_2 min",
@@ -200,7 +202,7 @@ namespace Biface
                            body.name,
                            "the names of bodies must differ, also with '_' in "
                            "place of blanks, and must not be those of other "
-                           "lines of forces.csv");
+                           "lines of forces.csv or columns of history.csv");
       }
     for (const BodyParameters &body : bodies)
       body.check();
@@ -364,6 +366,20 @@ namespace Biface
       sentences.push_back("No stage applies " + in_quotes(dead) +
                           ": the load factor stays 0; set 'Load "
                           "factor' in a stage.");
+
+    for (const Edge edge : pressure.end_plates)
+      {
+        const auto  position = static_cast<unsigned int>(edge);
+        const auto &support  = supports.edges[position];
+        if (std::any_of(support.begin(), support.end(), [](const auto &c) {
+              return c.formula.has_value();
+            }))
+          sentences.push_back("The pressure on the end plate of " +
+                              edge_names[position] +
+                              " acts along the axis; where the formulas of its "
+                              "support tilt the plate, the part across the "
+                              "axis is missing.");
+      }
 
     std::vector<std::string> of_pressure;
     const PressureLoad       defaults;

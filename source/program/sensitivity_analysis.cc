@@ -576,7 +576,12 @@ namespace Biface
     LA::Vector total = perturbed.balanced_displacements();
     at.displacement  = total;
     total -= owned_part(perturbed.before.displacement);
-    return perturbed.trial.equations->parameter_changes(
+    // the gradients are those of the run: where contact is stiff, those of the
+    // perturbed shell would not fit its tangent
+    LA::Vector total_of_run = owned_part(step.state.displacement);
+    total_of_run -= owned_part(step.run.state.displacement);
+    return perturbed.trial.equations->parameter_changes_about(
+      {model.contact, step.state, step.loads, total_of_run, {}},
       {perturbed.model.contact, at, perturbed.loads, total, {}},
       perturbed.since_balanced(),
       per_parameter);

@@ -142,7 +142,8 @@ namespace Biface
      * the last increment. */
     LA::Vector total;
     double     last_update = std::numeric_limits<double>::infinity();
-    /** What the linear solver may have left of the last increment. */
+    /** What the last increment may have left, as the linear solver and the last
+     * two increments tell. */
     double last_error = 0;
     /** Whether the tangent is that of this iterate. */
     bool has_tangent = false;
@@ -454,7 +455,16 @@ namespace Biface
       iterate.state, iterate.parametrized.at(iterate.mu));
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
-    iterate.last_update = increment.displacement.linfty_norm();
+    const double update = increment.displacement.linfty_norm();
+    // updates that shrink slowly leave more than the linear solver knows of
+    if (iterate.result.iterations > 0)
+      {
+        const double ratio = update / iterate.last_update;
+        iterate.last_error =
+          std::max(iterate.last_error,
+                   ratio < 0.5 ? update * ratio / (1 - ratio) : update);
+      }
+    iterate.last_update = update;
     ++iterate.result.iterations;
 
     if (!(iterate.last_update <= 1e3 * equations.mesh.size()))

@@ -85,8 +85,10 @@ namespace Biface
                       Patterns::Double());
     prm.add_parameter("Force",
                       force,
-                      "Compressive force on the foundation at the end of a "
-                      "stage whose 'Control' prescribes it. Unit: force.",
+                      "Compressive force on the foundation and the 'Bodies' "
+                      "that move with it, along 'Contact/Direction', at the "
+                      "end of a stage whose 'Control' prescribes it. Unit: "
+                      "force.",
                       Patterns::Double());
     prm.add_parameter("Axle moment",
                       axle_moment,

@@ -132,6 +132,30 @@ namespace
   }
 
 
+  /** The force on the foundation is that on the bodies on it, too. */
+  void
+  press_with_bump()
+  {
+    const Forces forces(DATA_DIR "/plate_and_bodies.prm",
+                        {"Supports/alpha_1 min=fixed",
+                         "Body press/Shape=sphere",
+                         "Body press/Radius=30",
+                         "Body press/Point=15, 5, 29.9",
+                         "Body press/Moves with=foundation",
+                         "Number of stages=1",
+                         "Stage 1/Bodies=floor, press",
+                         "Stage 1/Contact=true",
+                         "Stage 1/Control=foundation force",
+                         "Stage 1/Force=20"});
+    if (!is_root())
+      return;
+    const double of_plane = -forces.of.at("foundation")[2],
+                 of_bump  = -forces.of.at("press")[2];
+    check_true("plane and bump press", of_plane > 1 && of_bump > 1);
+    check_small("force of both", of_plane + of_bump - 20, 1e-6, 20);
+  }
+
+
   /** The lever lifts the end by a given displacement: a large turn is
    * unknown. */
   void
@@ -184,5 +208,6 @@ main(int argc, char *argv[])
   press(2, "down: 0.5", 0.5);
   press_from_afar();
   press_from_both_sides();
+  press_with_bump();
   lift();
 }

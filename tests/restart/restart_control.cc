@@ -32,6 +32,17 @@ main(int argc, char *argv[])
                       "Stage 2/Force=1500",
                       no_vtu}),
                 4);
+  check_restart("force on a body",
+                {"--set",
+                 "Supports/alpha_1 min=fixed",
+                 "--set",
+                 "Stage 1/Bodies=lever",
+                 "--set",
+                 "Stage 1/Steps=4",
+                 "--set",
+                 "Stage 1/Forces on bodies=lever lift: -10",
+                 DATA_DIR "/plate_and_bodies.prm"},
+                2);
   check_restart(
     "sealed gas", {"--set", "Stage 2/Steps=4", DATA_DIR "/gas_tube.prm"}, 3);
   check_restart("arc length",

@@ -49,6 +49,16 @@ namespace Biface
     {
       return translation.norm() > 0 ? translation.norm() : turn;
     }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      dealii::Tensor<1, 3> about = axis.value_or(dealii::Tensor<1, 3>());
+      archive &name &translation &turn &about &spring &factor;
+      if (about.norm_square() > 0)
+        axis = about;
+    }
   };
 
 

@@ -66,6 +66,17 @@ namespace Biface
                       const LA::Vector              &dV_R,
                       const std::vector<LA::Vector> &dV_q) const = 0;
 
+    /** The same for equations that are slightly different at @p iteration, as
+     * their linearization at @p about says, to which the directions belong. */
+    virtual LoadParameters
+    parameter_changes_about(const Iteration & /*about*/,
+                            const Iteration               &iteration,
+                            const LA::Vector              &dV_R,
+                            const std::vector<LA::Vector> &dV_q) const
+    {
+      return parameter_changes(iteration, dV_R, dV_q);
+    }
+
     /** The largest violation of an equation, relative to the prescribed
      * value. */
     virtual double

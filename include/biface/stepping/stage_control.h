@@ -45,6 +45,13 @@ namespace Biface
     {
       return body + " " + motion.name;
     }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &body &motion &force;
+    }
   };
 
 
@@ -107,8 +114,9 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &control &control_point &control_component     &control_value;
-      archive &force &axle_moment &forces_on_bodies &n_steps &adaptive;
+      archive &control &control_point &control_component &control_value;
+      archive &force &axle_moment &forces_on_bodies      &motions_by_force;
+      archive &n_steps                                   &adaptive;
     }
   };
 } // namespace Biface

@@ -27,9 +27,13 @@ namespace Biface
                                  node.face_heights[pressure.face] *
                                    surface.frame[2]);
             const Tensor<1, 3>  arm = x - (x * axis) * axis;
-            // half of a triangle between the axis and a side of the polygon
+            // half of the area between the axis and the side of a cell, which
+            // is straight if positions are interpolated
             const double angle = segment.length / surface.lame[1];
-            const double area  = arm.norm_square() * std::sin(angle) / 4;
+            const double area =
+              arm.norm_square() / 4 *
+              (mesh.interpolation == Interpolation::Cartesian ? std::sin(angle)
+                                                              : angle);
 
             // away from the cavity, which is on the side of the face
             const Tensor<1, 3> of_axis =

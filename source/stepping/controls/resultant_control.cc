@@ -64,7 +64,12 @@ namespace Biface
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
-        return foundation_force(contact.ground(), state, loads, rates);
+        ContactResultant result =
+          foundation_force(contact.ground(), state, loads, rates);
+        for_each_on_foundation(contact, loads, [&](const ContactPair &pair) {
+          result += power_of_body(pair, state, loads, rate(), rates);
+        });
+        return result;
       }
 
       double
@@ -99,10 +104,10 @@ namespace Biface
       guess(const Control::Equilibrium &from,
             const LoadLevel & /*next*/) const override
       {
-        double travel = from.level.travel;
-        if (from.contact.ground().count_active(from.state) == 0)
-          travel +=
-            beyond_touch(from.contact, from.state, from.loads(from.level));
+        double      travel = from.level.travel;
+        const Loads loads  = from.loads(from.level);
+        if (!touches(from.contact, from.state, loads))
+          travel += beyond_touch(from.contact, from.state, loads);
         return travel;
       }
 
@@ -111,13 +116,38 @@ namespace Biface
         const double /*prescribed*/,
         const ControlEquations::Iteration &iteration) const override
       {
-        if (iteration.contact.ground().count_active(iteration.state) > 0)
+        if (touches(iteration.contact, iteration.state, iteration.loads))
           return {};
         return beyond_touch(
           iteration.contact, iteration.state, iteration.loads);
       }
 
     private:
+      /** Call a function for the bodies that are on the foundation. */
+      template <typename Function>
+      static void
+      for_each_on_foundation(const ContactInteraction &contact,
+                             const Loads              &loads,
+                             const Function           &function)
+      {
+        for (const auto &pair : contact.pairs)
+          if (pair->moves_with_foundation() && pair->body(loads))
+            function(*pair);
+      }
+
+      /** Whether the foundation, or a body on it, is in contact. */
+      static bool
+      touches(const ContactInteraction &contact,
+              const State              &state,
+              const Loads              &loads)
+      {
+        bool any = contact.ground().count_active(state) > 0;
+        for_each_on_foundation(contact, loads, [&](const ContactPair &pair) {
+          any = pair.count_active(state) > 0 || any;
+        });
+        return any;
+      }
+
       /** The travel until the foundation touches, and a little further to get
        * into contact. */
       static double
@@ -336,6 +366,16 @@ namespace Biface
         return factor_at(from.level.factors, factor);
       }
 
+      double
+      largest_change() const override
+      {
+        constexpr double largest_turn = 0.1;
+
+        const double turn = std::abs(of_stage.motion.turn);
+        return turn > 0 ? largest_turn / turn
+                        : std::numeric_limits<double>::infinity();
+      }
+
       std::optional<double>
       change_to_appear(
         const double                       prescribed,
@@ -429,17 +469,44 @@ namespace Biface
               return changes;
             }
 
+        LoadParameters changes =
+          parameter_changes_about(iteration, iteration, dV_R, dV_q);
+        double part = 1;
+        for (unsigned int i = 0; i < n; ++i)
+          if (std::isfinite(changes[i]))
+            part = std::min(
+              part, resultants[i]->largest_change() / std::abs(changes[i]));
+        for (double &change : changes)
+          change *= part;
+        return changes;
+      }
+
+      LoadParameters
+      parameter_changes_about(
+        const Iteration               &about,
+        const Iteration               &iteration,
+        const LA::Vector              &dV_R,
+        const std::vector<LA::Vector> &dV_q) const override
+      {
+        const unsigned int       n = resultants.size();
         LAPACKFullMatrix<double> matrix(n);
         Vector<double>           missing(n);
         for (unsigned int i = 0; i < n; ++i)
           {
-            const ContactResultant now = resultants[i]->evaluate(
-              iteration.contact, iteration.state, iteration.loads, rates);
-            missing[i] = values[i] - now.value - now.gradient * dV_R;
+            const ContactResultant linear = resultants[i]->evaluate(
+              about.contact, about.state, about.loads, rates);
+            const double now =
+              (&about == &iteration
+                 ? linear.value
+                 : resultants[i]
+                     ->evaluate(
+                       iteration.contact, iteration.state, iteration.loads, {})
+                     .value);
+            missing[i] = values[i] - now - linear.gradient * dV_R;
             for (unsigned int j = 0; j < n; ++j)
-              matrix(i, j) = now.gradient * dV_q[j] + now.per_load[j];
+              matrix(i, j) = linear.gradient * dV_q[j] + linear.per_load[j];
             // a body without force that touches nothing stays where it is
-            if (values[i] == 0 && now.magnitude == 0)
+            if (values[i] == 0 && linear.magnitude == 0)
               matrix(i, i) = 1;
           }
         return solve(matrix, missing);

@@ -182,6 +182,13 @@ namespace Biface
       return body_at_rest.moved(travel);
     }
 
+    /** Whether the body is not the foundation, but moves with it. */
+    bool
+    moves_with_foundation() const
+    {
+      return other_body && other_body->on_foundation;
+    }
+
     /** A body on that of this pair, the foundation, after the same travel. */
     RigidBody
     taken_along(const RigidBody &body, const double travel) const;

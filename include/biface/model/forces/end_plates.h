@@ -12,10 +12,12 @@ namespace Biface
 {
   /**
    * The pressure on rigid plates that close edges of a surface of revolution,
-   * which pass it on to the edge: along the axis, on the area of the polygon
-   * through the nodes of the face under pressure before the deformation, as the
-   * pressure on the bilinear face. With Cavity, whose volume includes what the
-   * plate sweeps, a sealed gas remains conservative.
+   * which pass it on to the edge: along the axis, on the area within the edge
+   * of the face under pressure before the deformation. That is the circle or,
+   * where the element interpolates positions, the polygon through the nodes, so
+   * that the plates balance the pressure on the shell. With Cavity, whose
+   * volume includes what the plate sweeps along the axis, a sealed gas remains
+   * conservative.
    */
   class EndPlates : public ForceTerm
   {

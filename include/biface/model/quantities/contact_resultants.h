@@ -23,6 +23,19 @@ namespace Biface
     /** With respect to load parameters: for each of the given rates of the
      * loads. */
     std::vector<double> per_load;
+
+    /** Add that of another body, for the same rates. */
+    ContactResultant &
+    operator+=(const ContactResultant &other)
+    {
+      value += other.value;
+      magnitude += other.magnitude;
+      gradient += other.gradient;
+      AssertDimension(per_load.size(), other.per_load.size());
+      for (unsigned int i = 0; i < per_load.size(); ++i)
+        per_load[i] += other.per_load[i];
+      return *this;
+    }
   };
 
 

@@ -3,6 +3,7 @@
 #ifndef biface_stepping_controls_resultant_control_h
 #define biface_stepping_controls_resultant_control_h
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,6 +72,14 @@ namespace Biface
                      const ControlEquations::Iteration & /*iteration*/) const
     {
       return {};
+    }
+
+    /** The largest change of the unknown load in an iteration, beyond which the
+     * linearization means nothing. */
+    virtual double
+    largest_change() const
+    {
+      return std::numeric_limits<double>::infinity();
     }
 
     /** Whether it depends on its load only in contact with the ground. */
