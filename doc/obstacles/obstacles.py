@@ -38,6 +38,15 @@ little more than the {plane:.0f} N without a bar, since the bar lifts the middle
 footprint off the road. The longitudinal force pushes the wheel back from an
 obstacle ahead, by up to {back:.0f} N.
 
+Under a constant vertical force of {load:.0f} N, that without a bar, road and cleat give way and lift the axle
+by their effective height, and push with their effective slope, the longitudinal over the vertical
+force. `Control = foundation force` prescribes the force on the foundation and the bodies on it.
+
+![The effective height has two maxima before and behind the axle; the effective slope is positive before and negative behind](figures/cleat_at_load.png)
+
+*The axle rises by up to {height:.2f} mm, a third of the height of the bar, which the tire swallows,
+and by {height_below:.2f} mm with the bar below it; the slope is up to {slope:.3f}.*
+
 ## Beside an independent program
 
 Forces in N, vertical and longitudinal, of the [independent
@@ -117,11 +126,45 @@ def envelope(runs, picture):
             "back": -min(longitudinal)}
 
 
+def envelope_at_load(runs, load, picture):
+    """The numbers in the words on the curve at a constant load; draw it."""
+    given = {"Control": "foundation force", "Force": load,
+             "Travel": "unchanged"}
+    name, example = "envelope_at_load", "cleat.prm"
+    forces = steps_of(runs, name, example, {
+        f"Stage {i}/{entry}": value for i in (2, 3)
+        for entry, value in given.items()})
+    lines = [line for line in lines_of(runs.scratch / name / "history.csv")
+             if line["stage"] == "cleat"]
+    if len(lines) != 52:
+        raise SystemExit("some steps were cut; the positions are not known")
+    positions = [130 - 5 * (i + 1) for i in range(len(lines))]
+    heights = [20 - float(line["approach"]) for line in lines]
+    slopes = [-longitudinal / vertical for vertical, longitudinal in forces]
+    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(6, 5),
+                                constrained_layout=True)
+    axes[0].plot(positions, heights, color="C0")
+    axes[0].set_ylabel("effective height [mm]")
+    axes[1].plot(positions, slopes, color="C1")
+    axes[1].axhline(0, color="0.7", linewidth=0.8)
+    axes[1].set_ylabel("effective slope")
+    axes[1].set_xlabel("position of the cleat ahead of the axle [mm]")
+    for a in axes:
+        a.grid(alpha=0.3)
+    figure.savefig(picture, dpi=110)
+    return {"load": load, "height": max(heights),
+            "height_below": heights[positions.index(0)], "slope": max(slopes)}
+
+
 def main():
     arguments = parse_arguments("obstacles", __doc__)
     runs = Runs(arguments)
 
     words = envelope(runs, arguments.output / "figures/cleat.png")
+    # the first steps are before the cleat
+    words |= envelope_at_load(
+        runs, words["plane"],
+        arguments.output / "figures/cleat_at_load.png")
     bars = []
     for (mesh, z), expected in BARS.items():
         forces = steps_of(runs, f"bar_{len(bars)}", "cleat.prm", {

@@ -82,8 +82,10 @@ namespace Biface
                  "solver/Type = direct'";
         case FailureCause::control:
           return "another 'Control point' or 'Control component'; for a "
-                 "force, a stage of prescribed travel before, in which the "
-                 "shell comes to rest on the foundation";
+                 "force, a stage of prescribed motion before, in which the "
+                 "shell comes to rest on the foundation or the body; for "
+                 "'Forces on bodies', a direction in which the body meets the "
+                 "shell, or a spring";
         case FailureCause::too_many_steps:
           return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
                  "the stage, or a larger 'Step control/Maximum growth'";
