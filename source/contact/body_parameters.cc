@@ -63,7 +63,10 @@ namespace Biface
               motion.axis = Tensor<1, 3>();
               for (unsigned int i = 0; i < 3; ++i)
                 (*motion.axis)[i] = parse_number(entry, words[6 + i], form);
-              unit_vector(entry, *motion.axis);
+              if (motion.axis->norm() == 0)
+                throw InputError(entry,
+                                 name + ": " + motion_text,
+                                 "the axis must not be the zero vector");
             }
           motions.push_back(motion);
         }
