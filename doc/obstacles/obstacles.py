@@ -38,13 +38,12 @@ little more than the {plane:.0f} N without a bar, since the bar lifts the middle
 footprint off the road. The longitudinal force pushes the wheel back from an
 obstacle ahead, by up to {back:.0f} N.
 
-Under a constant vertical force of {load:.0f} N, that without a bar, road and cleat give way and lift the axle
-by their effective height, and push with their effective slope, the longitudinal over the vertical
-force. `Control = foundation force` prescribes the force on the foundation and the bodies on it.
+Under a constant vertical force of {load:.0f} N, that without a bar, the cleat lifts the axle by its effective
+height and pushes the wheel back with its effective slope, the longitudinal over the vertical force. `Control = foundation force` prescribes the force on the foundation and the bodies on it.
 
 ![The effective height has two maxima before and behind the axle; the effective slope is positive before and negative behind](figures/cleat_at_load.png)
 
-*The axle rises by up to {height:.2f} mm, a third of the height of the bar, which the tire swallows,
+*The axle rises by up to {height:.2f} mm, a quarter of the height of the bar, since the tire envelops it,
 and by {height_below:.2f} mm with the bar below it; the slope is up to {slope:.3f}.*
 
 ## Beside an independent program

@@ -40,7 +40,7 @@ WALLS = (("no tread", SLIP_VELOCITY),
          ("one layer", {**TREAD, "Laminate/Layers": "one"}),
          ("two layers", {**TREAD, "Laminate/Layers": "4, 1"}))
 # s_c over the speed
-FRACTIONS = (0.02, 0.01, 0.005)
+FRACTIONS = (0.02, 0.01, 0.005, 0.0025, 0.00125)
 
 
 def run(program, directory, entries, angle=6, steps=6):
