@@ -100,25 +100,33 @@ def beside(forces, other):
             for force, expected in zip(forces, other)]
 
 
-def envelope(runs, picture):
-    """The numbers in the words on the enveloping curve; draw it."""
-    # the first step has the bar 5 mm behind its start
-    forces = steps_of(runs, "envelope", "cleat.prm", {})
-    positions = [130 - 5 * (i + 1) for i in range(len(forces))]
-    if len(forces) != 52:
+def positions_of(steps):
+    """Where the bar is after each step: the first one takes it 5 mm back."""
+    if len(steps) != 52:
         raise SystemExit("some steps were cut; the positions are not known")
-    vertical, longitudinal = zip(*forces)
+    return [130 - 5 * (i + 1) for i in range(len(steps))]
+
+
+def draw(positions, upper, lower, picture):
+    """Two curves, each a label and values, the lower one about zero."""
     figure, axes = plt.subplots(2, 1, sharex=True, figsize=(6, 5),
                                 constrained_layout=True)
-    axes[0].plot(positions, vertical, color="C0")
-    axes[0].set_ylabel("vertical force [N]")
-    axes[1].plot(positions, longitudinal, color="C1")
-    axes[1].axhline(0, color="0.7", linewidth=0.8)
-    axes[1].set_ylabel("longitudinal force [N]")
-    axes[1].set_xlabel("position of the cleat ahead of the axle [mm]")
-    for a in axes:
+    for a, color, (label, values) in zip(axes, ("C0", "C1"), (upper, lower)):
+        a.plot(positions, values, color=color)
+        a.set_ylabel(label)
         a.grid(alpha=0.3)
+    axes[1].axhline(0, color="0.7", linewidth=0.8)
+    axes[1].set_xlabel("position of the cleat ahead of the axle [mm]")
     figure.savefig(picture, dpi=110)
+
+
+def envelope(runs, picture):
+    """The numbers in the words on the enveloping curve; draw it."""
+    forces = steps_of(runs, "envelope", "cleat.prm", {})
+    positions = positions_of(forces)
+    vertical, longitudinal = zip(*forces)
+    draw(positions, ("vertical force [N]", vertical),
+         ("longitudinal force [N]", longitudinal), picture)
     top = max(range(len(forces)), key=lambda i: vertical[i])
     return {"maximum": vertical[top], "where": abs(positions[top]),
             "below": vertical[positions.index(0)], "plane": vertical[0],
@@ -135,22 +143,11 @@ def envelope_at_load(runs, load, picture):
         for entry, value in given.items()})
     lines = [line for line in lines_of(runs.scratch / name / "history.csv")
              if line["stage"] == "cleat"]
-    if len(lines) != 52:
-        raise SystemExit("some steps were cut; the positions are not known")
-    positions = [130 - 5 * (i + 1) for i in range(len(lines))]
+    positions = positions_of(lines)
     heights = [20 - float(line["approach"]) for line in lines]
     slopes = [-longitudinal / vertical for vertical, longitudinal in forces]
-    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(6, 5),
-                                constrained_layout=True)
-    axes[0].plot(positions, heights, color="C0")
-    axes[0].set_ylabel("effective height [mm]")
-    axes[1].plot(positions, slopes, color="C1")
-    axes[1].axhline(0, color="0.7", linewidth=0.8)
-    axes[1].set_ylabel("effective slope")
-    axes[1].set_xlabel("position of the cleat ahead of the axle [mm]")
-    for a in axes:
-        a.grid(alpha=0.3)
-    figure.savefig(picture, dpi=110)
+    draw(positions, ("effective height [mm]", heights),
+         ("effective slope", slopes), picture)
     return {"load": load, "height": max(heights),
             "height_below": heights[positions.index(0)], "slope": max(slopes)}
 

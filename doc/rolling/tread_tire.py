@@ -7,13 +7,14 @@ single layer and as a layer of its own, rolls freely with slip angles from -6 to
 """
 
 import argparse
-import csv
 import math
 import pathlib
-import subprocess
+import sys
 import tempfile
 
-PRM = pathlib.Path(__file__).parents[2] / "prm" / "rolling_tire.prm"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from example_page import Runs, lines_of
+
 SPEED = 1e4  # mm/s, in the parameter file
 # instead of the tread of bristles of the parameter file
 SLIP_VELOCITY = {
@@ -43,37 +44,34 @@ WALLS = (("no tread", SLIP_VELOCITY),
 FRACTIONS = (0.02, 0.01, 0.005, 0.0025, 0.00125)
 
 
-def run(program, directory, entries, angle=6, steps=6):
+def run(runs, entries, angle=6, steps=6):
     """The last lines of rolling.csv by slip angle, to both sides up to the given
     one or as far as steps converge."""
     lines = {}
     for end in (-angle, angle):
-        command = [program, PRM, "--quiet", "--output", directory]
         cornering = {"Number of stages": 4, "Stage 4/Slip angle": end,
-                     "Stage 4/Steps": steps, "Output/Write VTU": "false"}
-        for entry, value in {**cornering, **entries}.items():
-            command += ["--set", f"{entry}={value}"]
-        subprocess.run(command, check=False, capture_output=True)
-        with open(directory / "rolling.csv", newline="",
-                  encoding="utf-8") as file:
-            for line in csv.DictReader(file):
-                if line["stage"] in ("free", "right"):
-                    lines[round(float(line["slip_angle"]), 6)] = line
+                     "Stage 4/Steps": steps}
+        directory = runs.run("tread", "rolling_tire.prm",
+                             {**cornering, **entries}, may_stop=True)
+        for line in lines_of(directory / "rolling.csv"):
+            if line["stage"] in ("free", "right"):
+                lines[round(float(line["slip_angle"]), 6)] = line
     return lines
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--program", required=True)
-    program = pathlib.Path(parser.parse_args().program).resolve()
+    arguments = parser.parse_args()
 
     with tempfile.TemporaryDirectory() as scratch:
-        directory = pathlib.Path(scratch)
+        arguments.scratch = pathlib.Path(scratch)
+        runs = Runs(arguments)
         print("| | load, N | at 1°, over the load | at −1° | at 6° | at −6° "
               "| slip angles that converge |")
         print("| --- | --- | --- | --- | --- | --- | --- |")
         for name, wall in WALLS:
-            lines = run(program, directory, wall)
+            lines = run(runs, wall)
 
             def ratio(angle):
                 line = lines.get(angle)
@@ -92,7 +90,7 @@ def main():
             cells = []
             for i, (_, wall) in enumerate(WALLS[2:]):
                 entries = {"Contact/Critical velocity": fraction * SPEED}
-                lines = run(program, directory, {**wall, **entries}, 0.5, 1)
+                lines = run(runs, {**wall, **entries}, 0.5, 1)
                 slope = (float(lines[-0.5]["F_y"]) - float(lines[0.5]["F_y"])
                          if {-0.5, 0.5} <= set(lines) else math.nan)
                 cells += [f"{slope:.1f}", "" if math.isnan(before[i]) else

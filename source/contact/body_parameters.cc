@@ -74,14 +74,13 @@ namespace Biface
     }
 
 
-    Springs
+    NamedNumbers
     parse_springs(const std::string &entry, const std::string &text)
     {
-      const std::string form = "each item must have the form 'name: stiffness'";
-      Springs           springs;
-      for (const auto &[name, stiffness] : split_named_list(entry, text, form))
-        springs.emplace_back(name, parse_number(entry, stiffness, form));
-      return springs;
+      return parse_named_numbers(entry,
+                                 text,
+                                 "each item must have the form 'name: "
+                                 "stiffness'");
     }
 
 

@@ -282,6 +282,27 @@ namespace Biface
   }
 
 
+  NamedNumbers
+  parse_named_numbers(const std::string &entry,
+                      const std::string &text,
+                      const std::string &allowed)
+  {
+    NamedNumbers numbers;
+    for (const auto &[name, number] : split_named_list(entry, text, allowed))
+      numbers.emplace_back(name, parse_number(entry, number, allowed));
+    return numbers;
+  }
+
+
+  std::string
+  with_underscores(const std::string &text)
+  {
+    std::string result = text;
+    std::replace(result.begin(), result.end(), ' ', '_');
+    return result;
+  }
+
+
   namespace
   {
     /** A number, or a word. */

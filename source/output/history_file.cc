@@ -2,9 +2,9 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include <biface/input/parameter_tools.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
@@ -45,11 +45,9 @@ namespace Biface
                                              "turn_x",
                                              "turn_y",
                                              "turn_z"};
-      std::string                    prefix = name;
-      std::replace(prefix.begin(), prefix.end(), ' ', '_');
-      HistoryGroup group;
+      HistoryGroup                   group;
       for (const std::string &column : of_body)
-        group.columns.push_back(prefix + "_" + column);
+        group.columns.push_back(with_underscores(name) + "_" + column);
       group.values = [name,
                       n = of_body.size()](const HistoryGroup::Step &step) {
         std::vector<std::optional<double>> values(n);

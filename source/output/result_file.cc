@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
@@ -97,9 +98,11 @@ namespace Biface
     const auto  star = file.find('*');
     if (star != std::string::npos)
       {
-        std::string before = part.empty() ? "" : part + "-";
-        std::replace(before.begin(), before.end(), ' ', '_');
-        file.replace(star, 1, before + Utilities::int_to_string(step, 4));
+        const std::string before = part.empty() ? "" : part + "-";
+        file.replace(star,
+                     1,
+                     with_underscores(before) +
+                       Utilities::int_to_string(step, 4));
       }
     return directory.path(file);
   }

@@ -116,29 +116,29 @@ namespace Biface
     const Stage      &stage = stages[i];
     const std::string entry =
       "Stage " + std::to_string(i + 1) + "/Forces on bodies";
-    std::vector<MotionByForce> result;
+    // the motions of the bodies that are there
+    std::vector<MotionByForce> there, result;
+    std::string                known;
+    for (const BodyParameters &body : bodies)
+      if (std::find(stage.bodies.begin(), stage.bodies.end(), body.name) !=
+          stage.bodies.end())
+        for (const BodyMotion &motion : body.motions)
+          {
+            there.push_back({body.name, motion, 0});
+            for (const auto &[name, stiffness] : body.springs)
+              if (name == motion.name)
+                there.back().motion.spring = stiffness;
+            known += (known.empty() ? "'" : ", '") + there.back().name() + "'";
+          }
     for (const auto &[name, force] : stage.forces_on_bodies)
       {
-        std::string known;
-        for (const std::string &there : stage.bodies)
-          for (const BodyParameters &body : bodies)
-            for (const BodyMotion &motion : body.motions)
-              if (body.name == there)
-                {
-                  const MotionByForce candidate{body.name, motion, force};
-                  known +=
-                    (known.empty() ? "'" : ", '") + candidate.name() + "'";
-                  if (candidate.name() != name)
-                    continue;
-                  if (motion.amplitude() == 0)
-                    throw InputError(
-                      entry, name, "this motion must not be zero");
-                  result.push_back(candidate);
-                  for (const auto &[of_motion, stiffness] : body.springs)
-                    if (of_motion == motion.name)
-                      result.back().motion.spring = stiffness;
-                }
-        if (result.empty() || result.back().name() != name)
+        const auto found =
+          std::find_if(there.begin(),
+                       there.end(),
+                       [&, &wanted = name](const MotionByForce &motion) {
+                         return motion.name() == wanted;
+                       });
+        if (found == there.end())
           throw InputError(entry,
                            name,
                            known.empty()
@@ -146,6 +146,10 @@ namespace Biface
                              : "it must be a motion of a body of the stage, "
                                "one of " +
                                  known);
+        if (found->motion.amplitude() == 0)
+          throw InputError(entry, name, "this motion must not be zero");
+        result.push_back(*found);
+        result.back().force = force;
         for (const auto &own_factor : stage.own_factors)
           if (own_factor.first == "bodies " + name)
             throw InputError("Stage " + std::to_string(i + 1) + "/Load factors",

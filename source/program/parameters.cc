@@ -194,10 +194,8 @@ namespace Biface
     for (const BodyParameters &body : bodies)
       {
         // names of files have no blanks
-        std::string name = body.name;
-        std::replace(name.begin(), name.end(), ' ', '_');
         if (lines.count(body.name) > 0 || body.name.rfind("point ", 0) == 0 ||
-            !lines.insert(name).second)
+            !lines.insert(with_underscores(body.name)).second)
           throw InputError("Bodies",
                            body.name,
                            "the names of bodies must differ, also with '_' in "

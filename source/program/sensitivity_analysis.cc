@@ -143,6 +143,16 @@ namespace Biface
     }
 
 
+    /** The change of the displacements between two states. */
+    LA::Vector
+    change(const State &before, const State &after)
+    {
+      LA::Vector result = owned_part(after.displacement);
+      result -= owned_part(before.displacement);
+      return result;
+    }
+
+
     /** Give a state the contact multipliers of another one. */
     void
     take_multipliers(const State &from, State &to)
@@ -578,8 +588,7 @@ namespace Biface
     total -= owned_part(perturbed.before.displacement);
     // the gradients are those of the run: where contact is stiff, those of the
     // perturbed shell would not fit its tangent
-    LA::Vector total_of_run = owned_part(step.state.displacement);
-    total_of_run -= owned_part(step.run.state.displacement);
+    const LA::Vector total_of_run = change(step.run.state, step.state);
     return perturbed.trial.equations->parameter_changes_about(
       {model.contact, step.state, step.loads, total_of_run, {}},
       {perturbed.model.contact, at, perturbed.loads, total, {}},
@@ -620,9 +629,8 @@ namespace Biface
     balance.forces = model.equations.out_of_balance(step.state, step.loads);
     if (step.trial.equations)
       {
-        LA::Vector total = owned_part(step.state.displacement);
-        total -= owned_part(step.run.state.displacement);
-        balance.missing_loads = step.trial.equations->parameter_changes(
+        const LA::Vector total = change(step.run.state, step.state);
+        balance.missing_loads  = step.trial.equations->parameter_changes(
           {model.contact, step.state, step.loads, total, {}},
           model.mesh->owned_vector(),
           tangent.per_parameter);

@@ -33,15 +33,13 @@ namespace Biface
 
   namespace
   {
-    std::vector<std::pair<std::string, double>>
+    NamedNumbers
     parse_forces(const std::string &entry, const std::string &text)
     {
-      const std::string form =
-        "each item must have the form 'body motion: force'";
-      std::vector<std::pair<std::string, double>> forces;
-      for (const auto &[name, force] : split_named_list(entry, text, form))
-        forces.emplace_back(name, parse_number(entry, force, form));
-      return forces;
+      return parse_named_numbers(entry,
+                                 text,
+                                 "each item must have the form 'body motion: "
+                                 "force'");
     }
   } // namespace
 

@@ -18,6 +18,18 @@ namespace Biface
   }
 
 
+  std::vector<double>
+  ReferenceSurface::formula_variables(const dealii::Point<3> &x,
+                                      const dealii::Point<2> &alpha) const
+  {
+    return {x[0],
+            x[1],
+            x[2],
+            alpha[0] / coordinate_unit(0),
+            alpha[1] / coordinate_unit(1)};
+  }
+
+
   double
   ReferenceSurface::end(const unsigned int a) const
   {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "forces.h"
+#include "press_fit.h"
 
 using namespace Biface;
 
@@ -24,13 +25,7 @@ namespace
   void
   push_cone(const double friction)
   {
-    const double angle  = 5 * dealii::numbers::PI / 180;
-    const double radius = 50, length = 10, stiffness = 2e5, expansion = 0.01,
-                 sector = 2. / 360, travel = 0.11430052303;
-    const double radial =
-      2 * dealii::numbers::PI * sector * stiffness * expansion *
-      std::log(1 + length * std::tan(angle) / radius) / std::sin(angle);
-    const double force = radial * std::tan(angle + std::atan(friction));
+    const double travel = 0.11430052303, force = press_fit_force(friction);
     const Forces forces(DATA_DIR "/press_fit.prm",
                         {"Body cone/Friction=" + std::to_string(friction),
                          "Stage 1/Load factor=unchanged",

@@ -12,19 +12,15 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
 #include <biface/contact/rigid_body.h>
+#include <biface/input/parameter_tools.h>
 
 namespace Biface
 {
-  /** Stiffnesses by name. */
-  using Springs = std::vector<std::pair<std::string, double>>;
-
-
   /** A rigid body beside the foundation: an obstacle on it, a rim, a piston. */
   struct BodyParameters
   {
@@ -69,7 +65,7 @@ namespace Biface
 
     std::vector<BodyMotion> motions;
     /** Stiffnesses by the names of motions. */
-    Springs springs;
+    NamedNumbers springs;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -139,6 +139,19 @@ namespace Biface
                    const std::string &text,
                    const std::string &allowed);
 
+  /** Numbers by name. */
+  using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+  /** Read such a list of "name: number". */
+  NamedNumbers
+  parse_named_numbers(const std::string &entry,
+                      const std::string &text,
+                      const std::string &allowed);
+
+  /** A text with '_' in place of blanks, for names of files and columns. */
+  std::string
+  with_underscores(const std::string &text);
+
   /** Call a function that may throw InputError on some ranks only, and throw
    * the first of these errors on all ranks. Must be called on all ranks. */
   void

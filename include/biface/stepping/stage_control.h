@@ -6,10 +6,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <biface/contact/rigid_body.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/component.h>
 
 namespace Biface
@@ -69,8 +69,9 @@ namespace Biface
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
     double axle_moment = 0;
-    /** The forces on bodies as given, by the names of body and motion. */
-    std::vector<std::pair<std::string, double>> forces_on_bodies;
+    /** The forces on bodies as given, by the names of body and motion.
+     * Checkpoints have the following ones. */
+    NamedNumbers forces_on_bodies;
     /** The same with the motions, set by Parameters::assign_load_factors(). */
     std::vector<MotionByForce> motions_by_force;
     unsigned int               n_steps = 1;
@@ -114,9 +115,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &control &control_point &control_component &control_value;
-      archive &force &axle_moment &forces_on_bodies      &motions_by_force;
-      archive &n_steps                                   &adaptive;
+      archive &control &control_point &control_component     &control_value;
+      archive &force &axle_moment &motions_by_force &n_steps &adaptive;
     }
   };
 } // namespace Biface

@@ -156,6 +156,13 @@ namespace Biface
     virtual double
     coordinate_unit(const unsigned int a) const = 0;
 
+    /** The values of the variables of a formula of the position, see
+     * parse_position_formula(): those of @p x and the coordinates @p alpha in
+     * the user's units. */
+    std::vector<double>
+    formula_variables(const dealii::Point<3> &x,
+                      const dealii::Point<2> &alpha) const;
+
     /** `end` in entries: the largest value of the coordinate @p a in the
      * user's unit, infinite if there is none. Only the first has one. */
     double

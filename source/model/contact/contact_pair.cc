@@ -128,7 +128,7 @@ namespace Biface
       [&](const unsigned int position) { return factor_at(factors, position); },
       other_body->axis / other_body->axis.norm(),
       other_body->point);
-    return other_body->on_foundation ? with_foundation(body) : body;
+    return moves_with_foundation() ? with_foundation(body) : body;
   }
 
 

@@ -183,11 +183,10 @@ namespace Biface
       const Tensor<1, 3> unit =
         direction(condition.component, node.surface, surface.axis());
       const auto value_at = [&](const double height) {
-        return condition.value_at(
-          node.surface,
-          node.alpha,
-          height,
-          {{surface.coordinate_unit(0), surface.coordinate_unit(1)}});
+        if (!condition.formula)
+          return condition.value;
+        return (*condition.formula)(surface.formula_variables(
+          node.surface.position + height * node.surface.frame[2], node.alpha));
       };
       const unsigned int n_faces = node.n_parts();
       SupportEquation    equation{std::valarray<double>(0., 3 * n_faces),

@@ -1010,15 +1010,11 @@ namespace Biface
     agree_on_errors(mesh.communicator, [&]() {
       for (const Node &node : mesh.nodes)
         {
-          const Point<3> &p = node.surface.position;
+          const std::vector<double> variables =
+            surface.formula_variables(node.surface.position, node.alpha);
           values.emplace_back();
           for (const Formula &formula : formulas)
-            values.back().push_back(
-              formula({p[0],
-                       p[1],
-                       p[2],
-                       node.alpha[0] / surface.coordinate_unit(0),
-                       node.alpha[1] / surface.coordinate_unit(1)}));
+            values.back().push_back(formula(variables));
         }
     });
     return values;

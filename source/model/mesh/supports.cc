@@ -78,20 +78,6 @@ namespace Biface
   }
 
 
-  double
-  SupportCondition::value_at(const SurfacePoint          &surface,
-                             const Point<2>              &alpha,
-                             const double                 height,
-                             const std::array<double, 2> &unit) const
-  {
-    if (!formula)
-      return value;
-    const Point<3> x = surface.position + height * surface.frame[2];
-    return (*formula)(
-      {x[0], x[1], x[2], alpha[0] / unit[0], alpha[1] / unit[1]});
-  }
-
-
   std::vector<SupportCondition>
   parse_support(const std::string &entry,
                 const std::string &text,

@@ -287,15 +287,6 @@ namespace Biface
         return "force on " + of_stage.name();
       }
 
-      void
-      check(const Stage &stage,
-            const std::string & /*section*/,
-            const Control::KnownStart & /*start*/) const override
-      {
-        (void) stage;
-        Assert(!stage.factors[factor], ExcInternalError());
-      }
-
       double
       end(const Stage &stage) const override
       {

@@ -12,7 +12,6 @@
 
 #include <biface/input/formula.h>
 #include <biface/model/mesh/component.h>
-#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -37,16 +36,6 @@ namespace Biface
     /** Instead of the value, a formula of the undeformed position of the face,
      * or of the middle of the wall; see parse_position_formula(). */
     std::optional<Formula> formula = {};
-
-    /** @f$\bar v@f$ at a node for the load factor 1.
-     * @param height above the reference surface.
-     * @param unit the units of both coordinates. Throws InputError if it is not
-     * finite. */
-    double
-    value_at(const SurfacePoint          &surface,
-             const dealii::Point<2>      &alpha,
-             const double                 height,
-             const std::array<double, 2> &unit) const;
   };
 
 

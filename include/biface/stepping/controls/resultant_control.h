@@ -26,9 +26,10 @@ namespace Biface
 
     /** See Control::check(). */
     virtual void
-    check(const Stage               &stage,
-          const std::string         &section,
-          const Control::KnownStart &start) const = 0;
+    check(const Stage & /*stage*/,
+          const std::string & /*section*/,
+          const Control::KnownStart & /*start*/) const
+    {}
 
     /** The value at the end of a stage. */
     virtual double
