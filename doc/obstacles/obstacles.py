@@ -56,11 +56,17 @@ The bar is below the axle and 40 mm behind it.
 
 ## Edges and nodes
 
-Only nodes make contact. An edge that is sharper than the cells are long is felt where a node happens to
+By default only nodes make contact. An edge that is sharper than the cells are long is felt where a node happens to
 be. The tread rounds it by its height, and the forces hardly depend on the mesh. A step of 15 mm
 with an edge of 2 mm, whose wall is {wall} mm behind the axle, with the tread of 8 mm:
 
 {steps}
+
+`Contact/Points in cells` feel the edge without a tread, too: the same step with the wall 40 mm behind the axle, with
+contact of 0.3 MPa/mm at the face of the carcass, at nodes and at 4 × 4 points in each cell. At nodes
+the forces depend on where the nodes happen to be and on the way to this place.
+
+{points}
 
 Rigid contact, without a tread, on 42 × 40 cells: a bar of 10 mm that rises from the road 40 and 90 mm behind the axle.
 Pushed to the same place along the road, its steep side would take single nodes along, and the
@@ -71,7 +77,8 @@ forces would depend on the way.
 
 MESHES = {
     "42 × 40": "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth",
-    "42 × 55": "-180:-27.5:11:smooth, -27.5:27.5:33, 27.5:180:11:smooth"}
+    "42 × 55": "-180:-27.5:11:smooth, -27.5:27.5:33, 27.5:180:11:smooth",
+    "42 × 94": "-180:-27.5:14:smooth, -27.5:27.5:66, 27.5:180:14:smooth"}
 # the independent program
 BARS = {("42 × 40", 0): (1953.2, 0), ("42 × 40", -40): (2066.2, 37.5),
         ("42 × 55", 0): (1924.4, 0), ("42 × 55", -40): (2043.1, 39.6)}
@@ -174,6 +181,17 @@ def main():
             "Mesh/Intervals alpha_2": MESHES[mesh],
             "Body step/Point": f"1, 0, {-WALL}"}, "step")[-1]
         steps.append([mesh, *beside(forces, expected)])
+    points = []
+    for mesh, intervals in MESHES.items():
+        forces = []
+        for k in (0, 4):
+            forces += steps_of(runs, f"points_{len(points)}_{k}", "curb_step.prm", {
+                "Mesh/Intervals alpha_2": intervals,
+                "Contact/Tread/Height": "none",
+                "Contact/Tread/Modulus": 0,
+                "Contact/Regularization": 0.3,
+                "Contact/Points in cells": k}, "step")[-1]
+        points.append([mesh, *(f"{force:.1f}" for force in forces)])
     rigid = []
     for z, expected in RIGID.items():
         forces = steps_of(runs, f"rigid_{len(rigid)}", "cleat.prm", {
@@ -190,6 +208,8 @@ def main():
         **words, wall=WALL,
         bars=table(["Cells", "Behind the axle, mm", *both], bars),
         steps=table(["Cells", *both], steps),
+        points=table(["Cells", "nodes: vertical", "longitudinal",
+                      "points: vertical", "longitudinal"], points),
         rigid=table(["Behind the axle, mm", *both], rigid)), encoding="utf-8")
 
 

@@ -163,8 +163,9 @@ namespace Biface
     prm.add_parameter("Edge radius",
                       edge_radius,
                       "Radius that rounds the edge of a step or the tip of a "
-                      "cone. Only nodes make contact, so that it should not be "
-                      "far below the size of the cells. Unit: length.",
+                      "cone. It should not be far below the distance of the points "
+                      "that make contact, nodes or 'Points in cells'. Unit: "
+                      "length.",
                       Patterns::Double());
     add_parsed(prm,
                section,

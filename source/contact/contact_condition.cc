@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <string>
+
+#include <biface/base/errors.h>
 #include <biface/contact/contact_condition.h>
 #include <biface/input/parameter_tools.h>
 
@@ -34,6 +37,15 @@ namespace Biface
                "'lumped' (that of dual basis functions: smooth pressures, "
                "symmetric tangent) or 'consistent' (as in the paper; pressures "
                "oscillate at the edge of the contact zone).");
+    prm.add_parameter(
+      "Points in cells",
+      points_per_side,
+      "The number k of k x k points in each cell that make contact, at the "
+      "middle of equal parts of it, between which the deformed faces are "
+      "bilinear; or 0, by which the nodes do. Points feel bodies that are "
+      "smaller than the cells, but need a stiffness of contact that is not "
+      "far above that of the wall: a 'Tread' or a 'Regularization'.",
+      Patterns::Integer(0, 10));
     add_optional_number(
       prm,
       "Regularization",
@@ -55,5 +67,9 @@ namespace Biface
   {
     if (regularization)
       check_positive("Contact/Regularization", *regularization);
+    if (points_per_side > 0 && mass == MultiplierMass::consistent)
+      throw InputError("Contact/Points in cells",
+                       std::to_string(points_per_side),
+                       "it must be 0 with 'Multiplier mass = consistent'");
   }
 } // namespace Biface

@@ -15,14 +15,14 @@ namespace Biface
 
 
   void
-  FrictionByBristles::commit_step(ContactState        &state,
-                                  const NodeInContact &at) const
+  FrictionByBristles::commit_step(ContactState         &state,
+                                  const PointInContact &at) const
   {
     const auto   tangents = at.body.tangents(at.at_body.normal);
     Tensor<1, 3> traction;
     for (unsigned int i = 0; i < 2; ++i)
-      traction += state.multipliers[at.node][1 + i] * tangents[i];
-    state.stick_points[at.node] =
+      traction += state.multipliers[at.point][1 + i] * tangents[i];
+    state.stick_points[at.point] =
       at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction)));
   }
 } // namespace Biface

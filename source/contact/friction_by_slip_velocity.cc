@@ -16,20 +16,20 @@ namespace Biface
 
 
   bool
-  FrictionBySlipVelocity::decide(ContactState        &state,
-                                 const NodeInContact &at,
+  FrictionBySlipVelocity::decide(ContactState         &state,
+                                 const PointInContact &at,
                                  const Tensor<1, 3> & /*last*/) const
   {
     const bool slips = SlipVelocityLaw(law).slips(at.slip_velocity());
-    state.statuses[at.node] =
+    state.statuses[at.point] =
       (slips ? ContactStatus::slip : ContactStatus::stick);
     return false;
   }
 
 
   Tensor<1, 3>
-  FrictionBySlipVelocity::traction(const ContactState  &state,
-                                   const NodeInContact &at) const
+  FrictionBySlipVelocity::traction(const ContactState   &state,
+                                   const PointInContact &at) const
   {
     LinearizedTraction result;
     linearize(state, at, result);
@@ -38,9 +38,9 @@ namespace Biface
 
 
   void
-  FrictionBySlipVelocity::linearize(const ContactState  &state,
-                                    const NodeInContact &at,
-                                    LinearizedTraction  &result) const
+  FrictionBySlipVelocity::linearize(const ContactState   &state,
+                                    const PointInContact &at,
+                                    LinearizedTraction   &result) const
   {
     if (!at.particle)
       return;
@@ -52,7 +52,7 @@ namespace Biface
     const Tensor<2, 3>  tangential =
       Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n);
 
-    const double lambda = state.multipliers[at.node][0];
+    const double lambda = state.multipliers[at.point][0];
     const double exact  = condition.multiplier(at.at_body.clearance);
     const SlipVelocityLaw::Traction friction =
       SlipVelocityLaw(law).traction(tangential * v, -lambda);
@@ -83,10 +83,10 @@ namespace Biface
 
 
   void
-  FrictionBySlipVelocity::commit_step(ContactState        &state,
-                                      const NodeInContact &at) const
+  FrictionBySlipVelocity::commit_step(ContactState         &state,
+                                      const PointInContact &at) const
   {
-    state.stick_points[at.node] =
+    state.stick_points[at.point] =
       at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction(state, at))));
   }
 

@@ -25,21 +25,21 @@ namespace Biface
 
 
   FrictionWithHistory::Slip
-  FrictionWithHistory::slip(const ContactState &state, const NodeInContact &at)
+  FrictionWithHistory::slip(const ContactState &state, const PointInContact &at)
   {
     const Tensor<1, 3> &n = at.at_body.normal;
     const Tensor<1, 3>  total =
-      at.x - at.body.present(state.stick_points[at.node]);
+      at.x - at.body.present(state.stick_points[at.point]);
     return {total, total - (n * total) * n};
   }
 
 
   bool
-  FrictionWithHistory::decide(ContactState        &state,
-                              const NodeInContact &at,
-                              const Tensor<1, 3>  &last) const
+  FrictionWithHistory::decide(ContactState         &state,
+                              const PointInContact &at,
+                              const Tensor<1, 3>   &last) const
   {
-    ContactStatus &status = state.statuses[at.node];
+    ContactStatus &status = state.statuses[at.point];
     if (status == ContactStatus::glued)
       return false;
     const auto         tangents = at.body.tangents(at.at_body.normal);
@@ -57,25 +57,25 @@ namespace Biface
 
 
   Tensor<1, 3>
-  FrictionWithHistory::traction(const ContactState  &state,
-                                const NodeInContact &at) const
+  FrictionWithHistory::traction(const ContactState   &state,
+                                const PointInContact &at) const
   {
     const Tensor<1, 3> trial = law.trial(slip(state, at).tangential);
-    return state.statuses[at.node] == ContactStatus::slip
-             ? law.slip(trial, -state.multipliers[at.node][0]).traction
+    return state.statuses[at.point] == ContactStatus::slip
+             ? law.slip(trial, -state.multipliers[at.point][0]).traction
              : trial;
   }
 
 
   void
-  FrictionWithHistory::linearize(const ContactState  &state,
-                                 const NodeInContact &at,
-                                 LinearizedTraction  &traction) const
+  FrictionWithHistory::linearize(const ContactState   &state,
+                                 const PointInContact &at,
+                                 LinearizedTraction   &traction) const
   {
-    if (!acts_on(state, at.node))
+    if (!acts_on(state, at.point))
       return;
     const Tensor<1, 3> &n      = at.at_body.normal;
-    const double        lambda = state.multipliers[at.node][0];
+    const double        lambda = state.multipliers[at.point][0];
     const double        exact  = condition.multiplier(at.at_body.clearance);
     const Tensor<2, 3>  normal_gradient(at.at_body.normal_gradient);
     const Slip          slip = this->slip(state, at);
@@ -86,7 +86,7 @@ namespace Biface
       (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
        (n * slip.total) * normal_gradient -
        outer_product(n, normal_gradient * slip.total));
-    if (state.statuses[at.node] == ContactStatus::slip)
+    if (state.statuses[at.point] == ContactStatus::slip)
       {
         const FrictionLaw::Slip limited = law.slip(t, -lambda);
         t          = limited.traction + (lambda - exact) * limited.per_pressure;
@@ -100,15 +100,15 @@ namespace Biface
 
 
   void
-  FrictionWithHistory::commit_step(ContactState        &state,
-                                   const NodeInContact &at) const
+  FrictionWithHistory::commit_step(ContactState         &state,
+                                   const PointInContact &at) const
   {
-    if (!acts_on(state, at.node))
+    if (!acts_on(state, at.point))
       TangentialLaw::commit_step(state, at);
-    else if (state.statuses[at.node] == ContactStatus::slip)
+    else if (state.statuses[at.point] == ContactStatus::slip)
       // without slip there is no direction for the traction of a node that
       // slips
-      state.stick_points[at.node] =
+      state.stick_points[at.point] =
         at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction(state, at))));
   }
 

@@ -19,9 +19,9 @@ namespace Biface
                shape,
                {"plane", "drum", "sphere"},
                "The shape of the rigid foundation: a plane, a drum (an "
-               "infinitely long circular cylinder), or a sphere. Only nodes "
-               "make contact, so the radius must be several times the cell "
-               "size.");
+               "infinitely long circular cylinder), or a sphere. By "
+               "default only nodes make contact, so the radius must be several "
+               "times the cell size.");
     prm.add_parameter("Direction",
                       line.direction,
                       "Direction from the shell toward the foundation, for a "

@@ -16,9 +16,10 @@ namespace Biface
 
 
   void
-  TangentialLaw::commit_step(ContactState &state, const NodeInContact &at) const
+  TangentialLaw::commit_step(ContactState         &state,
+                             const PointInContact &at) const
   {
-    state.statuses[at.node]     = ContactStatus::stick;
-    state.stick_points[at.node] = at.body.at_rest(at.x);
+    state.statuses[at.point]     = ContactStatus::stick;
+    state.stick_points[at.point] = at.body.at_rest(at.x);
   }
 } // namespace Biface

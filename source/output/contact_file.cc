@@ -37,8 +37,8 @@ namespace Biface
       write_csv(path(report.step), header, {}, communicator);
     for (const auto &[number, body] : bodies)
       {
-        const ContactState &zone = state.contacts[number];
-        const LA::Vector    stretch =
+        const ContactState zone = contact_at_nodes(mesh, state, number, body);
+        const LA::Vector   stretch =
           area_stretch(mesh, state.displacement, body.face);
         Rows rows;
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)

@@ -87,14 +87,18 @@ namespace Biface
   ResultsCheck::Penetration
   ResultsCheck::largest_penetration(const State &state) const
   {
-    Penetration largest;
-    for (unsigned int n = 0; n < equations.mesh.nodes.size(); ++n)
+    Penetration          largest;
+    const ContactPoints &points = contact.ground().points;
+    for (unsigned int point = 0; point < points.size(); ++point)
       {
-        const auto       &heights = equations.mesh.nodes[n].face_heights;
+        const double thickness =
+          points.interpolate(point, [](const Node &node) {
+            return node.face_heights[1] - node.face_heights[0];
+          });
         const Penetration here{
-          state.ground().pressure(n) /
+          state.ground().pressure(point) /
             contact.ground().condition.multiplier_stiffness(),
-          contact.ground().tread.height.value_or(heights[1] - heights[0])};
+          contact.ground().tread.height.value_or(thickness)};
         if (here.relative() > largest.relative())
           largest = here;
       }
@@ -114,11 +118,13 @@ namespace Biface
   {
     const ShellMesh            &mesh = equations.mesh;
     std::array<unsigned int, 2> n_lines{};
+    const ActiveSet             in_contact =
+      contact.ground().points.nodes_around(state.ground().active);
     for (unsigned int a = 0; a < 2; ++a)
       {
         std::vector<unsigned int> active(mesh.grid.lines[a].size());
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-          if (state.ground().active[n])
+          if (in_contact[n])
             active[mesh.nodes[n].grid_index[a]] = 1;
         Utilities::MPI::max(active, mesh.communicator, active);
         n_lines[a] = std::count(active.begin(), active.end(), 1U);

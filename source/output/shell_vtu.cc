@@ -48,7 +48,10 @@ namespace Biface
   {
     using namespace Resultants;
 
-    const ShellMesh &mesh = equations.mesh;
+    const ShellMesh                     &mesh = equations.mesh;
+    std::map<unsigned int, ContactState> zones;
+    for (const auto &[number, body] : loads.bodies)
+      zones[number] = contact_at_nodes(mesh, state, number, body);
     for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
@@ -85,7 +88,7 @@ namespace Biface
                   for (const auto &[number, body] : loads.bodies)
                     if (body.face == (is_outer ? outer : inner))
                       {
-                        const ContactState &zone = state.contacts[number];
+                        const ContactState &zone = zones.at(number);
                         pressure += zone.pressure(cell.nodes[v]);
                         active = active || zone.active[cell.nodes[v]];
                         slipping =

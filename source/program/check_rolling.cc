@@ -97,6 +97,11 @@ namespace Biface
           throw InputError(section + "/Bodies",
                            stage.bodies.front(),
                            "it must be empty in a stage with steady rolling");
+        if (contact.condition.points_per_side > 0 && stage.contact)
+          throw InputError("Contact/Points in cells",
+                           std::to_string(contact.condition.points_per_side),
+                           "it must be 0 for the wheel that rolls in stage " +
+                             std::to_string(i + 1));
         if (turned.back() || (before && turned[*before]))
           throw InputError(section + "/Wheel turn",
                            stage.wheel_turn

@@ -38,31 +38,39 @@ namespace Biface
     }
 
 
-    /** Between two nodes, a smaller body passes through the shell.
+    /** Between two points in contact, a smaller body passes through the shell.
      * @param entry of the radius.
      * @param distance of the shell from the body. */
     void
-    check_radius(const std::string &entry,
-                 const double       radius,
-                 const double       distance,
-                 const ShellMesh   &mesh)
+    check_radius(const std::string             &entry,
+                 const double                   radius,
+                 const double                   distance,
+                 const ContactPair::Parameters &contact,
+                 const ShellMesh               &mesh)
     {
-      const double shortest = shortest_side_of_cells(mesh);
+      const unsigned int k  = contact.condition.points_per_side;
+      const double shortest = shortest_side_of_cells(mesh) / std::max(1U, k);
       if (std::abs(radius) + distance < shortest)
-        throw InputError(entry,
-                         number_to_string(radius),
-                         "it must not be shorter than the sides of all cells, "
-                         "the shortest of which is " +
-                           number_to_string(shortest) +
-                           " long: only nodes make contact");
+        throw InputError(
+          entry,
+          number_to_string(radius),
+          k > 0 ? "it must not be shorter than the distance of the points in "
+                  "contact, which is at least " +
+                    number_to_string(shortest)
+                : "it must not be shorter than the sides of all cells, "
+                  "the shortest of which is " +
+                    number_to_string(shortest) +
+                    " long: only nodes make contact, unless there are "
+                    "'Points in cells'");
     }
 
 
     void
-    check_foundation(const RigidBody::Parameters &foundation,
-                     const ShellMesh             &mesh)
+    check_foundation(const ContactPair::Parameters &contact,
+                     const ShellMesh               &mesh)
     {
-      using Shape = RigidBody::Parameters::Shape;
+      using Shape                             = RigidBody::Parameters::Shape;
+      const RigidBody::Parameters &foundation = contact.body;
       if (foundation.shape == Shape::plane)
         return;
       const bool is_drum = (foundation.shape == Shape::drum);
@@ -70,24 +78,25 @@ namespace Biface
         is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
         *(is_drum ? foundation.drum.radius : foundation.sphere.radius),
         0,
+        contact,
         mesh);
     }
 
 
     void
-    check_body(const BodyParameters  &body,
-               const TreadParameters &tread,
-               const ShellMesh       &mesh)
+    check_body(const BodyParameters          &body,
+               const ContactPair::Parameters &contact,
+               const ShellMesh               &mesh)
     {
       using Shape = BodyParameters::Shape;
       const double distance =
-        (body.touches_inner_face ? 0 : tread.height.value_or(0));
+        (body.touches_inner_face ? 0 : contact.tread.height.value_or(0));
       const std::string section = "Body " + body.name + "/";
       if (body.shape == Shape::sphere || body.shape == Shape::cylinder)
-        check_radius(section + "Radius", *body.radius, distance, mesh);
+        check_radius(section + "Radius", *body.radius, distance, contact, mesh);
       if (body.shape == Shape::torus)
         check_radius(
-          section + "Tube radius", *body.tube_radius, distance, mesh);
+          section + "Tube radius", *body.tube_radius, distance, contact, mesh);
     }
 
 
@@ -147,12 +156,12 @@ namespace Biface
   {
     const std::vector<Stage> &stages = parameters.stages;
     for (const BodyParameters &body : parameters.bodies)
-      check_body(body, parameters.contact.tread, mesh);
+      check_body(body, parameters.contact, mesh);
     if (std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
           return stage.contact;
         }))
       return;
-    check_foundation(parameters.contact.body, mesh);
+    check_foundation(parameters.contact, mesh);
     check_travel(stages, mesh);
     check_critical_velocity(parameters, mesh);
   }

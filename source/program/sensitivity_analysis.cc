@@ -125,12 +125,13 @@ namespace Biface
       ActiveSet balanced(mesh.nodes.size(), 0);
       for (const auto &pair : model.contact.pairs)
         {
-          LA::Vector &of_pair = (pair.get() == &model.contact.ground()
-                                   ? forces[ForceTerm::Source::foundation]
-                                   : forces.of_bodies.at(pair->name));
+          LA::Vector     &of_pair = (pair.get() == &model.contact.ground()
+                                       ? forces[ForceTerm::Source::foundation]
+                                       : forces.of_bodies.at(pair->name));
+          const ActiveSet in_contact =
+            pair->points.nodes_around(pair->state_of(state).active);
           for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-            if (mesh.nodes[n].locally_owned && !balanced[n] &&
-                pair->state_of(state).active[n])
+            if (mesh.nodes[n].locally_owned && !balanced[n] && in_contact[n])
               {
                 balanced[n] = 1;
                 for (const auto dof : mesh.nodes[n].dofs)

@@ -111,17 +111,24 @@ namespace Biface
       add("resultants", state.resultants);
       for (unsigned int i = 0; i < state.contacts.size(); ++i)
         {
-          const ContactState &contact = state.contacts[i];
-          const auto          name    = names_of_contact(i);
-          add(name[0], contact.active);
-          add(name[1], contact.multipliers);
-          add(name[2], numbers_of(contact.statuses));
-          add(name[3],
-              std::vector<Tensor<1, 3>>(contact.stick_points.begin(),
-                                        contact.stick_points.end()));
+          const ContactState &contact    = state.contacts[i];
+          const auto          name       = names_of_contact(i);
+          const auto          add_points = [&](const std::string &name_of_table,
+                                      const auto        &values) {
+            tables.emplace_back(prefix + name_of_table,
+                                rows_of(values, mesh, contact.per_cell));
+          };
+          add_points(name[0], contact.active);
+          add_points(name[1], contact.multipliers);
+          add_points(name[2], numbers_of(contact.statuses));
+          add_points(name[3],
+                     std::vector<Tensor<1, 3>>(contact.stick_points.begin(),
+                                               contact.stick_points.end()));
         }
       RunRecord::Point numbers;
       numbers.progress = progress;
+      if (!state.contacts.empty())
+        numbers.contacts_per_cell = state.ground().per_cell;
       for (const auto &[name, term] : state.terms)
         {
           numbers.of_terms[name] = term.numbers;
@@ -292,10 +299,12 @@ namespace Biface
       {
         const auto   name = names_of_contact(i);
         ContactState contact;
-        contact.active      = active_from(rows(name[0], all_nodes));
-        contact.multipliers = vectors_from(rows(name[1], all_nodes));
-        contact.statuses    = statuses_of(rows(name[2], all_nodes));
-        const auto points   = vectors_from(rows(name[3], all_nodes));
+        contact.per_cell    = numbers.contacts_per_cell;
+        const auto &owners  = (contact.per_cell > 0 ? cells : all_nodes);
+        contact.active      = active_from(rows(name[0], owners));
+        contact.multipliers = vectors_from(rows(name[1], owners));
+        contact.statuses    = statuses_of(rows(name[2], owners));
+        const auto points   = vectors_from(rows(name[3], owners));
         contact.stick_points.assign(points.begin(), points.end());
         state.contacts.push_back(contact);
       }

@@ -38,34 +38,67 @@ namespace Biface
   }
 
 
-  NumberedRows
-  rows_of(const ActiveSet &active, const ShellMesh &mesh)
+  namespace
   {
-    AssertDimension(active.size(), mesh.nodes.size());
-    NumberedRows rows;
-    rows.width   = 1;
-    rows.n_rows  = mesh.n_nodes();
-    rows.numbers = numbers_of_owned_nodes(mesh);
-    for (unsigned int n = 0; n < active.size(); ++n)
-      if (mesh.nodes[n].locally_owned)
-        rows.values.push_back(active[n]);
-    return rows;
+    /** Rows of @p width numbers of each point in contact, which a function
+     * adds. */
+    template <typename Function>
+    NumberedRows
+    rows_of_points(const ShellMesh   &mesh,
+                   const unsigned int per_cell,
+                   const unsigned int width,
+                   const Function    &add)
+    {
+      NumberedRows rows;
+      if (per_cell > 0)
+        {
+          rows.width   = width * per_cell;
+          rows.n_rows  = mesh.n_elements();
+          rows.numbers = numbers_of_cells(mesh);
+          for (unsigned int point = 0; point < per_cell * mesh.cells.size();
+               ++point)
+            add(point, rows.values);
+          return rows;
+        }
+      rows.width   = width;
+      rows.n_rows  = mesh.n_nodes();
+      rows.numbers = numbers_of_owned_nodes(mesh);
+      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].locally_owned)
+          add(n, rows.values);
+      return rows;
+    }
+  } // namespace
+
+
+  NumberedRows
+  rows_of(const ActiveSet   &active,
+          const ShellMesh   &mesh,
+          const unsigned int per_cell)
+  {
+    return rows_of_points(
+      mesh,
+      per_cell,
+      1,
+      [&](const unsigned int point, std::vector<double> &values) {
+        values.push_back(active[point]);
+      });
   }
 
 
   NumberedRows
-  rows_of(const std::vector<Tensor<1, 3>> &values, const ShellMesh &mesh)
+  rows_of(const std::vector<Tensor<1, 3>> &vectors,
+          const ShellMesh                 &mesh,
+          const unsigned int               per_cell)
   {
-    AssertDimension(values.size(), mesh.nodes.size());
-    NumberedRows rows;
-    rows.width   = 3;
-    rows.n_rows  = mesh.n_nodes();
-    rows.numbers = numbers_of_owned_nodes(mesh);
-    for (unsigned int n = 0; n < values.size(); ++n)
-      if (mesh.nodes[n].locally_owned)
+    return rows_of_points(
+      mesh,
+      per_cell,
+      3,
+      [&](const unsigned int point, std::vector<double> &values) {
         for (unsigned int i = 0; i < 3; ++i)
-          rows.values.push_back(values[n][i]);
-    return rows;
+          values.push_back(vectors[point][i]);
+      });
   }
 
 

@@ -93,11 +93,11 @@ namespace Biface
     const unsigned int n_changes =
       contact.update_active_set(state, loads, held);
     // usually the set is constant, or grows from the empty set
-    if (!cycle.closes_with(contact.active_nodes(state)))
+    if (!cycle.closes_with(contact.active_points(state)))
       return n_changes;
 
     const std::string nodes =
-      name_nodes(contact.mesh, contact.in_any_pair(cycle.toggling_nodes()));
+      name_nodes(contact.mesh, contact.nodes_around(cycle.toggling_nodes()));
     cycle.restart();
     if (contact.release_glue(state, cycle.toggling_nodes()))
       {

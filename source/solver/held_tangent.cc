@@ -54,22 +54,41 @@ namespace Biface
           MixedElement::NodalMatrix matrix{};
           bool                      any = false;
           for (const auto &pair : contact.pairs)
-            for (unsigned int v = 0; v < 4; ++v)
+            for (const ContactPoints::OnCell &point : pair->points.on_cell())
               {
-                if (!pair->state_of(state).active[cell.nodes[v]])
+                const unsigned int n = pair->points.number(
+                  cell, &point - pair->points.on_cell().data());
+                if (!pair->state_of(state).active[n])
                   continue;
-                any               = true;
-                const auto &frame = mesh.nodes[cell.nodes[v]].surface.frame;
+                any = true;
                 const Tensor<2, 3> stiffness =
-                  pair->traction(state, loads, cell.nodes[v]).stiffness;
-                Tensor<2, 3> in_frame;
-                for (unsigned int i = 0; i < 3; ++i)
-                  for (unsigned int j = 0; j < 3; ++j)
-                    in_frame[i][j] = cell.geometry.weight / 8 *
-                                     (frame[i] * (stiffness * frame[j]) +
-                                      frame[j] * (stiffness * frame[i]));
-                const double sign = cell.sign_of_face(v, pair->face);
-                MixedElement::add_stiffness(in_frame, v, sign, v, sign, matrix);
+                  pair->traction(state, loads, n).stiffness;
+                const double part = point.area * cell.geometry.weight / 2;
+                for (unsigned int r = 0; r < 4; ++r)
+                  for (unsigned int s = 0; s < 4; ++s)
+                    {
+                      // lumped also where the multipliers are not
+                      const double weight =
+                        part * point.position[r] * point.position[s];
+                      if (weight == 0)
+                        continue;
+                      const auto &row = mesh.nodes[cell.nodes[r]].surface.frame,
+                                 &column =
+                                   mesh.nodes[cell.nodes[s]].surface.frame;
+                      Tensor<2, 3> in_frame;
+                      for (unsigned int i = 0; i < 3; ++i)
+                        for (unsigned int j = 0; j < 3; ++j)
+                          in_frame[i][j] =
+                            weight * (row[i] * (stiffness * column[j]) +
+                                      column[j] * (stiffness * row[i]));
+                      MixedElement::add_stiffness(
+                        in_frame,
+                        r,
+                        cell.sign_of_face(r, pair->face),
+                        s,
+                        cell.sign_of_face(s, pair->face),
+                        matrix);
+                    }
               }
           if (any)
             held->add(c, matrix, MixedElement::NodalVector(), nothing);

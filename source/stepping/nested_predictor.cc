@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include <biface/model/state/contact_points.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/stage_sequence.h>
 
@@ -87,13 +88,18 @@ namespace Biface
              begin.weight * value(*begin.after);
     };
 
+    // between two active sets, use the nearer one
+    const GridState    &zone   = (end.weight < 0.5 ? *end.before : *end.after);
+    ContactState       &ground = state.contacts[0];
+    const ContactPoints points(mesh, Resultants::outer, ground);
+    for (unsigned int point = 0; point < points.size(); ++point)
+      ground.active[point] = (points.interpolate(point, [&](const Node &node) {
+        return zone.contact(node.alpha);
+      }) > 0.5);
+
     LA::Vector increment = mesh.owned_vector();
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+    for (const Node &node : mesh.nodes)
       {
-        const Node &node = mesh.nodes[n];
-        // between two active sets, use the nearer one
-        const GridState &zone = (end.weight < 0.5 ? *end.before : *end.after);
-        state.contacts[0].active[n] = (zone.contact(node.alpha) > 0.5);
         if (!node.locally_owned)
           continue;
         for (unsigned int part = 0; part < node.n_parts(); ++part)

@@ -44,7 +44,8 @@ namespace Biface
         out << "  Warning: between nodes, which alone make contact, the body '"
             << pair->name << "' is in the shell by " << depth
             << " more than at the nodes around; make the cells "
-            << "smaller, or its edges rounder" << std::endl;
+            << "smaller, or its edges rounder, or let 'Points in cells' make "
+            << "contact" << std::endl;
         warned_of_large_cells.insert(pair->name);
       }
   }

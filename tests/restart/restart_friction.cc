@@ -24,5 +24,9 @@ main(int argc, char *argv[])
                           "Stage 3/Turn=0.5",
                           "Stage 3/Steps=4"});
   check_restart("friction", with(slid, {"Contact/Friction=0.4"}), 6);
+  check_restart(
+    "points in cells",
+    with(slid, {"Contact/Friction=0.4", "Contact/Points in cells=2"}),
+    6);
   check_restart("glued", with(slid, {"Stage 3/Glued=true"}), 6);
 }

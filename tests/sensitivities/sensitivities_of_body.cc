@@ -3,7 +3,7 @@
 // Where a force finds the turn of a body, derivatives by the force, by the
 // place of the body, by the spring and by the thickness of the shell are those
 // of whole runs, and nothing depends on the unit of the motion, without and
-// with friction.
+// with friction, at nodes and points in cells.
 
 #include "sensitivities.h"
 #include <tests.h>
@@ -30,6 +30,17 @@ main(int argc, char **argv)
                           "rubber/E; Stage 1/Forces on bodies[1]",
                           "strain_energy, lever_turn_y, lever F_z");
     }
+  std::vector<Override> in_cells = lifted;
+  in_cells.emplace_back("Contact/Points in cells=2");
+  in_cells.emplace_back("Body lever/Friction=0.2");
+  in_cells.emplace_back("Stage 1/Steps=2");
+  // so low that it does not touch the edge that is held
+  in_cells.emplace_back("Body lever/Point=0, 5, -1.01");
+  check_sensitivities("points in cells",
+                      file,
+                      in_cells,
+                      "Laminate/Plies[1]; Stage 1/Forces on bodies[1]",
+                      "strain_energy, lever_turn_y, lever F_z");
   check_sensitivities("place of the body",
                       file,
                       lifted,

@@ -62,6 +62,10 @@ namespace Biface
        * stiffness of the wall. Unit: pressure/length. */
       std::optional<double> regularization;
 
+      /** The points of a cell that make contact are this number squared; if
+       * it is 0, the nodes do. */
+      unsigned int points_per_side = 0;
+
       void
       add_parameters(dealii::ParameterHandler &prm);
 

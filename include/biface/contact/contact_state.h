@@ -13,25 +13,32 @@
 
 namespace Biface
 {
-  /** What happens between a face of the shell and one rigid body, at the nodes
-   * of this rank by their positions. */
+  /** What happens between a face of the shell and one rigid body, at the points
+   * of this rank by their numbers, see ContactPoints. */
   struct ContactState
   {
     ContactState() = default;
 
-    /** No node is in contact. */
-    explicit ContactState(const unsigned int n_nodes)
-      : active(n_nodes, 0)
-      , multipliers(n_nodes)
-      , statuses(n_nodes, ContactStatus::none)
-      , stick_points(n_nodes)
+    /** No point is in contact.
+     * @param per_cell the number of points in a cell; 0 if they are the
+     * nodes. */
+    explicit ContactState(const unsigned int n_points,
+                          const unsigned int per_cell = 0)
+      : per_cell(per_cell)
+      , active(n_points, 0)
+      , multipliers(n_points)
+      , statuses(n_points, ContactStatus::none)
+      , stick_points(n_points)
     {}
 
-    /** The active set: the nodes in contact. */
+    /** See ContactPoints::per_cell(). */
+    unsigned int per_cell = 0;
+
+    /** The active set: the points in contact. */
     ActiveSet active;
 
     /**
-     * The contact multipliers, bilinear on the face,
+     * The contact multipliers, at nodes bilinear on the face,
      * @cite GrigolyukKulikovPlotnikova2004, eq. (10): the traction on the
      * shell per area of the middle surface. The first component, along the
      * normal of the body, is minus the pressure; the two tangential

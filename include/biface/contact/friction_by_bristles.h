@@ -38,7 +38,7 @@ namespace Biface
     /** Set a stick point with which the node keeps its traction as long as
      * nothing moves, so that a stage that stands can follow. */
     void
-    commit_step(ContactState &state, const NodeInContact &at) const override;
+    commit_step(ContactState &state, const PointInContact &at) const override;
 
     const BristleLaw *
     bristles() const override

@@ -45,21 +45,22 @@ namespace Biface
 
     bool
     decide(ContactState               &state,
-           const NodeInContact        &at,
+           const PointInContact       &at,
            const dealii::Tensor<1, 3> &last) const override;
 
     dealii::Tensor<1, 3>
-    traction(const ContactState &state, const NodeInContact &at) const override;
+    traction(const ContactState   &state,
+             const PointInContact &at) const override;
 
     void
-    linearize(const ContactState  &state,
-              const NodeInContact &at,
-              LinearizedTraction  &traction) const override;
+    linearize(const ContactState   &state,
+              const PointInContact &at,
+              LinearizedTraction   &traction) const override;
 
     /** Set a stick point with which the node keeps its traction as long as
      * nothing moves, so that a stage that stands can follow. */
     void
-    commit_step(ContactState &state, const NodeInContact &at) const override;
+    commit_step(ContactState &state, const PointInContact &at) const override;
 
     std::optional<double>
     critical_velocity() const override

@@ -44,19 +44,20 @@ namespace Biface
      * stick point: friction does not push. */
     bool
     decide(ContactState               &state,
-           const NodeInContact        &at,
+           const PointInContact       &at,
            const dealii::Tensor<1, 3> &last) const override;
 
     dealii::Tensor<1, 3>
-    traction(const ContactState &state, const NodeInContact &at) const override;
+    traction(const ContactState   &state,
+             const PointInContact &at) const override;
 
     void
-    linearize(const ContactState  &state,
-              const NodeInContact &at,
-              LinearizedTraction  &traction) const override;
+    linearize(const ContactState   &state,
+              const PointInContact &at,
+              LinearizedTraction   &traction) const override;
 
     void
-    commit_step(ContactState &state, const NodeInContact &at) const override;
+    commit_step(ContactState &state, const PointInContact &at) const override;
 
     dealii::Tensor<1, 3>
     slip_in_step(const ContactState &before,
@@ -73,7 +74,7 @@ namespace Biface
     };
 
     static Slip
-    slip(const ContactState &state, const NodeInContact &at);
+    slip(const ContactState &state, const PointInContact &at);
 
     const FrictionLaw      law;
     const ContactCondition condition;

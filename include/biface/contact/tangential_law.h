@@ -18,11 +18,11 @@ namespace Biface
 {
   class BristleLaw;
 
-  /** A node where it may touch a rigid body. */
-  struct NodeInContact
+  /** A point of a face where it may touch a rigid body. */
+  struct PointInContact
   {
-    /** Its position in ShellMesh::nodes. */
-    unsigned int node;
+    /** Its number, see ContactPoints. */
+    unsigned int point;
     /** The deformed position of the face. */
     dealii::Point<3> x;
     /** Kept by reference. */
@@ -132,7 +132,7 @@ namespace Biface
      */
     virtual bool
     decide(ContactState & /*state*/,
-           const NodeInContact & /*at*/,
+           const PointInContact & /*at*/,
            const dealii::Tensor<1, 3> & /*last*/) const
     {
       return false;
@@ -141,7 +141,8 @@ namespace Biface
     /** The tangential traction at an active node on which the law acts, with
      * the multiplier of the state. */
     virtual dealii::Tensor<1, 3>
-    traction(const ContactState & /*state*/, const NodeInContact & /*at*/) const
+    traction(const ContactState & /*state*/,
+             const PointInContact & /*at*/) const
     {
       return {};
     }
@@ -149,14 +150,14 @@ namespace Biface
     /** Add the tangential traction at an active node and its derivatives. */
     virtual void
     linearize(const ContactState & /*state*/,
-              const NodeInContact & /*at*/,
+              const PointInContact & /*at*/,
               LinearizedTraction & /*traction*/) const
     {}
 
     /** Set what an active node remembers at the end of a step. Nodes slide
      * freely without friction and in the step in which they enter. */
     virtual void
-    commit_step(ContactState &state, const NodeInContact &at) const;
+    commit_step(ContactState &state, const PointInContact &at) const;
 
     /** The motion over the body at rest of a node that has slipped in a step,
      * whose work with the traction is heat. */

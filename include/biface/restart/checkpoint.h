@@ -42,12 +42,14 @@ namespace Biface
       Progress progress;
       /** See TermState, by the names of the terms. */
       std::map<std::string, std::vector<double>> of_terms;
+      /** See ContactState. */
+      unsigned int contacts_per_cell = 0;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &progress &of_terms;
+        archive &progress &of_terms &contacts_per_cell;
       }
     };
 

@@ -38,14 +38,18 @@ namespace Biface
   NumberedRows
   rows_of(const std::vector<Modes::Vector> &modes, const ShellMesh &mesh);
 
-  /** A row of one number per node. */
+  /** A row of one number per node, or one of as many per cell as there are
+   * points in contact, see ContactPoints::per_cell(). */
   NumberedRows
-  rows_of(const ActiveSet &active, const ShellMesh &mesh);
+  rows_of(const ActiveSet   &active,
+          const ShellMesh   &mesh,
+          const unsigned int per_cell);
 
-  /** A row of three components per node, at all nodes of each rank. */
+  /** Likewise of three components each. */
   NumberedRows
   rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
-          const ShellMesh                         &mesh);
+          const ShellMesh                         &mesh,
+          const unsigned int                       per_cell);
 
   /** The rows of a table with one row for each node of this rank; their width
    * is 0 if the table is empty. Must be called on all ranks. */

@@ -13,8 +13,10 @@ namespace Biface
   {
     if (!contact.body(loads) || !contact.mesh.cells[cell].is_wall)
       return false;
-    for (const unsigned int node : contact.mesh.cells[cell].nodes)
-      if (contact.state_of(state).active[node])
+    const ContactPoints &points = contact.points;
+    for (unsigned int i = 0; i < points.on_cell().size(); ++i)
+      if (contact.state_of(state)
+            .active[points.number(contact.mesh.cells[cell], i)])
         return true;
     return false;
   }
@@ -23,46 +25,59 @@ namespace Biface
   void
   ContactForces::add(const CellState &at, CellForces &forces) const
   {
-    const ShellMesh &mesh = contact.mesh;
-    const auto       M =
-      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
-    const auto frame =
+    const ShellMesh     &mesh   = contact.mesh;
+    const ContactPoints &points = contact.points;
+    const auto           frame =
       [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
       return mesh.nodes[at.cell.nodes[v]].surface.frame;
     };
-    for (unsigned int s = 0; s < 4; ++s)
+    for (unsigned int i = 0; i < points.on_cell().size(); ++i)
       {
-        const unsigned int node = at.cell.nodes[s];
-        if (!contact.state_of(at.state).active[node])
+        const unsigned int point = points.number(at.cell, i);
+        if (!contact.state_of(at.state).active[point])
           continue;
-        const LinearizedTraction traction =
-          contact.traction(at.state, at.loads, node);
-        std::array<Tensor<1, 3>, 3> columns;
-        for (unsigned int j = 0; j < 3; ++j)
-          columns[j] = traction.stiffness * frame(s)[j];
+        const ContactPoints::OnCell &on_cell = points.on_cell()[i];
+        const double                 area    = at.cell.geometry.weight;
+        const LinearizedTraction     traction =
+          contact.traction(at.state, at.loads, point);
 
         for (unsigned int r = 0; r < 4; ++r)
           {
             Tensor<1, 3> force;
-            Tensor<2, 3> stiffness;
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                force[i] = M[r][s] * (frame(r)[i] * traction.value);
-                for (unsigned int j = 0; j < 3; ++j)
-                  stiffness[i][j] = M[r][s] * (frame(r)[i] * columns[j]);
-              }
+            for (unsigned int k = 0; k < 3; ++k)
+              force[k] =
+                on_cell.forces[r] * area * (frame(r)[k] * traction.value);
             MixedElement::add_force(
               force, r, at.cell.sign_of_face(r, contact.face), forces.force);
             forces.square += 2 * force.norm_square();
-            MixedElement::add_stiffness(stiffness,
-                                        r,
-                                        at.cell.sign_of_face(r, contact.face),
-                                        s,
-                                        at.cell.sign_of_face(s, contact.face),
-                                        forces.tangent);
           }
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            if (on_cell.position[s] == 0)
+              continue;
+            std::array<Tensor<1, 3>, 3> columns;
+            for (unsigned int k = 0; k < 3; ++k)
+              columns[k] =
+                on_cell.position[s] * (traction.stiffness * frame(s)[k]);
+            for (unsigned int r = 0; r < 4; ++r)
+              {
+                Tensor<2, 3> stiffness;
+                for (unsigned int k = 0; k < 3; ++k)
+                  for (unsigned int l = 0; l < 3; ++l)
+                    stiffness[k][l] =
+                      on_cell.forces[r] * area * (frame(r)[k] * columns[l]);
+                MixedElement::add_stiffness(
+                  stiffness,
+                  r,
+                  at.cell.sign_of_face(r, contact.face),
+                  s,
+                  at.cell.sign_of_face(s, contact.face),
+                  forces.tangent);
+              }
+          }
+        // of a law that has points at the nodes
         if (contact.body(at.loads)->law->depends_on_velocity())
-          add_neighbor(at.cell, s, traction, forces.tangent);
+          add_neighbor(at.cell, i, traction, forces.tangent);
       }
   }
 
@@ -142,22 +157,21 @@ namespace Biface
     const PlacedBody *body = contact.body(at.loads);
     if (!body)
       return;
-    const ShellMesh &mesh = contact.mesh;
-    const auto       M =
-      multiplier_mass(contact.condition.mass(), at.cell.geometry.weight);
-    for (unsigned int s = 0; s < 4; ++s)
+    const ShellMesh     &mesh   = contact.mesh;
+    const ContactPoints &points = contact.points;
+    for (unsigned int i = 0; i < points.on_cell().size(); ++i)
       {
-        const unsigned int node = at.cell.nodes[s];
-        if (!contact.state_of(at.state).active[node])
+        const unsigned int point = points.number(at.cell, i);
+        if (!contact.state_of(at.state).active[point])
           continue;
         // a motion of the body is equivalent to the opposite displacement of
-        // the node, with a traction that turns with the body
+        // the point, with a traction that turns with the body
         const LinearizedTraction traction =
-          contact.traction(at.state, at.loads, node);
+          contact.traction(at.state, at.loads, point);
         const Tensor<1, 3> change =
           traction.stiffness *
             rates.velocity_of(body->body,
-                              contact.position(at.state, mesh.nodes[node])) +
+                              points.position(at.state.displacement, point)) +
           cross_product_3d(rates.angular_velocity_of(body->body),
                            traction.value) +
           rates.angular_velocity * traction.per_angular_velocity;
@@ -165,8 +179,11 @@ namespace Biface
           {
             const Tensor<1, 3> m =
               mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
-            MixedElement::add_force(
-              M[r][s] * m, r, at.cell.sign_of_face(r, contact.face), force);
+            MixedElement::add_force(points.on_cell()[i].forces[r] *
+                                      at.cell.geometry.weight * m,
+                                    r,
+                                    at.cell.sign_of_face(r, contact.face),
+                                    force);
           }
       }
   }

@@ -99,7 +99,7 @@ namespace Biface
 
 
   ActiveSet
-  ContactInteraction::active_nodes(const State &state) const
+  ContactInteraction::active_points(const State &state) const
   {
     ActiveSet result;
     for (const auto &pair : pairs)
@@ -117,19 +117,26 @@ namespace Biface
   {
     if (of_pairs.empty())
       return {};
-    AssertDimension(of_pairs.size(), pairs.size() * mesh.nodes.size());
-    const auto start = of_pairs.begin() + pair.number * mesh.nodes.size();
-    return ActiveSet(start, start + mesh.nodes.size());
+    // all pairs have as many points
+    const unsigned int n = pair.points.size();
+    AssertDimension(of_pairs.size(), pairs.size() * n);
+    const auto start = of_pairs.begin() + pair.number * n;
+    return ActiveSet(start, start + n);
   }
 
 
   ActiveSet
-  ContactInteraction::in_any_pair(const ActiveSet &of_pairs) const
+  ContactInteraction::nodes_around(const ActiveSet &of_pairs) const
   {
     ActiveSet result(mesh.nodes.size(), 0);
-    for (unsigned int i = 0; i < of_pairs.size(); ++i)
-      if (of_pairs[i])
-        result[i % result.size()] = 1;
+    for (const auto &pair : pairs)
+      {
+        const ActiveSet nodes =
+          pair->points.nodes_around(part_of(of_pairs, *pair));
+        for (unsigned int n = 0; n < nodes.size(); ++n)
+          if (nodes[n])
+            result[n] = 1;
+      }
     return result;
   }
 

@@ -20,18 +20,94 @@ namespace Biface
   ContactTraction
   contact_traction(const ContactState &state,
                    const PlacedBody   *body,
-                   const unsigned int  node,
+                   const unsigned int  point,
                    const Point<3>     &x)
   {
     ContactTraction result;
-    if (!body || !state.active[node])
+    if (!body || !state.active[point])
       return result;
-    const Tensor<1, 3> &lambda   = state.multipliers[node];
+    const Tensor<1, 3> &lambda   = state.multipliers[point];
     const Tensor<1, 3>  normal   = body->body.evaluate(x).normal;
     const auto          tangents = body->body.tangents(normal);
     for (unsigned int i = 0; i < 2; ++i)
       result.friction += lambda[1 + i] * tangents[i];
     result.total = lambda[0] * normal + result.friction;
+    return result;
+  }
+
+
+  ContactState
+  contact_at_nodes(const ShellMesh   &mesh,
+                   const State       &state,
+                   const unsigned int number,
+                   const PlacedBody  &body)
+  {
+    const ContactState &zone = state.contacts[number];
+    const ContactPoints points(mesh, body.face, zone);
+    if (points.at_nodes())
+      return zone;
+    ContactState result(mesh.nodes.size());
+
+    // Of each node: its force, and its area, that in contact, and that of
+    // points that slip
+    LA::Vector forces = mesh.owned_vector(), areas = mesh.owned_vector();
+    for (const Cell &cell : mesh.wall_elements())
+      for (unsigned int i = 0; i < points.on_cell().size(); ++i)
+        {
+          const unsigned int n = points.number(cell, i);
+          const Tensor<1, 3> traction =
+            contact_traction(
+              zone, &body, n, points.position(state.displacement, n))
+              .total;
+          const bool slipping = slips(zone, &body, n);
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              const Node  &node = mesh.nodes[cell.nodes[v]];
+              const double area =
+                points.on_cell()[i].forces[v] * cell.geometry.weight;
+              areas(node.dof(0, MixedElement::mean)) += area;
+              if (!zone.active[n])
+                continue;
+              areas(node.dof(1, MixedElement::mean)) += area;
+              if (slipping)
+                areas(node.dof(2, MixedElement::mean)) += area;
+              for (unsigned int c = 0; c < 3; ++c)
+                forces(node.dof(c, MixedElement::mean)) += area * traction[c];
+            }
+        }
+    const auto with_ghosts = [&](LA::Vector &owned) {
+      owned.compress(VectorOperation::add);
+      LA::Vector all = mesh.ghosted_vector();
+      all            = owned;
+      return all;
+    };
+    const LA::Vector all_forces = with_ghosts(forces),
+                     all_areas  = with_ghosts(areas);
+    const auto vector_of        = [](const LA::Vector &all, const Node &node) {
+      Tensor<1, 3> values;
+      for (unsigned int c = 0; c < 3; ++c)
+        values[c] = all(node.dof(c, MixedElement::mean));
+      return values;
+    };
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        const Tensor<1, 3> area = vector_of(all_areas, mesh.nodes[n]);
+        if (!(area[1] > 0))
+          continue;
+        const Tensor<1, 3> traction =
+          vector_of(all_forces, mesh.nodes[n]) / area[0];
+        const Tensor<1, 3> normal =
+          body.body
+            .evaluate(mesh.deformed_position(
+              state.displacement, mesh.nodes[n], body.face))
+            .normal;
+        const auto tangents   = body.body.tangents(normal);
+        result.active[n]      = 1;
+        result.multipliers[n] = Tensor<1, 3>(
+          {traction * normal, traction * tangents[0], traction * tangents[1]});
+        result.statuses[n] =
+          (2 * area[2] > area[1] ? ContactStatus::slip : ContactStatus::stick);
+      }
     return result;
   }
 
@@ -65,6 +141,7 @@ namespace Biface
     , face(parameters.face)
     , tread(parameters.tread)
     , condition(tread.with_tread(parameters.condition), mesh.wall_stiffness())
+    , points(mesh, face, parameters.condition.points_per_side, condition.mass())
     , flow_lines(mesh)
     , body_at_rest(parameters.body)
     , friction_parameters(tread.with_tread(parameters.friction))
@@ -93,6 +170,7 @@ namespace Biface
     , face(body.touches_inner_face ? Resultants::inner : Resultants::outer)
     , tread(face == Resultants::outer ? ground.tread : TreadParameters())
     , condition(tread.with_tread(ground.condition), mesh.wall_stiffness())
+    , points(mesh, face, ground.condition.points_per_side, condition.mass())
     , flow_lines(mesh)
     , body_at_rest(body.make().behind(tread.height.value_or(0)))
     , friction_parameters(
@@ -150,16 +228,17 @@ namespace Biface
   }
 
 
-  NodeInContact
-  ContactPair::at_node(const State       &state,
-                       const Loads       &loads,
-                       const unsigned int node) const
+  PointInContact
+  ContactPair::at_point(const State       &state,
+                        const Loads       &loads,
+                        const unsigned int point) const
   {
     const RigidBody &body = this->body(loads)->body;
-    const Point<3>   x    = position(state, mesh.nodes[node]);
-    NodeInContact    at{node, x, body, body.evaluate(x)};
-    const auto      &stencil = flow_lines.at(node);
-    if (loads.rolling && stencil)
+    const Point<3>   x    = points.position(state.displacement, point);
+    PointInContact   at{point, x, body, body.evaluate(x)};
+    if (!loads.rolling || !points.at_nodes())
+      return at;
+    if (const auto &stencil = flow_lines.at(point))
       {
         const double per_neighbor = stencil->per_neighbor();
         at.particle               = {*loads.rolling,
@@ -183,10 +262,11 @@ namespace Biface
     // the shell may not fit into a hollow body
     const RigidBody touching = body_at(travel);
     bool            fits     = std::isfinite(travel);
-    for (const Node &node : mesh.nodes)
-      if (node.face_is_free[face])
-        fits = fits &&
-               touching.clearance(position(state, node)) > -1e-9 * mesh.size();
+    for (unsigned int n = 0; n < points.size(); ++n)
+      if (points.may_touch(n))
+        fits =
+          fits && touching.clearance(points.position(state.displacement, n)) >
+                    -1e-9 * mesh.size();
     if (Utilities::MPI::logical_or(!fits, mesh.communicator))
       throw InputError("the shell does not fit into the hollow foundation of "
                        "the section 'Contact'.");
@@ -202,11 +282,11 @@ namespace Biface
     const double tolerance = 1e-6 * mesh.thickness();
 
     std::vector<double> sums(4);
-    for (const Node &node : mesh.nodes)
+    for (unsigned int n = 0; n < points.size(); ++n)
       {
-        if (!node.face_is_free[face] || !node.locally_owned)
+        if (!points.may_touch(n) || !points.is_owned(n))
           continue;
-        const Point<3> x = position(state, node);
+        const Point<3> x = points.position(state.displacement, n);
         if (body_at_rest.travel_to(x) > touching_travel + tolerance)
           continue;
         for (unsigned int i = 0; i < 3; ++i)
@@ -224,8 +304,9 @@ namespace Biface
     const double small = 1e-3 * mesh.thickness();
     ActiveSet    pierced(mesh.nodes.size(), 0);
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      pierced[n] = (!mesh.nodes[n].face_is_free[face] &&
-                    clearance(state, loads, mesh.nodes[n]) < -small);
+      pierced[n] =
+        (!mesh.nodes[n].face_is_free[face] &&
+         body(loads)->body.clearance(position(state, mesh.nodes[n])) < -small);
     return pierced;
   }
 
@@ -234,9 +315,9 @@ namespace Biface
   ContactPair::penetration(const State &state, const Loads &loads) const
   {
     double deepest = 0;
-    for (const Node &node : mesh.nodes)
-      if (node.face_is_free[face])
-        deepest = std::max(deepest, -clearance(state, loads, node));
+    for (unsigned int n = 0; n < points.size(); ++n)
+      if (points.may_touch(n))
+        deepest = std::max(deepest, -clearance(state, loads, n));
     return Utilities::MPI::max(deepest, mesh.communicator);
   }
 
@@ -253,7 +334,7 @@ namespace Biface
       {{{0, 1}}, {{2, 3}}, {{0, 2}}, {{1, 3}}}};
 
     DepthBetweenNodes deepest;
-    if (!body(loads))
+    if (!body(loads) || !points.at_nodes())
       return deepest;
     const RigidBody       &now = body(loads)->body;
     const Resultants::Face other =
@@ -316,12 +397,12 @@ namespace Biface
       return false;
     const RigidBody &start = body(loads_before)->body,
                     &end   = body(loads_after)->body;
-    for (const Node &node : mesh.nodes)
+    for (unsigned int n = 0; n < points.size(); ++n)
       {
-        if (!node.face_is_free[face])
+        if (!points.may_touch(n))
           continue;
-        const Point<3> from = position(before, node),
-                       to   = position(after, node);
+        const Point<3> from = points.position(before.displacement, n),
+                       to   = points.position(after.displacement, n);
         double d            = start.clearance(from);
         if (d <= small)
           {
@@ -373,10 +454,10 @@ namespace Biface
 
     const RigidBody &body = this->body(loads)->body;
     double           way  = std::numeric_limits<double>::infinity();
-    for (const Node &node : mesh.nodes)
-      if (node.face_is_free[face])
+    for (unsigned int n = 0; n < points.size(); ++n)
+      if (points.may_touch(n))
         {
-          const Point<3>     x        = position(state, node);
+          const Point<3>     x        = points.position(state.displacement, n);
           const BodyPoint    at       = body.evaluate(x);
           const Tensor<1, 3> velocity = direction.velocity_of(body, x);
           const double       approach = -(at.normal * velocity);
@@ -391,9 +472,10 @@ namespace Biface
   ContactPair::minimum_travel(const State &state, const RigidBody &body) const
   {
     double minimum = std::numeric_limits<double>::infinity();
-    for (const Node &node : mesh.nodes)
-      if (node.face_is_free[face])
-        minimum = std::min(minimum, body.travel_to(position(state, node)));
+    for (unsigned int n = 0; n < points.size(); ++n)
+      if (points.may_touch(n))
+        minimum = std::min(
+          minimum, body.travel_to(points.position(state.displacement, n)));
     return Utilities::MPI::min(minimum, mesh.communicator);
   }
 
@@ -403,23 +485,22 @@ namespace Biface
                                  const Loads     &loads,
                                  const ActiveSet &held) const
   {
-    Assert(held.empty() || held.size() == mesh.nodes.size(),
-           ExcDimensionMismatch(held.size(), mesh.nodes.size()));
+    Assert(held.empty() || held.size() == points.size(),
+           ExcDimensionMismatch(held.size(), points.size()));
     const PlacedBody *placed    = body(loads);
     ContactState     &zone      = state_of(state);
     unsigned int      n_changes = 0;
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+    for (unsigned int n = 0; n < points.size(); ++n)
       {
-        const Node        &node = mesh.nodes[n];
         const Tensor<1, 3> last = zone.multipliers[n];
         const bool         active =
-          placed && node.face_is_free[face] &&
+          placed && points.may_touch(n) &&
           ((!held.empty() && held[n]) ||
-           condition.should_be_active(last[0], clearance(state, loads, node)));
+           condition.should_be_active(last[0], clearance(state, loads, n)));
         if (active != static_cast<bool>(zone.active[n]))
           {
             zone.active[n] = active;
-            if (node.locally_owned)
+            if (points.is_owned(n))
               ++n_changes;
           }
         zone.multipliers[n] = 0;
@@ -428,8 +509,8 @@ namespace Biface
         zone.multipliers[n][0] = last[0];
         if (!placed->law->acts_on(zone, n))
           continue;
-        const NodeInContact at = at_node(state, loads, n);
-        if (placed->law->decide(zone, at, last) && node.locally_owned)
+        const PointInContact at = at_point(state, loads, n);
+        if (placed->law->decide(zone, at, last) && points.is_owned(n))
           ++n_changes;
         set_tangential_multipliers(state, *placed->law, at);
       }
@@ -443,16 +524,16 @@ namespace Biface
                          const Loads     &loads,
                          const LoadRates &change) const
   {
-    Linearizations result(mesh.nodes.size());
+    Linearizations result(points.size());
     if (body(loads))
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      for (unsigned int n = 0; n < points.size(); ++n)
         if (state_of(state).active[n])
           {
-            const NodeInContact at = at_node(state, loads, n);
-            result[n]              = {at.x,
-                                      at.at_body.clearance,
-                                      at.at_body.normal,
-                                      change.velocity_of(at.body, at.x)};
+            const PointInContact at = at_point(state, loads, n);
+            result[n]               = {at.x,
+                                       at.at_body.clearance,
+                                       at.at_body.normal,
+                                       change.velocity_of(at.body, at.x)};
           }
     return result;
   }
@@ -463,23 +544,22 @@ namespace Biface
                                    const Loads          &loads,
                                    const Linearizations &before) const
   {
-    AssertDimension(before.size(), mesh.nodes.size());
+    AssertDimension(before.size(), points.size());
     ContactState &zone = state_of(state);
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+    for (unsigned int n = 0; n < points.size(); ++n)
       if (body(loads) && zone.active[n])
         {
-          const Tensor<1, 3> motion =
-            position(state, mesh.nodes[n]) - before[n].position;
-          zone.multipliers[n][0] = condition.multiplier(
+          const Point<3>     x      = points.position(state.displacement, n);
+          const Tensor<1, 3> motion = x - before[n].position;
+          zone.multipliers[n][0]    = condition.multiplier(
             before[n].clearance -
             before[n].normal * (motion - before[n].of_body));
           if (!body(loads)->law->acts_on(zone, n))
             continue;
           // the same traction, with the tangents at the new place
-          const RigidBody &now = body(loads)->body;
-          const auto       old = now.tangents(before[n].normal);
-          const auto       tangents =
-            now.tangents(now.evaluate(position(state, mesh.nodes[n])).normal);
+          const RigidBody   &now      = body(loads)->body;
+          const auto         old      = now.tangents(before[n].normal);
+          const auto         tangents = now.tangents(now.evaluate(x).normal);
           const Tensor<1, 3> traction =
             zone.multipliers[n][1] * old[0] + zone.multipliers[n][2] * old[1];
           for (unsigned int i = 0; i < 2; ++i)
@@ -494,10 +574,10 @@ namespace Biface
   ContactPair::settle(State &state, const Loads &loads) const
   {
     if (body(loads))
-      for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-        if (mesh.nodes[n].face_is_free[face])
-          state_of(state).multipliers[n][0] = std::min(
-            0., condition.multiplier(clearance(state, loads, mesh.nodes[n])));
+      for (unsigned int n = 0; n < points.size(); ++n)
+        if (points.may_touch(n))
+          state_of(state).multipliers[n][0] =
+            std::min(0., condition.multiplier(clearance(state, loads, n)));
     return update_active_set(state, loads);
   }
 
@@ -508,23 +588,21 @@ namespace Biface
                                    const Linearizations &before,
                                    const LA::Vector     &increment) const
   {
-    AssertDimension(before.size(), mesh.nodes.size());
+    AssertDimension(before.size(), points.size());
     const PlacedBody *placed = body(loads);
     ContactState     &zone   = state_of(state);
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+    for (unsigned int n = 0; n < points.size(); ++n)
       {
         zone.multipliers[n] = 0;
         if (!zone.active[n])
           continue;
-        const Node        &node = mesh.nodes[n];
-        const Tensor<1, 3> motion =
-          node.surface.from_frame(mesh.displacement(increment, node, face));
+        const Tensor<1, 3> motion = points.motion(increment, n);
         zone.multipliers[n][0] =
           condition.multiplier(before[n].clearance -
                                before[n].normal * (motion - before[n].of_body));
         if (placed->law->acts_on(zone, n))
           set_tangential_multipliers(
-            state, *placed->law, at_node(state, loads, n));
+            state, *placed->law, at_point(state, loads, n));
       }
     set_multipliers_of_bristles(state, loads);
   }
@@ -551,15 +629,15 @@ namespace Biface
 
 
   void
-  ContactPair::set_tangential_multipliers(State               &state,
-                                          const TangentialLaw &law,
-                                          const NodeInContact &at) const
+  ContactPair::set_tangential_multipliers(State                &state,
+                                          const TangentialLaw  &law,
+                                          const PointInContact &at) const
   {
     ContactState      &zone     = state_of(state);
     const auto         tangents = at.body.tangents(at.at_body.normal);
     const Tensor<1, 3> traction = law.traction(zone, at);
     for (unsigned int i = 0; i < 2; ++i)
-      zone.multipliers[at.node][1 + i] = tangents[i] * traction;
+      zone.multipliers[at.point][1 + i] = tangents[i] * traction;
   }
 
 
@@ -576,9 +654,9 @@ namespace Biface
   ContactPair::commit_step(State &state, const Loads &loads) const
   {
     ContactState &zone = state_of(state);
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+    for (unsigned int n = 0; n < points.size(); ++n)
       if (zone.active[n])
-        body(loads)->law->commit_step(zone, at_node(state, loads, n));
+        body(loads)->law->commit_step(zone, at_point(state, loads, n));
       else
         zone.forget_stick_point(n);
   }
@@ -604,8 +682,8 @@ namespace Biface
   ContactPair::count_active(const State &state) const
   {
     unsigned int n = 0;
-    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
-      if (state_of(state).active[i] && mesh.nodes[i].locally_owned)
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (state_of(state).active[i] && points.is_owned(i))
         ++n;
     return Utilities::MPI::sum(n, mesh.communicator);
   }
@@ -615,8 +693,8 @@ namespace Biface
   ContactPair::count_slipping(const State &state, const Loads &loads) const
   {
     unsigned int n = 0;
-    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
-      if (mesh.nodes[i].locally_owned && slips(state_of(state), body(loads), i))
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (points.is_owned(i) && slips(state_of(state), body(loads), i))
         ++n;
     return Utilities::MPI::sum(n, mesh.communicator);
   }
@@ -625,20 +703,42 @@ namespace Biface
   LinearizedTraction
   ContactPair::traction(const State       &state,
                         const Loads       &loads,
-                        const unsigned int node) const
+                        const unsigned int point) const
   {
-    const ContactState &zone    = state_of(state);
-    const NodeInContact at      = at_node(state, loads, node);
-    const Tensor<1, 3> &n       = at.at_body.normal;
-    const double        epsilon = condition.multiplier_stiffness();
-    LinearizedTraction  result;
+    const ContactState  &zone    = state_of(state);
+    const PointInContact at      = at_point(state, loads, point);
+    const Tensor<1, 3>  &n       = at.at_body.normal;
+    const double         epsilon = condition.multiplier_stiffness();
+    LinearizedTraction   result;
     result.value = condition.multiplier(at.at_body.clearance) * n;
     result.stiffness =
       epsilon * outer_product(n, n) -
-      zone.multipliers[node][0] * Tensor<2, 3>(at.at_body.normal_gradient);
+      zone.multipliers[point][0] * Tensor<2, 3>(at.at_body.normal_gradient);
     body(loads)->law->linearize(zone, at, result);
     return result;
   }
+
+
+  namespace
+  {
+    /** Call a function with the number of each active point of the cells of
+     * this rank, and with its area on a cell. */
+    template <typename Function>
+    void
+    for_active_points(const ContactPoints &points,
+                      const ShellMesh     &mesh,
+                      const ContactState  &zone,
+                      const Function      &function)
+    {
+      for (const Cell &cell : mesh.wall_elements())
+        for (unsigned int i = 0; i < points.on_cell().size(); ++i)
+          {
+            const unsigned int n = points.number(cell, i);
+            if (zone.active[n])
+              function(n, points.on_cell()[i].area * cell.geometry.weight);
+          }
+    }
+  } // namespace
 
 
   double
@@ -648,39 +748,38 @@ namespace Biface
   {
     double work = 0;
     if (has_friction(loads))
-      for (const Cell &cell : mesh.wall_elements())
-        for (const unsigned int n : cell.nodes)
-          if (state_of(after).active[n])
-            // each column of both masses adds up to a quarter
-            work -=
-              cell.geometry.weight / 4 *
-              (traction_of_multipliers(after, loads, n).friction *
-               body(loads)->law->slip_in_step(
-                 state_of(before), state_of(after), body(loads)->body, n));
+      for_active_points(
+        points,
+        mesh,
+        state_of(after),
+        [&](const unsigned int n, const double area) {
+          work -=
+            area * (traction_of_multipliers(after, loads, n).friction *
+                    body(loads)->law->slip_in_step(
+                      state_of(before), state_of(after), body(loads)->body, n));
+        });
     return Utilities::MPI::sum(work, mesh.communicator);
   }
 
 
   namespace
   {
-    /** The mean of a function of the nodal pressures, weighted by the forces
-     * that they carry; zero if there are none. */
+    /** The mean of a function of the pressures at the points, weighted by the
+     * forces that they carry; zero if there are none. */
     template <typename Function>
     double
-    mean_by_force(const ShellMesh    &mesh,
-                  const ContactState &zone,
-                  const Function     &function)
+    mean_by_force(const ContactPoints &points,
+                  const ShellMesh     &mesh,
+                  const ContactState  &zone,
+                  const Function      &function)
     {
       double force = 0, integral = 0;
-      for (const Cell &cell : mesh.wall_elements())
-        for (const unsigned int n : cell.nodes)
-          if (zone.active[n])
-            {
-              const double pressure = zone.pressure(n);
-              const double part     = cell.geometry.weight / 4 * pressure;
-              force += part;
-              integral += part * function(pressure);
-            }
+      for_active_points(
+        points, mesh, zone, [&](const unsigned int n, const double area) {
+          const double pressure = zone.pressure(n);
+          force += area * pressure;
+          integral += area * pressure * function(pressure);
+        });
       force    = Utilities::MPI::sum(force, mesh.communicator);
       integral = Utilities::MPI::sum(integral, mesh.communicator);
       return force > 0 ? integral / force : 0.;
@@ -696,19 +795,16 @@ namespace Biface
     if (body(loads))
       {
         const Tensor<1, 3> d = body(loads)->body.direction();
-        for (const Cell &cell : mesh.wall_elements())
-          for (const unsigned int n : cell.nodes)
-            if (zone.active[n])
-              {
-                // each column of both masses adds up to a quarter
-                area += cell.geometry.weight / 4;
-                if (slips(zone, body(loads), n))
-                  slipping_area += cell.geometry.weight / 4;
-                force -= cell.geometry.weight / 4 *
-                         (traction_of_multipliers(state, loads, n).total * d);
-              }
-        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-          if (mesh.nodes[n].locally_owned)
+        for_active_points(
+          points, mesh, zone, [&](const unsigned int n, const double part) {
+            area += part;
+            if (slips(zone, body(loads), n))
+              slipping_area += part;
+            force -=
+              part * (traction_of_multipliers(state, loads, n).total * d);
+          });
+        for (unsigned int n = 0; n < points.size(); ++n)
+          if (points.is_owned(n))
             max_pressure = std::max(max_pressure, zone.pressure(n));
       }
 
@@ -723,9 +819,11 @@ namespace Biface
     if (summary.n_nodes > 0)
       {
         const double mean =
-          mean_by_force(mesh, zone, [](const double p) { return p; });
-        const double square = mean_by_force(
-          mesh, zone, [&](const double p) { return (p - mean) * (p - mean); });
+          mean_by_force(points, mesh, zone, [](const double p) { return p; });
+        const double square =
+          mean_by_force(points, mesh, zone, [&](const double p) {
+            return (p - mean) * (p - mean);
+          });
         summary.weighted_pressure = mean;
         if (mean > 0)
           summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;

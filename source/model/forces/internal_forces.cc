@@ -239,7 +239,7 @@ namespace Biface
       }
     if (state.prestress)
       prestress->balancing_forces = state.prestress->balancing_forces;
-    state           = State(mesh, state.contacts.size());
+    state = State(mesh, state.contacts.size(), state.ground().per_cell);
     state.prestress = prestress;
   }
 

@@ -34,23 +34,30 @@ namespace Biface
                  const State       &state,
                  const Loads       &loads)
     {
-      const ShellMesh       &mesh      = pair.mesh;
-      const ContactState    &zone      = pair.state_of(state);
+      const ShellMesh   &mesh   = pair.mesh;
+      const PlacedBody  &placed = *pair.body(loads);
+      const ContactState zone =
+        contact_at_nodes(mesh, state, pair.number, placed);
       constexpr unsigned int n_columns = 7;
       std::vector<double>    values;
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
           {
-            const Node    &node = mesh.nodes[n];
-            const Point<3> x    = pair.position(state, node);
-            values.insert(values.end(),
-                          {static_cast<double>(node.number),
-                           x[0],
-                           x[1],
-                           x[2],
-                           std::max(0., pair.body(loads)->body.clearance(x)),
-                           zone.pressure(n),
-                           static_cast<double>(zone.active[n])});
+            const Node    &node      = mesh.nodes[n];
+            const Point<3> x         = pair.position(state, node);
+            const double   clearance = placed.body.clearance(x);
+            values.insert(
+              values.end(),
+              {static_cast<double>(node.number),
+               x[0],
+               x[1],
+               x[2],
+               std::max(0., clearance),
+               zone.pressure(n),
+               // a node around a point may be clear of the body
+               zone.active[n] && (pair.points.at_nodes() || clearance < 0)
+                 ? 1.
+                 : 0.});
           }
       values = gather_numbers(mesh.communicator, values);
 
@@ -86,14 +93,17 @@ namespace Biface
     double
     max_recovered_pressure(const ContactPair &pair,
                            const State       &state,
+                           const Loads       &loads,
                            const std::size_t  n_nodes)
     {
-      const ShellMesh       &mesh      = pair.mesh;
-      const ContactState    &zone      = pair.state_of(state);
+      const ShellMesh   &mesh = pair.mesh;
+      const ContactState zone =
+        contact_at_nodes(mesh, state, pair.number, *pair.body(loads));
       constexpr unsigned int n_columns = 3;
       // the value at a vertex of the dual functions of the vertices, in one
       // dimension
-      const bool   lumped = (pair.condition.mass() == MultiplierMass::lumped);
+      const bool   lumped = (pair.points.at_nodes() &&
+                           pair.condition.mass() == MultiplierMass::lumped);
       const double same = (lumped ? 2 : 1), other = (lumped ? -1 : 0);
 
       std::vector<double> values;
@@ -304,7 +314,7 @@ namespace Biface
     const ShellMesh &mesh  = pair.mesh;
     const auto       nodes = gather_nodes(pair, state, loads);
     const double     max_pressure =
-      max_recovered_pressure(pair, state, nodes.size());
+      max_recovered_pressure(pair, state, loads, nodes.size());
     if (Utilities::MPI::this_mpi_process(mesh.communicator) == 0)
       {
         result = measure(mesh.grid, nodes, pair.body(loads)->body.direction());

@@ -56,7 +56,7 @@ namespace Biface
       }
     for (unsigned int n = 0; n < velocities.size(); ++n)
       if (contact.state_of(state).active[n])
-        velocities[n] = contact.at_node(state, loads, n).slip_velocity();
+        velocities[n] = contact.at_point(state, loads, n).slip_velocity();
     return velocities;
   }
 
@@ -74,9 +74,9 @@ namespace Biface
         for (const unsigned int n : cell.nodes)
           if (contact.state_of(state).active[n])
             {
-              const NodeInContact at    = contact.at_node(state, loads, n);
-              const Tensor<1, 3>  v     = loads.rolling->ground.at(at.x);
-              const double        speed = v.norm();
+              const PointInContact at    = contact.at_point(state, loads, n);
+              const Tensor<1, 3>   v     = loads.rolling->ground.at(at.x);
+              const double         speed = v.norm();
               if (!at.particle || speed == 0)
                 continue;
               const double force =
@@ -121,7 +121,7 @@ namespace Biface
             const auto   traction =
               contact.traction_of_multipliers(state, loads, n);
             const Tensor<1, 3> v =
-              contact.at_node(state, loads, n).relative_velocity();
+              contact.at_point(state, loads, n).relative_velocity();
             powers[0] -= area * (traction.friction * v);
             powers[1] += area * ((traction.total - traction.friction) * v);
           }

@@ -18,27 +18,24 @@ namespace Biface
                  const LoadedState &at,
                  const Motion      &motion)
     {
-      const ShellMesh    &mesh = pair.mesh;
-      const ContactState &zone = pair.state_of(at.state);
-      double              work = 0;
+      const ShellMesh     &mesh   = pair.mesh;
+      const ContactPoints &points = pair.points;
+      const ContactState  &zone   = pair.state_of(at.state);
+      double               work   = 0;
       for (const Cell &cell : mesh.wall_elements())
-        {
-          const auto M =
-            multiplier_mass(pair.condition.mass(), cell.geometry.weight);
-          for (unsigned int s = 0; s < 4; ++s)
-            {
-              if (!zone.active[cell.nodes[s]])
-                continue;
-              const Tensor<1, 3> traction =
-                pair.traction_of_multipliers(at.state, at.loads, cell.nodes[s])
-                  .total;
-              for (unsigned int r = 0; r < 4; ++r)
-                work +=
-                  M[r][s] *
-                  (traction *
-                   motion(pair.position(at.state, mesh.nodes[cell.nodes[r]])));
-            }
-        }
+        for (unsigned int i = 0; i < points.on_cell().size(); ++i)
+          {
+            const unsigned int point = points.number(cell, i);
+            if (!zone.active[point])
+              continue;
+            const Tensor<1, 3> traction =
+              pair.traction_of_multipliers(at.state, at.loads, point).total;
+            for (unsigned int r = 0; r < 4; ++r)
+              work +=
+                points.on_cell()[i].forces[r] * cell.geometry.weight *
+                (traction *
+                 motion(pair.position(at.state, mesh.nodes[cell.nodes[r]])));
+          }
       return Utilities::MPI::sum(work, mesh.communicator);
     }
   } // namespace

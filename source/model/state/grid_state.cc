@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include <biface/model/state/contact_points.h>
 #include <biface/model/state/grid_state.h>
 
 namespace Biface
@@ -57,6 +58,9 @@ namespace Biface
   GridState::GridState(const ShellMesh &mesh, const State &state)
     : GridState(mesh.grid, mesh.n_layers())
   {
+    const ActiveSet in_contact =
+      ContactPoints(mesh, Resultants::outer, state.ground())
+        .nodes_around(state.ground().active);
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
         const Node &node = mesh.nodes[n];
@@ -66,7 +70,7 @@ namespace Biface
           for (unsigned int i = 0; i < 3; ++i)
             displacements[part * contacts.size() + node.number][i] =
               state.displacement(node.dof(i, part));
-        contacts[node.number] = state.ground().active[n];
+        contacts[node.number] = in_contact[n];
       }
     for (const unsigned int c : mesh.layers)
       resultants_of_layers[n_layers * mesh.cells[c].column +

@@ -4,9 +4,15 @@
 
 namespace Biface
 {
-  State::State(const ShellMesh &mesh, const unsigned int n_contacts)
+  State::State(const ShellMesh   &mesh,
+               const unsigned int n_contacts,
+               const unsigned int contacts_per_cell)
     : displacement(mesh.ghosted_vector())
     , resultants(mesh.cells.size())
-    , contacts(n_contacts, ContactState(mesh.nodes.size()))
+    , contacts(n_contacts,
+               ContactState(contacts_per_cell > 0
+                              ? contacts_per_cell * mesh.cells.size()
+                              : mesh.nodes.size(),
+                            contacts_per_cell))
   {}
 } // namespace Biface

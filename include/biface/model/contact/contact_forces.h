@@ -9,13 +9,13 @@
 namespace Biface
 {
   /**
-   * The forces of the body of a pair on the active nodes.
+   * The forces of the body of a pair at the active points.
    *
    * The force on node r is
    * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
-   * node s, like the multipliers: the traction is interpolated. The forces
-   * therefore add up to the force of the body for both multiplier masses.
-   * Without friction, with the lumped mass, they have the potential
+   * the point s, like the multipliers: at nodes, the traction is interpolated.
+   * The forces therefore add up to the force of the body for both multiplier
+   * masses. Without friction, with the lumped mass, they have the potential
    * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
    * symmetric tangent. Neither would be true with the normal at node r. With
    * friction, the tangent is not symmetric.

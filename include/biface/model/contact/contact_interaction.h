@@ -43,7 +43,7 @@ namespace Biface
     State
     unloaded_state() const
     {
-      return State(mesh, pairs.size());
+      return State(mesh, pairs.size(), ground().points.per_cell());
     }
 
     /** Whether a body that is there holds nodes sideways. */
@@ -67,14 +67,15 @@ namespace Biface
 
     /** The active sets of all pairs, one after the other. */
     ActiveSet
-    active_nodes(const State &state) const;
+    active_points(const State &state) const;
 
-    /** The nodes that are marked in any pair of such a list. */
+    /** The nodes around those that are marked in any pair of such a list, see
+     * ContactPoints::nodes_around(). */
     ActiveSet
-    in_any_pair(const ActiveSet &of_pairs) const;
+    nodes_around(const ActiveSet &of_pairs) const;
 
     /** See ContactPair::update_active_set().
-     * @param held like active_nodes(), or empty. */
+     * @param held like active_points(), or empty. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
@@ -104,11 +105,11 @@ namespace Biface
     let_stick(State &state) const;
 
     /** See ContactPair::release_glue().
-     * @param nodes like active_nodes(). */
+     * @param nodes like active_points(). */
     bool
     release_glue(State &state, const ActiveSet &nodes) const;
 
-    /** The numbers of active nodes, and of those that slip. */
+    /** The numbers of active points, and of those that slip. */
     unsigned int
     count_active(const State &state) const;
 

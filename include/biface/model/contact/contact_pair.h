@@ -23,6 +23,7 @@
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/contact_points.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -31,17 +32,19 @@ namespace Biface
   struct ContactSummary
   {
     /** Compressive force on the body, along its direction. */
-    double       force   = 0;
+    double force = 0;
+    /** The number of nodes, or of points in cells. */
     unsigned int n_nodes = 0;
-    /** The number of nodes that slip at the limit of friction; 0 without
+    /** The number of points that slip at the limit of friction; 0 without
      * friction. */
     unsigned int n_slipping = 0;
-    /** Sum of the areas of the active nodes on the middle surface. */
+    /** Sum of the areas of the active points on the middle surface. */
     double area = 0;
-    /** The part of @p area that belongs to slipping nodes. */
+    /** The part of @p area that belongs to slipping points. */
     double slipping_area = 0;
     double max_pressure  = 0;
-    /** The mean of the nodal pressures @f$p@f$, each weighted by the force
+    /** The mean of the pressures @f$p@f$ at the points, each weighted by the
+     * force
      * @f$pA@f$ that it carries: @f$\sum p^2A/\sum pA@f$. For a given force it
      * is lowest if the pressure is the same on as large an area as possible.
      * Nodes that enter or leave do so without pressure and do not change it.
@@ -63,25 +66,37 @@ namespace Biface
   };
 
 
-  /** The traction at a node from its multipliers; zero if it is inactive, or
+  /** The traction at a point from its multipliers; zero if it is inactive, or
    * if the body, then null, is not there.
-   * @param x the deformed position of the face at the node. */
+   * @param x the deformed position of the point. */
   ContactTraction
   contact_traction(const ContactState     &state,
                    const PlacedBody       *body,
-                   const unsigned int      node,
+                   const unsigned int      point,
                    const dealii::Point<3> &x);
 
 
-  /** Whether a node slips at the limit of friction of a body, which is null if
+  /** Whether a point slips at the limit of friction of a body, which is null if
    * it is not there. */
   inline bool
   slips(const ContactState &state,
         const PlacedBody   *body,
-        const unsigned int  node)
+        const unsigned int  point)
   {
-    return body && body->law->has_friction() && state.slips(node);
+    return body && body->law->has_friction() && state.slips(point);
   }
+
+
+  /** What happens at the nodes of this rank between the shell and a body: what
+   * the state contains or, if the points are in cells, the nodal values that
+   * exert the same forces, with nodes in contact that have a point in contact
+   * around. Must be called on all ranks.
+   * @param number see ContactPair::number. */
+  ContactState
+  contact_at_nodes(const ShellMesh   &mesh,
+                   const State       &state,
+                   const unsigned int number,
+                   const PlacedBody  &body);
 
 
   /**
@@ -280,22 +295,25 @@ namespace Biface
       return mesh.deformed_position(state.displacement, node, face);
     }
 
-    /** Distance between the deformed face at a node and the body. */
+    /** Distance between the deformed face at a point and the body. */
     double
-    clearance(const State &state, const Loads &loads, const Node &node) const
+    clearance(const State       &state,
+              const Loads       &loads,
+              const unsigned int point) const
     {
-      return body(loads)->body.clearance(position(state, node));
+      return body(loads)->body.clearance(
+        points.position(state.displacement, point));
     }
 
-    /** A node, by its position in ShellMesh::nodes, where it may touch the
-     * body, which must be there and outlive the result. */
-    NodeInContact
-    at_node(const State       &state,
-            const Loads       &loads,
-            const unsigned int node) const;
+    /** A point where it may touch the body, which must be there and outlive the
+     * result. */
+    PointInContact
+    at_point(const State       &state,
+             const Loads       &loads,
+             const unsigned int point) const;
 
-    /** The contact at an active node, linearized in the motion of the node
-     * against the body. */
+    /** The contact at an active point, linearized in its motion against the
+     * body. */
     struct Linearization
     {
       dealii::Point<3>     position;
@@ -305,7 +323,7 @@ namespace Biface
       dealii::Tensor<1, 3> of_body;
     };
 
-    /** By node of this rank; of use at active nodes only. */
+    /** By point of this rank; of use at active points only. */
     using Linearizations = std::vector<Linearization>;
 
     /** @param change that of the loads in the increment that follows. */
@@ -372,11 +390,11 @@ namespace Biface
     bool
     release_glue(State &state, const ActiveSet &nodes) const;
 
-    /** Number of active nodes on all ranks. */
+    /** Number of active points on all ranks. */
     unsigned int
     count_active(const State &state) const;
 
-    /** Number of nodes that slip, on all ranks. */
+    /** Number of points that slip, on all ranks. */
     unsigned int
     count_slipping(const State &state, const Loads &loads) const;
 
@@ -387,23 +405,25 @@ namespace Biface
                   const State &after,
                   const Loads &loads) const;
 
-    /** The traction at a node, @f$\varepsilon c\,\mathbf n+\mathbf t@f$ with
+    /** The traction at a point, @f$\varepsilon c\,\mathbf n+\mathbf t@f$ with
      * the clearance c. Without friction the stiffness is
      * @f$\varepsilon\,\mathbf n\mathbf n^T-\lambda\nabla\mathbf n@f$.
-     * @param node the position of an active node in ShellMesh::nodes. */
+     * @param point the number of an active point. */
     LinearizedTraction
     traction(const State       &state,
              const Loads       &loads,
-             const unsigned int node) const;
+             const unsigned int point) const;
 
     /** See contact_traction(). */
     ContactTraction
     traction_of_multipliers(const State       &state,
                             const Loads       &loads,
-                            const unsigned int node) const
+                            const unsigned int point) const
     {
-      return contact_traction(
-        state_of(state), body(loads), node, position(state, mesh.nodes[node]));
+      return contact_traction(state_of(state),
+                              body(loads),
+                              point,
+                              points.position(state.displacement, point));
     }
 
     /** The figures from the multipliers of the state. */
@@ -417,6 +437,7 @@ namespace Biface
     const Resultants::Face face;
     const TreadParameters  tread;
     const ContactCondition condition;
+    const ContactPoints    points;
     /** The flow of the material through the mesh, if the shell rolls. */
     const FlowLines flow_lines;
 
@@ -427,9 +448,9 @@ namespace Biface
     /** Set the tangential multipliers of an active node to its tangential
      * traction. */
     void
-    set_tangential_multipliers(State               &state,
-                               const TangentialLaw &law,
-                               const NodeInContact &at) const;
+    set_tangential_multipliers(State                &state,
+                               const TangentialLaw  &law,
+                               const PointInContact &at) const;
 
     /** Set those of all nodes if there are bristles. */
     void

@@ -55,7 +55,7 @@ namespace Biface
 
 
   /** The slip velocity at each node of this rank, see
-   * NodeInContact::slip_velocity(); zero at nodes that are not in contact.
+   * PointInContact::slip_velocity(); zero at nodes that are not in contact.
    * Unit: length/time. */
   std::vector<dealii::Tensor<1, 3>>
   slip_velocities(const ContactPair &contact,

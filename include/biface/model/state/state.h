@@ -59,8 +59,11 @@ namespace Biface
 
     /** The unloaded shell.
      * @param n_contacts the number of pairs in contact, see
-     * ContactInteraction. */
-    explicit State(const ShellMesh &mesh, const unsigned int n_contacts = 1);
+     * ContactInteraction.
+     * @param contacts_per_cell see ContactPoints::per_cell(). */
+    explicit State(const ShellMesh   &mesh,
+                   const unsigned int n_contacts        = 1,
+                   const unsigned int contacts_per_cell = 0);
 
     /** The nodal unknowns, see MixedElement::Part, readable at all nodes of
      * this rank. */

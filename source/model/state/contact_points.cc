@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <biface/model/state/contact_points.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  ContactPoints::ContactPoints(const ShellMesh       &mesh,
+                               const Resultants::Face face,
+                               const unsigned int     per_side,
+                               const MultiplierMass   mass)
+    : mesh(mesh), face(face), points_per_cell(per_side * per_side)
+  {
+    if (at_nodes())
+      {
+        const auto M = multiplier_mass(mass, 1);
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            OnCell point{};
+            point.position[s] = 1;
+            for (unsigned int r = 0; r < 4; ++r)
+              point.forces[r] = M[r][s];
+            points_on_cell.push_back(point);
+          }
+      }
+    for (unsigned int i = 0; i < points_per_cell; ++i)
+      {
+        const std::array<double, 2> x{
+          {(i % per_side + 0.5) / per_side, (i / per_side + 0.5) / per_side}};
+        OnCell point{};
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            point.position[v] =
+              (v & 1 ? x[0] : 1 - x[0]) * (v & 2 ? x[1] : 1 - x[1]);
+            point.forces[v] = point.position[v] / points_per_cell;
+          }
+        points_on_cell.push_back(point);
+      }
+    for (OnCell &point : points_on_cell)
+      point.area =
+        std::accumulate(point.forces.begin(), point.forces.end(), 0.);
+  }
+
+
+  ContactPoints::ContactPoints(const ShellMesh       &mesh,
+                               const Resultants::Face face,
+                               const ContactState    &state)
+    : ContactPoints(mesh,
+                    face,
+                    std::lround(std::sqrt(state.per_cell)),
+                    MultiplierMass::lumped)
+  {}
+
+
+  bool
+  ContactPoints::may_touch(const unsigned int point) const
+  {
+    if (at_nodes())
+      return mesh.nodes[point].face_is_free[face];
+    const Cell &cell = cell_of(point);
+    return cell.is_wall &&
+           std::any_of(
+             cell.nodes.begin(), cell.nodes.end(), [&](const unsigned int n) {
+               return mesh.nodes[n].face_is_free[face];
+             });
+  }
+
+
+  Point<3>
+  ContactPoints::position(const LA::Vector  &displacement,
+                          const unsigned int point) const
+  {
+    return Point<3>(interpolate(point, [&](const Node &node) -> Tensor<1, 3> {
+      return mesh.deformed_position(displacement, node, face);
+    }));
+  }
+
+
+  Tensor<1, 3>
+  ContactPoints::motion(const LA::Vector  &increment,
+                        const unsigned int point) const
+  {
+    return interpolate(point, [&](const Node &node) {
+      return node.surface.from_frame(mesh.displacement(increment, node, face));
+    });
+  }
+
+
+  ActiveSet
+  ContactPoints::nodes_around(const ActiveSet &marked) const
+  {
+    AssertDimension(marked.size(), size());
+    if (at_nodes())
+      return marked;
+    LA::Vector n_marked = mesh.owned_vector();
+    for (unsigned int point = 0; point < marked.size(); ++point)
+      if (marked[point])
+        for (const unsigned int n : cell_of(point).nodes)
+          n_marked(mesh.nodes[n].dof(0, MixedElement::mean)) += 1;
+    n_marked.compress(VectorOperation::add);
+    LA::Vector of_ghosts = mesh.ghosted_vector();
+    of_ghosts            = n_marked;
+    ActiveSet nodes;
+    for (const Node &node : mesh.nodes)
+      nodes.push_back(of_ghosts(node.dof(0, MixedElement::mean)) > 0);
+    return nodes;
+  }
+} // namespace Biface
