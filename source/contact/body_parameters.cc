@@ -160,13 +160,14 @@ namespace Biface
                         "none",
                         "Angle between the axis and the surface of a cone. A "
                         "number between 0 and 90. Unit: degrees.");
-    prm.add_parameter("Edge radius",
-                      edge_radius,
-                      "Radius that rounds the edge of a step or the tip of a "
-                      "cone. It should not be far below the distance of the points "
-                      "that make contact, nodes or 'Points in cells'. Unit: "
-                      "length.",
-                      Patterns::Double());
+    prm.add_parameter(
+      "Edge radius",
+      edge_radius,
+      "Radius that rounds the edge of a step or the tip of a "
+      "cone. It should not be far below the distance of the points "
+      "that make contact, nodes or 'Points in cells'. Unit: "
+      "length.",
+      Patterns::Double());
     add_parsed(prm,
                section,
                "Profile",
@@ -288,6 +289,38 @@ namespace Biface
         entry,
         friction,
         "bodies have no steady rolling, and so no slip velocity s");
+  }
+
+
+  bool
+  BodyParameters::is_about_y_axis() const
+  {
+    const auto is_along_y = [](const Tensor<1, 3> &v) {
+      return v[0] == 0 && v[2] == 0;
+    };
+    const bool centered    = is_along_y(point) && is_along_y(axis);
+    const bool moves_along = std::all_of(
+      motions.begin(), motions.end(), [&](const BodyMotion &motion) {
+        return is_along_y(motion.translation) &&
+               (motion.turn == 0 || is_along_y(motion.axis.value_or(axis)));
+      });
+    if (on_foundation || !moves_along ||
+        !FrictionLaw("Body " + name + "/Friction", friction, 1).is_zero())
+      return false;
+    switch (shape)
+      {
+        case Shape::plane:
+          return is_along_y(direction);
+        case Shape::sphere:
+          return is_along_y(point);
+        case Shape::cylinder:
+        case Shape::torus:
+        case Shape::cone:
+        case Shape::revolved:
+          return centered;
+        default:
+          return false;
+      }
   }
 
 

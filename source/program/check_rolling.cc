@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -93,10 +94,16 @@ namespace Biface
         if (!rolling[i])
           continue;
 
-        if (!stage.bodies.empty())
-          throw InputError(section + "/Bodies",
-                           stage.bodies.front(),
-                           "it must be empty in a stage with steady rolling");
+        for (const BodyParameters &body : bodies)
+          if (std::count(stage.bodies.begin(), stage.bodies.end(), body.name) >
+                0 &&
+              !body.is_about_y_axis())
+            throw InputError(
+              section + "/Bodies",
+              body.name,
+              "with steady rolling it must be a body of revolution about the y "
+              "axis, the axle, that moves along it or turns about it only, "
+              "without friction");
         if (contact.condition.points_per_side > 0 && stage.contact)
           throw InputError("Contact/Points in cells",
                            std::to_string(contact.condition.points_per_side),

@@ -79,6 +79,12 @@ namespace Biface
     void
     check() const;
 
+    /** Whether the body remains one of revolution about the y axis in all its
+     * motions, and holds nothing sideways: under a wheel with this axle it is
+     * the same at any angle. */
+    bool
+    is_about_y_axis() const;
+
     /** The body at rest. Throws InputError if a value is invalid. */
     RigidBody
     make() const;
