@@ -8,7 +8,10 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/body_parameters.h>
+#include <biface/contact/formula_surface.h>
 #include <biface/contact/friction.h>
+#include <biface/contact/height_field.h>
+#include <biface/contact/implicit_body.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 
@@ -114,7 +117,9 @@ namespace Biface
                 "cone",
                 "step",
                 "extruded",
-                "revolved"},
+                "revolved",
+                "height field",
+                "formula"},
                "The shape of the body. 'plane': a half-space, with 'Direction' "
                "into it. 'sphere': 'Point' is its center. 'cylinder': a bar or "
                "a hole, infinitely long. 'torus': a tube with 'Tube radius' "
@@ -123,24 +128,26 @@ namespace Biface
                "'step': a quarter of the space, below 'Point' along "
                "'Direction', and on the side of the cross product of "
                "'Direction' and 'Axis'. 'extruded', 'revolved': the polygon "
-               "'Profile' along the axis or about it.");
+               "'Profile' along the axis or about it. 'height field': what "
+               "is below the heights of 'Height file'. 'formula': where "
+               "'Formula' is negative.");
     prm.add_parameter("Point",
                       point,
                       "A point x, y, z of the axis or of the plane, the edge "
                       "of a step before it is rounded, or the origin of "
-                      "'Profile'. Unit: length.");
+                      "'Profile', 'Height file' or 'Formula'. Unit: length.");
     prm.add_parameter("Direction",
                       direction,
                       "Direction from the shell into the body, for planes, "
-                      "steps and extruded profiles: components x, y, z of any "
-                      "nonzero vector.");
+                      "steps, extruded profiles and height fields: components "
+                      "x, y, z of any nonzero vector.");
     prm.add_parameter("Axis",
                       axis,
                       "Direction of the axis of the other shapes, of extruded "
-                      "profiles and of the edge of a step, and that about "
-                      "which motions turn the body: components x, y, z of any "
-                      "nonzero vector; for extruded profiles and steps "
-                      "orthogonal to 'Direction'.");
+                      "profiles, of height fields and of the edge of a step, "
+                      "and that about which motions turn the body: components "
+                      "x, y, z of any nonzero vector; for extruded profiles, "
+                      "height fields and steps orthogonal to 'Direction'.");
     add_optional_number(prm,
                         "Radius",
                         radius,
@@ -192,6 +199,36 @@ namespace Biface
                "'Profile': two coordinates, and a radius in a third column "
                "where the corner is rounded. Relative to the parameter file; "
                "see 'Tables' for names in double quotes. Unit: length.");
+    add_parsed(prm,
+               section,
+               "Height file",
+               "",
+               height_file,
+               parse_file_name,
+               "A CSV file with the points of a height field, in any order: u "
+               "across, along the cross product of 'Direction' and 'Axis', v "
+               "along 'Axis', and the height against 'Direction', all from "
+               "'Point'. The different u and v must form a rectangular grid of "
+               "at least 2 by 2 rows, in any distances. The surface is the "
+               "bicubic spline through the points; it is level across the "
+               "edges of the grid and has the height of the edge beyond. "
+               "Relative to the parameter file; see 'Tables' for names in "
+               "double quotes. Unit: length.");
+    prm.add_parameter("Formula",
+                      formula,
+                      "A smooth function of x, y and z, along the global axes "
+                      "from 'Point', that is negative in the body and positive "
+                      "outside, such as z - 2*sin(x/30). Its value does not "
+                      "matter otherwise. Units: x, y, z length.",
+                      Patterns::Anything());
+    add_optional_number(prm,
+                        "Size",
+                        size,
+                        "none",
+                        "The size of the smallest detail of 'Formula', such as "
+                        "the smallest radius of its surface: derivatives are "
+                        "differences over 1/50 of it. A positive number. Unit: "
+                        "length.");
     prm.declare_entry("Face",
                       "outer",
                       Patterns::Selection("outer|inner"),
@@ -246,8 +283,16 @@ namespace Biface
 
 
   void
-  BodyParameters::read_profile(const MPI_Comm communicator)
+  BodyParameters::read_files(const MPI_Comm communicator)
   {
+    if (!height_file.empty())
+      for (const auto &row :
+           parse_rows(read_file(height_file, communicator),
+                      height_file,
+                      "each line must contain three numbers, 'u, v, height'",
+                      3,
+                      3))
+        heights.emplace_back(row[0], row[1], row[2]);
     if (profile_file.empty())
       return;
     if (!profile.empty())
@@ -341,7 +386,8 @@ namespace Biface
     const Tensor<1, 3> a = unit_vector(section + "Axis", axis);
     const Tensor<1, 3> d = unit_vector(section + "Direction", direction);
     check_not_negative(section + "Edge radius", edge_radius);
-    if ((shape == Shape::step || shape == Shape::extruded) &&
+    if ((shape == Shape::step || shape == Shape::extruded ||
+         shape == Shape::height_field) &&
         std::abs(a * d) > 1e-6)
       throw InputError(section + "Axis",
                        vector_to_string(axis),
@@ -354,6 +400,13 @@ namespace Biface
                        number_to_string(profile[0].point[0]) + " " +
                          number_to_string(profile[0].point[1]),
                        "it needs 'Shape = extruded' or 'revolved'");
+    if (!height_file.empty() && shape != Shape::height_field)
+      throw InputError(section + "Height file",
+                       height_file,
+                       "it needs 'Shape = height field'");
+    if (!formula.empty() && shape != Shape::formula)
+      throw InputError(
+        section + "Formula", formula, "it needs 'Shape = formula'");
 
     const BodyShape::TravelLine line{d, point},
       across{across_axis(d, a), point};
@@ -445,6 +498,26 @@ namespace Biface
               made = std::make_shared<RevolvedBody>(line, a, polygon);
             else
               made = std::make_shared<ExtrudedBody>(line, a, polygon);
+            break;
+          }
+        case Shape::height_field:
+          if (height_file.empty())
+            throw InputError(
+              section + "Height file", "", "it must be the name of a CSV file");
+          made = std::make_shared<ImplicitBody>(
+            line,
+            std::make_shared<HeightField>(
+              heights, cross_product_3d(d, a), a, -d, height_file));
+          break;
+        case Shape::formula:
+          {
+            const double length =
+              needed("Size", size, "it must be a positive number");
+            check_positive(section + "Size", length);
+            made = std::make_shared<ImplicitBody>(
+              line,
+              std::make_shared<FormulaSurface>(
+                section + "Formula", formula, section + "Size", length));
             break;
           }
       }

@@ -220,14 +220,21 @@ namespace Biface
 
 
   double
-  Formula::operator()(const std::vector<double> &values) const
+  Formula::unchecked(const std::vector<double> &values) const
   {
     Assert(values.size() == variables.size(),
            dealii::ExcDimensionMismatch(values.size(), variables.size()));
     for (unsigned int i = 0; i < values.size(); ++i)
       if (slots[i] != nullptr)
         *slots[i] = values[i];
-    const double result = parser->parser.Eval();
+    return parser->parser.Eval();
+  }
+
+
+  double
+  Formula::operator()(const std::vector<double> &values) const
+  {
+    const double result = unchecked(values);
     if (!(std::abs(result) <= maximum_number))
       {
         // write round-off as 0

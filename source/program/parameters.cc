@@ -464,11 +464,17 @@ namespace Biface
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
     for (const BodyParameters &body : bodies)
-      if (!body.profile_file.empty())
-        for (const auto &corner : body.profile)
-          for (const Point<2> &pair :
-               {corner.point, Point<2>(corner.radius, 0)})
-            pairs["Body " + body.name + "/Profile file"].push_back(pair);
+      {
+        const std::string section = "Body " + body.name + "/";
+        if (!body.profile_file.empty())
+          for (const auto &corner : body.profile)
+            for (const Point<2> &pair :
+                 {corner.point, Point<2>(corner.radius, 0)})
+              pairs[section + "Profile file"].push_back(pair);
+        for (const Point<3> &x : body.heights)
+          for (const Point<2> &pair : {Point<2>(x[0], x[1]), Point<2>(x[2], 0)})
+            pairs[section + "Height file"].push_back(pair);
+      }
     return pairs;
   }
 } // namespace Biface

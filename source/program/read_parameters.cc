@@ -228,12 +228,15 @@ namespace Biface
         }
       for (const BodyParameters &body : parameters.bodies)
         {
-          std::string profile_file = body.profile_file;
-          if (profile_file.empty())
-            continue;
-          make_absolute(profile_file);
           prm.enter_subsection("Body " + body.name);
-          prm.set("Profile file", print_file_name(profile_file));
+          for (auto [entry, file] :
+               {std::make_pair("Profile file", body.profile_file),
+                std::make_pair("Height file", body.height_file)})
+            if (!file.empty())
+              {
+                make_absolute(file);
+                prm.set(entry, print_file_name(file));
+              }
           prm.leave_subsection();
         }
     }
@@ -337,7 +340,7 @@ namespace Biface
     {
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
-        body.read_profile(communicator);
+        body.read_files(communicator);
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

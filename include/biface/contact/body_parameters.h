@@ -38,7 +38,11 @@ namespace Biface
       /** A polygon along an axis. */
       extruded,
       /** A polygon about an axis. */
-      revolved
+      revolved,
+      /** See HeightField. */
+      height_field,
+      /** See FormulaSurface. */
+      formula
     };
 
     std::string          name;
@@ -55,6 +59,14 @@ namespace Biface
     std::vector<RoundedPolygon::Corner> profile;
     /** A file of its corners in place of the entry; empty for none. */
     std::string profile_file;
+    /** A file of the points of a height field; empty for none. */
+    std::string height_file;
+    /** Across, along the axis, up. Unit: length. */
+    std::vector<dealii::Point<3>> heights;
+    /** Negative in the body. */
+    std::string formula;
+    /** Over which it is smooth. Unit: length. */
+    std::optional<double> size;
 
     /** Whether the body touches the inner face. */
     bool touches_inner_face = false;
@@ -70,10 +82,10 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Read the file of the profile, if there is one. Must be called on all
-     * ranks. Throws InputError if it cannot be read. */
+    /** Read the file of the profile or of heights, if there is one. Must be
+     * called on all ranks. Throws InputError if it cannot be read. */
     void
-    read_profile(const MPI_Comm communicator);
+    read_files(const MPI_Comm communicator);
 
     /** Throws InputError if a value is invalid. */
     void

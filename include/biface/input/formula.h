@@ -81,6 +81,11 @@ namespace Biface
     double
     operator()(const std::vector<double> &values) const;
 
+    /** The same without an exception: the value may be infinite or not a
+     * number. */
+    double
+    unchecked(const std::vector<double> &values) const;
+
   private:
     struct Parser;
 

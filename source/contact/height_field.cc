@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/contact/height_field.h>
+#include <biface/input/parameter_tools.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The different values of a coordinate, in order. */
+    std::vector<double>
+    rows_of_grid(const std::vector<Point<3>> &points,
+                 const unsigned int           direction)
+    {
+      std::vector<double> all;
+      for (const Point<3> &point : points)
+        all.push_back(point[direction]);
+      std::sort(all.begin(), all.end());
+      // the same number may have been computed in several ways
+      const double        round_off = 1e-9 * (all.back() - all.front());
+      std::vector<double> rows;
+      for (const double coordinate : all)
+        if (rows.empty() || coordinate > rows.back() + round_off)
+          rows.push_back(coordinate);
+      return rows;
+    }
+
+
+    /** The derivatives at its knots of a cubic spline that is level at both
+     * ends. */
+    std::vector<double>
+    spline_slopes(const std::vector<double> &x, const std::vector<double> &y)
+    {
+      const unsigned int  n = x.size();
+      std::vector<double> slopes(n), factors(n);
+      for (unsigned int i = 1; i + 1 < n; ++i)
+        {
+          const double before = 1 / (x[i] - x[i - 1]),
+                       after  = 1 / (x[i + 1] - x[i]);
+          const double pivot  = 2 * (before + after) - before * factors[i - 1];
+          factors[i]          = after / pivot;
+          slopes[i]           = (3 * (before * before * (y[i] - y[i - 1]) +
+                            after * after * (y[i + 1] - y[i])) -
+                       before * slopes[i - 1]) /
+                      pivot;
+        }
+      for (unsigned int i = n - 1; i-- > 1;)
+        slopes[i] -= factors[i] * slopes[i + 1];
+      return slopes;
+    }
+  } // namespace
+
+
+  HeightField::HeightField(std::vector<Point<3>> points,
+                           const Tensor<1, 3>   &across,
+                           const Tensor<1, 3>   &along,
+                           const Tensor<1, 3>   &up,
+                           const std::string    &name)
+    : axes{{across, along, up}}
+  {
+    if (points.size() < 4)
+      throw InputError(name + ": a height field must have at least two rows of "
+                              "points in both directions.");
+    std::array<std::vector<double>, 2> grid;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        grid[d] = rows_of_grid(points, d);
+        if (grid[d].size() < 2)
+          throw InputError(name + ": the points must not all have the same " +
+                           (d == 0 ? "u, " : "v, ") +
+                           number_to_string(grid[d][0]) + ".");
+        for (Point<3> &point : points)
+          {
+            auto row =
+              std::upper_bound(grid[d].begin(), grid[d].end(), point[d]);
+            point[d] = *--row;
+          }
+      }
+    std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
+      return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+    });
+    const unsigned int n = grid[0].size(), m = grid[1].size();
+    const auto         at = [](const double u, const double v) {
+      return "at u = " + number_to_string(u) + ", v = " + number_to_string(v);
+    };
+    for (std::size_t k = 1; k < points.size(); ++k)
+      if (points[k][0] == points[k - 1][0] && points[k][1] == points[k - 1][1])
+        throw InputError(name + ": the height " +
+                         at(points[k][0], points[k][1]) +
+                         " must be given only once.");
+    for (std::size_t k = 0; k <= points.size() && k < std::size_t(n) * m; ++k)
+      {
+        const double u = grid[0][k / m], v = grid[1][k % m];
+        if (k == points.size() || points[k][0] != u || points[k][1] != v)
+          throw InputError(name + ": there is no height " + at(u, v) +
+                           ", but the points must form a rectangular grid.");
+      }
+
+    knots.resize(points.size());
+    for (std::size_t k = 0; k < knots.size(); ++k)
+      knots[k][0] = points[k][2];
+    // by u, by v, and of the derivative by u by v
+    const auto differentiate = [&](const unsigned int d,
+                                   const unsigned int from,
+                                   const unsigned int to) {
+      const unsigned int n_lines = (d == 0 ? m : n), stride = (d == 0 ? m : 1);
+      for (unsigned int line = 0; line < n_lines; ++line)
+        {
+          const std::size_t   first = (d == 0 ? line : std::size_t(line) * m);
+          std::vector<double> values;
+          for (std::size_t i = 0; i < grid[d].size(); ++i)
+            values.push_back(knots[first + i * stride][from]);
+          const auto slopes = spline_slopes(grid[d], values);
+          for (std::size_t i = 0; i < slopes.size(); ++i)
+            knots[first + i * stride][to] = slopes[i];
+        }
+    };
+    differentiate(0, 0, 1);
+    differentiate(1, 0, 2);
+    differentiate(1, 1, 3);
+
+    smallest_cell = std::numeric_limits<double>::infinity();
+    for (unsigned int d = 0; d < 2; ++d)
+      for (unsigned int i = 1; i < grid[d].size(); ++i)
+        smallest_cell = std::min(smallest_cell, grid[d][i] - grid[d][i - 1]);
+    const double far = 1e6 * (grid[0].back() - grid[0].front() +
+                              grid[1].back() - grid[1].front());
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        rows[d].push_back(grid[d].front() - far);
+        rows[d].insert(rows[d].end(), grid[d].begin(), grid[d].end());
+        rows[d].push_back(grid[d].back() + far);
+      }
+    boxes.reserve(2 * std::size_t(n + 1) * (m + 1));
+    add_box({{0, 0}}, {{n + 1, m + 1}});
+  }
+
+
+  const HeightField::Knot &
+  HeightField::knot(const unsigned int i, const unsigned int j) const
+  {
+    const unsigned int n = rows[0].size() - 2, m = rows[1].size() - 2;
+    return knots[std::size_t(std::clamp(i, 1U, n) - 1) * m +
+                 std::clamp(j, 1U, m) - 1];
+  }
+
+
+  unsigned int
+  HeightField::add_box(const std::array<unsigned int, 2> &begin,
+                       const std::array<unsigned int, 2> &end)
+  {
+    const unsigned int number = boxes.size();
+    boxes.push_back({begin,
+                     end,
+                     std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity(),
+                     {{0, 0}}});
+    const unsigned int d   = (end[0] - begin[0] >= end[1] - begin[1]) ? 0 : 1;
+    Box                box = boxes.back();
+    if (end[d] - begin[d] > 1)
+      {
+        auto end_of_first = end, begin_of_second = begin;
+        end_of_first[d] = begin_of_second[d] = (begin[d] + end[d]) / 2;
+        box.parts[0]                         = add_box(begin, end_of_first);
+        box.parts[1]                         = add_box(begin_of_second, end);
+        for (const unsigned int part : box.parts)
+          {
+            box.lowest  = std::min(box.lowest, boxes[part].lowest);
+            box.highest = std::max(box.highest, boxes[part].highest);
+          }
+      }
+    else
+      {
+        // a cell lies between its control points
+        const double du = (rows[0][end[0]] - rows[0][begin[0]]) / 3,
+                     dv = (rows[1][end[1]] - rows[1][begin[1]]) / 3;
+        for (const unsigned int i : {0, 1})
+          for (const unsigned int j : {0, 1})
+            {
+              const Knot &at = knot(begin[0] + i, begin[1] + j);
+              for (const double u : {0., i == 0 ? du : -du})
+                for (const double v : {0., j == 0 ? dv : -dv})
+                  {
+                    const double height =
+                      at[0] + u * at[1] + v * at[2] + u * v * at[3];
+                    box.lowest  = std::min(box.lowest, height);
+                    box.highest = std::max(box.highest, height);
+                  }
+            }
+      }
+    boxes[number] = box;
+    return number;
+  }
+
+
+  unsigned int
+  HeightField::find_cell(const unsigned int direction,
+                         const double       coordinate) const
+  {
+    const auto &x = rows[direction];
+    return std::upper_bound(x.begin() + 1, x.end() - 1, coordinate) -
+           x.begin() - 1;
+  }
+
+
+  std::array<double, 4>
+  HeightField::basis(const unsigned int direction,
+                     const unsigned int cell,
+                     const double       coordinate,
+                     const unsigned int derivative) const
+  {
+    const double begin  = rows[direction][cell],
+                 length = rows[direction][cell + 1] - begin;
+    const double t      = std::clamp((coordinate - begin) / length, 0., 1.);
+    switch (derivative)
+      {
+        case 0:
+          {
+            const double upper = t * t * (3 - 2 * t);
+            return {{1 - upper,
+                     length * t * (1 - t) * (1 - t),
+                     upper,
+                     -length * t * t * (1 - t)}};
+          }
+        case 1:
+          {
+            const double upper = 6 * t * (1 - t) / length;
+            return {{-upper, (1 - t) * (1 - 3 * t), upper, t * (3 * t - 2)}};
+          }
+        default:
+          {
+            const double upper = (6 - 12 * t) / (length * length);
+            return {
+              {-upper, (6 * t - 4) / length, upper, (6 * t - 2) / length}};
+          }
+      }
+  }
+
+
+  double
+  HeightField::height(const Point<2>                    &x,
+                      const std::array<unsigned int, 2> &order) const
+  {
+    const unsigned int i = find_cell(0, x[0]), j = find_cell(1, x[1]);
+    const auto u = basis(0, i, x[0], order[0]), v = basis(1, j, x[1], order[1]);
+    double     result = 0;
+    for (const unsigned int k : {0, 1})
+      for (const unsigned int l : {0, 1})
+        {
+          const Knot &at = knot(i + k, j + l);
+          result += u[2 * k] * (v[2 * l] * at[0] + v[2 * l + 1] * at[2]) +
+                    u[2 * k + 1] * (v[2 * l] * at[1] + v[2 * l + 1] * at[3]);
+        }
+    return result;
+  }
+
+
+  double
+  HeightField::value(const Point<3> &x) const
+  {
+    const Point<3> y = coordinates(x);
+    return y[2] - height(Point<2>(y[0], y[1]), {{0, 0}});
+  }
+
+
+  ImplicitSurface::Derivatives
+  HeightField::derivatives(const Point<3> &x) const
+  {
+    const Point<3> y = coordinates(x);
+    const Point<2> at(y[0], y[1]);
+    Derivatives    result;
+    result.gradient =
+      axes[2] - height(at, {{1, 0}}) * axes[0] - height(at, {{0, 1}}) * axes[1];
+    result.hessian =
+      -(height(at, {{2, 0}}) * symmetrize(outer_product(axes[0], axes[0])) +
+        height(at, {{0, 2}}) * symmetrize(outer_product(axes[1], axes[1])) +
+        2 * height(at, {{1, 1}}) * symmetrize(outer_product(axes[0], axes[1])));
+    return result;
+  }
+
+
+  double
+  HeightField::distance_square(const Box &box, const Point<3> &x) const
+  {
+    double square = 0;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double low  = (d < 2 ? rows[d][box.begin[d]] : box.lowest),
+                     high = (d < 2 ? rows[d][box.end[d]] : box.highest);
+        const double way  = std::clamp(x[d], low, high) - x[d];
+        square += way * way;
+      }
+    return square;
+  }
+
+
+  void
+  HeightField::search_box(const unsigned int number,
+                          const Point<3>    &x,
+                          const Search      &search,
+                          double            &distance) const
+  {
+    const Box &box = boxes[number];
+    if (distance_square(box, x) >= distance * distance)
+      return;
+    if (box.parts[1] == 0)
+      {
+        Point<2> start;
+        for (unsigned int d = 0; d < 2; ++d)
+          start[d] =
+            std::clamp(x[d], rows[d][box.begin[d]], rows[d][box.end[d]]);
+        distance = search(Point<3>(start[0] * axes[0] + start[1] * axes[1] +
+                                   height(start, {{0, 0}}) * axes[2]));
+        return;
+      }
+    auto parts = box.parts;
+    if (distance_square(boxes[parts[1]], x) <
+        distance_square(boxes[parts[0]], x))
+      std::swap(parts[0], parts[1]);
+    for (const unsigned int part : parts)
+      search_box(part, x, search, distance);
+  }
+
+
+  void
+  HeightField::search_closest(const Point<3> &x, const Search &search) const
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    search_box(0, coordinates(x), search, distance);
+  }
+} // namespace Biface
