@@ -226,18 +226,41 @@ namespace Biface
   void
   FormulaSurface::search_closest(const Point<3> &x, const Search &search) const
   {
-    double distance = search(surface_downhill(x).value_or(known));
-    if (distance < size / 10)
-      return;
-    // a surface in the ball up to the closest point would be closer
-    const bool is_inside = (value(x) < 0);
-    for (const double part : {0.99, 0.6, 0.3})
-      for (const Tensor<1, 3> &direction : directions)
+    Point<3>         closest   = search(surface_downhill(x).value_or(known));
+    const bool       is_inside = (value(x) < 0);
+    constexpr double inner     = 0.999;
+    // in the ball up to the closest point, all is on the side of its center;
+    // false if a closer point has been found
+    const auto is_on_this_side = [&](const Point<3> &y) {
+      if ((value(y) < 0) == is_inside)
+        return true;
+      if (const auto start = surface_between(x, y))
         {
-          const Point<3> y = x + part * distance * direction;
-          if ((value(y) < 0) != is_inside)
-            if (const auto start = surface_between(x, y))
-              distance = search(*start);
+          const double before = x.distance_square(closest);
+          closest             = search(*start);
+          return !(x.distance_square(closest) < before);
         }
+      return true;
+    };
+    if (x.distance(closest) < size / 10)
+      return;
+    for (const double part : {inner, 0.6, 0.3})
+      for (const Tensor<1, 3> &direction : directions)
+        is_on_this_side(x + part * x.distance(closest) * direction);
+
+    // other hills beside the closest point
+    bool found = true;
+    for (unsigned int round = 0; found && round < 20; ++round)
+      {
+        found = false;
+        for (double beside = size; beside < x.distance(closest) && !found;
+             beside *= 2)
+          for (const Tensor<1, 3> &direction : directions)
+            {
+              const Tensor<1, 3> way = closest + beside * direction - x;
+              const double part      = inner * x.distance(closest) / way.norm();
+              found = !is_on_this_side(x + part * way) || found;
+            }
+      }
   }
 } // namespace Biface

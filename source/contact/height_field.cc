@@ -316,8 +316,10 @@ namespace Biface
         for (unsigned int d = 0; d < 2; ++d)
           start[d] =
             std::clamp(x[d], rows[d][box.begin[d]], rows[d][box.end[d]]);
-        distance = search(Point<3>(start[0] * axes[0] + start[1] * axes[1] +
-                                   height(start, {{0, 0}}) * axes[2]));
+        const Point<3> found =
+          search(Point<3>(start[0] * axes[0] + start[1] * axes[1] +
+                          height(start, {{0, 0}}) * axes[2]));
+        distance = x.distance(coordinates(found));
         return;
       }
     auto parts = box.parts;

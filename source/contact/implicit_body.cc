@@ -69,14 +69,14 @@ namespace Biface
     const bool     is_inside = (surface->value(y) < 0);
     double         distance  = std::numeric_limits<double>::infinity();
     Point<3>       closest;
-    surface->search_closest(y, [&](const Point<3> &start) {
+    surface->search_closest(y, [&](const Point<3> &start) -> const Point<3> & {
       const Point<3> found = closest_point(y, start);
       if (found.distance(y) < distance)
         {
           distance = found.distance(y);
           closest  = found;
         }
-      return distance;
+      return closest;
     });
 
     const SurfacePoint at(surface->derivatives(closest));

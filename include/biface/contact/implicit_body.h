@@ -38,8 +38,9 @@ namespace Biface
     length() const = 0;
 
     /** Searches the closest point of the surface from a point of the surface,
-     * and returns the distance of the closest one that any call has found. */
-    using Search = std::function<double(const dealii::Point<3> &)>;
+     * and returns the closest one that any call has found. */
+    using Search =
+      std::function<const dealii::Point<3> &(const dealii::Point<3> &)>;
 
     /** Call a search from at least one point, and from all that may lead to the
      * point of the surface that is closest to @p x. */
