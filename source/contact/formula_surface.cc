@@ -117,6 +117,15 @@ namespace Biface
   }
 
 
+  double
+  FormulaSurface::value(const Point<3> &x) const
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+      values[i] = x[i];
+    return formula.unchecked(values);
+  }
+
+
   Tensor<1, 3>
   FormulaSurface::gradient(const Point<3> &x, const double step) const
   {
@@ -196,8 +205,13 @@ namespace Biface
     double at_x = value(x);
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
-        const Tensor<1, 3> g    = gradient(x, step);
-        Tensor<1, 3>       move = -at_x / g.norm_square() * g;
+        Tensor<1, 3> g;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const Tensor<1, 3> way = step * Point<3>::unit_vector(i);
+            g[i] = (value(x + way) - value(x - way)) / (2 * step);
+          }
+        Tensor<1, 3> move = -at_x / g.norm_square() * g;
         if (!std::isfinite(move.norm()))
           return {};
         Point<3> next    = x + move;
@@ -244,7 +258,7 @@ namespace Biface
     };
     if (x.distance(closest) < size / 10)
       return;
-    for (const double part : {inner, 0.6, 0.3})
+    for (const double part : {inner, 0.5})
       for (const Tensor<1, 3> &direction : directions)
         is_on_this_side(x + part * x.distance(closest) * direction);
 
@@ -252,14 +266,27 @@ namespace Biface
     bool found = true;
     for (unsigned int round = 0; found && round < 20; ++round)
       {
-        found = false;
-        for (double beside = size; beside < x.distance(closest) && !found;
-             beside *= 2)
-          for (const Tensor<1, 3> &direction : directions)
+        found                  = false;
+        const Tensor<1, 3> way = closest - x;
+        // along the smallest component, for two directions beside it
+        Tensor<1, 3> some;
+        some[std::min_element(way.begin_raw(),
+                              way.end_raw(),
+                              [](const double a, const double b) {
+                                return std::abs(a) < std::abs(b);
+                              }) -
+             way.begin_raw()]     = 1;
+        const Tensor<1, 3> across = cross_product_3d(way, some),
+                           along  = cross_product_3d(way, across);
+        for (double beside = size; beside < way.norm() && !found; beside *= 2)
+          for (unsigned int i = 0; i < 8; ++i)
             {
-              const Tensor<1, 3> way = closest + beside * direction - x;
-              const double part      = inner * x.distance(closest) / way.norm();
-              found = !is_on_this_side(x + part * way) || found;
+              const double       angle = i * numbers::PI / 4;
+              const Tensor<1, 3> to =
+                way + beside * (std::cos(angle) / across.norm() * across +
+                                std::sin(angle) / along.norm() * along);
+              const double part = inner * x.distance(closest) / to.norm();
+              found             = !is_on_this_side(x + part * to) || found;
             }
       }
   }

@@ -6,8 +6,10 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <biface/contact/implicit_body.h>
 #include <biface/input/formula.h>
@@ -38,10 +40,7 @@ namespace Biface
                    const double       size);
 
     double
-    value(const dealii::Point<3> &x) const override
-    {
-      return formula.unchecked({x[0], x[1], x[2]});
-    }
+    value(const dealii::Point<3> &x) const override;
 
     Derivatives
     derivatives(const dealii::Point<3> &x) const override;
@@ -81,6 +80,8 @@ namespace Biface
     const double  size;
     /** The step of differences. */
     const double step;
+    /** Those of the variables, in place of a new vector for each value. */
+    mutable std::vector<double> values = std::vector<double>(3);
     /** Some point of the surface. */
     dealii::Point<3> known;
   };
