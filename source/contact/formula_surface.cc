@@ -81,10 +81,13 @@ namespace Biface
         if (!(g.norm() * step > 1e-6 * largest))
           continue;
         is_regular = true;
-        if ((gradient(x, step / 2) - g).norm() > 1e-3 * g.norm())
+        // also if details are far below the step
+        double change = 0;
+        for (double part = 0.5; part > 1e-6; part /= 16)
+          change = std::max(change, (gradient(x, part * step) - g).norm());
+        if (is_smooth || change > 1e-3 * g.norm())
           continue;
-        if (!is_smooth)
-          known = x;
+        known     = x;
         is_smooth = true;
       }
     if (!is_regular)
@@ -212,7 +215,10 @@ namespace Biface
             g[i] = (value(x + way) - value(x - way)) / (2 * step);
           }
         Tensor<1, 3> move = -at_x / g.norm_square() * g;
-        if (!std::isfinite(move.norm()))
+        if (at_x == 0)
+          return x;
+        // the gradient may have vanished or overflown
+        if (!std::isfinite(move.norm()) || move.norm() == 0)
           return {};
         Point<3> next    = x + move;
         double   at_next = value(next);
@@ -258,6 +264,8 @@ namespace Biface
     };
     if (x.distance(closest) < size / 10)
       return;
+    // the surface may have been passed on the way
+    is_on_this_side(x + inner * (closest - x));
     for (const double part : {inner, 0.5})
       for (const Tensor<1, 3> &direction : directions)
         is_on_this_side(x + part * x.distance(closest) * direction);
