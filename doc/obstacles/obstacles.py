@@ -46,6 +46,29 @@ height and pushes the wheel back with its effective slope, the longitudinal over
 *The axle rises by up to {height:.2f} mm, a quarter of the height of the bar, since the tire envelops it,
 and by {height_below:.2f} mm with the bar below it; the slope is up to {slope:.3f}.*
 
+## A stone and measured ground
+
+A formula that is negative in the body gives other shapes, such as a stone of the same height, 40 mm across the road
+and 30 mm along it, half in the road; x, y and z are measured from `Point`:
+
+    build/biface prm/cleat.prm --set "Body cleat/Shape=formula" \\
+      --set "Body cleat/Formula={formula}" --set "Body cleat/Size=10"
+
+The force is largest, {stone_maximum:.0f} N, with the stone {stone_where:.0f} mm ahead of or behind the axle, and {stone_below:.0f} N
+with the stone below the axle. The wheel is pushed back by up to {stone_back:.0f} N.
+
+Ground that has been measured is a height field: `Shape = height field` and, in `Height file`, rows of
+
+    u, v, height
+    0, 0, 1.2
+    0, 5, 0.8
+    5, 0, 1.0
+    5, 5, 1.5
+
+With the `Direction` 1, 0, 0 from the axle into the road and the `Axis` 0, 1, 0, u is measured from `Point` along z, v along y,
+and the height toward the axle. The plane of the foundation also touches the tire where it is above the
+heights: measure them from the lowest point.
+
 ## Beside an independent program
 
 Forces in N, vertical and longitudinal, of the [independent
@@ -75,6 +98,7 @@ forces would depend on the way.
 {rigid}
 """
 
+STONE = "(x/10)^2 + (y/20)^2 + (z/15)^2 - 1"
 MESHES = {
     "42 × 40": "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth",
     "42 × 55": "-180:-27.5:11:smooth, -27.5:27.5:33, 27.5:180:11:smooth",
@@ -127,13 +151,14 @@ def draw(positions, upper, lower, picture):
     figure.savefig(picture, dpi=110)
 
 
-def envelope(runs, picture):
+def envelope(runs, name, entries, picture=None):
     """The numbers in the words on the enveloping curve; draw it."""
-    forces = steps_of(runs, "envelope", "cleat.prm", {})
+    forces = steps_of(runs, name, "cleat.prm", entries)
     positions = positions_of(forces)
     vertical, longitudinal = zip(*forces)
-    draw(positions, ("vertical force [N]", vertical),
-         ("longitudinal force [N]", longitudinal), picture)
+    if picture:
+        draw(positions, ("vertical force [N]", vertical),
+             ("longitudinal force [N]", longitudinal), picture)
     top = max(range(len(forces)), key=lambda i: vertical[i])
     return {"maximum": vertical[top], "where": abs(positions[top]),
             "below": vertical[positions.index(0)], "plane": vertical[0],
@@ -163,7 +188,12 @@ def main():
     arguments = parse_arguments("obstacles", __doc__)
     runs = Runs(arguments)
 
-    words = envelope(runs, arguments.output / "figures/cleat.png")
+    words = envelope(runs, "envelope", {},
+                     arguments.output / "figures/cleat.png")
+    stone = envelope(runs, "stone", {"Body cleat/Shape": "formula",
+                                     "Body cleat/Formula": STONE,
+                                     "Body cleat/Size": 10})
+    words |= {f"stone_{word}": value for word, value in stone.items()}
     # the first steps are before the cleat
     words |= envelope_at_load(
         runs, words["plane"],
@@ -205,7 +235,7 @@ def main():
         rigid.append([f"{-z}", *beside(forces, expected)])
     both = ["vertical", "longitudinal"]
     (arguments.output / "obstacles.md").write_text(PAGE.format(
-        **words, wall=WALL,
+        **words, formula=STONE, wall=WALL,
         bars=table(["Cells", "Behind the axle, mm", *both], bars),
         steps=table(["Cells", *both], steps),
         points=table(["Cells", "nodes: vertical", "longitudinal",
