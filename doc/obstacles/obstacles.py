@@ -66,8 +66,8 @@ Ground that has been measured is a height field: `Shape = height field` and, in 
     5, 5, 1.5
 
 With the `Direction` 1, 0, 0 from the axle into the road and the `Axis` 0, 1, 0, u is measured from `Point` along z, v along y,
-and the height toward the axle. The plane of the foundation also touches the tire where it is above the
-heights: measure them from the lowest point.
+and the height toward the axle. The tire also touches the plane of the foundation, at the height 0, so that
+heights are best counted from their lowest point.
 
 ## Beside an independent program
 

@@ -227,8 +227,8 @@ namespace Biface
                         "none",
                         "The size of the smallest detail of 'Formula', such as "
                         "the smallest radius of its surface: derivatives are "
-                        "differences over 1/50 of it. A positive number. Unit: "
-                        "length.");
+                        "differences over 1/50 of it, which lose digits if it "
+                        "is far smaller. A positive number. Unit: length.");
     prm.declare_entry("Face",
                       "outer",
                       Patterns::Selection("outer|inner"),
