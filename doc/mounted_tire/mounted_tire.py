@@ -17,6 +17,19 @@ from example_page import (EXAMPLES, Runs, last_step, lines_of,
 
 EXAMPLE = "mounted_tire.prm"
 MOUNTING_PRESSURE = 0.02
+# a part of the tire, the same all around; its crown stays in the middle
+SECTOR = {"Mesh/Intervals alpha_2": "-5:5:1",
+          "Mesh/Closed in alpha_2": "false", "Supports/alpha_2 min": "cyclic",
+          "Supports/alpha_2 max": "cyclic",
+          "Named points": "crown: end/2 -5, left: 130 -5, right: end-130 -5",
+          "Supports/Point supports":
+              "crown: axial middle; circumferential middle"}
+SECTORS = 36
+INFLATION_STEPS = 8
+# of the flanges, toward each other, until the beads are free on their seats
+UNSEATING_WAY = 12
+# friction and pressure of the tires that are pushed off their seats and turned
+STATES = ((0.3, 0.2), (0.1, 0.2), (0.3, 0.1), (0.1, 0.1))
 
 PAGE = """<!-- Written by doc/mounted_tire/mounted_tire.py: cmake --build build --target mounted_tire -->
 
@@ -37,11 +50,58 @@ is a shell described by its outer face in the mold, whose heel has a radius of 1
 *The section in the plane of the ground's center, in the mold, inflated to 0.2 MPa, and
 pressed on the ground by 30 mm; right, one bead.* The pressure slides the beads outward
 on the seats of 5 degrees. The seats stretch the wires by tan 5 degrees times the way, and
-the beads come to rest against the flanges, already at 0.05 MPa. The heel is the outermost point
+the beads come to rest against the flanges. The heel is the outermost point
 of the outer face within 190 mm from the axle. With the coefficient of friction
 0.3, as shipped, and without friction:
 
 {inflation}
+
+Friction of a node begins at the end of the step in which it comes into contact
+([limits](limits.md)), so that the beads slide too easily in the four steps of this file. On a sector of 10 degrees
+(the entries are those of `SECTOR` in doc/mounted_tire/mounted_tire.py), with the coefficient of friction 0.3, the heel is at
+
+{steps}
+
+Without friction the steps do not matter. With {inflation_steps} steps or more, friction holds the beads back until
+some 0.13 MPa, and carries a part of what would press on the flange. The following two sections have
+{inflation_steps} steps.
+
+## Off the seat
+
+![Contact pressure along the seat; force of a flange over its way; moment over the angle of the rim](figures/mounted_tire_unseated.png)
+
+*Left: true contact pressure on the seat and the flange of a bead at rest. Middle: force of a flange that is
+pushed toward the other. Right: moment about the axle while the rim turns.*
+
+What unseats a bead? On the sector the rim consists of three bodies, the seats with the well, and two
+flanges. After inflation the flanges, with the same friction, move toward each other, by {unseating_way} mm each, and
+push the beads off their seats, all around at the same time. Forces of a flange on the whole bead:
+
+{unseating}
+
+Friction of the seat is N tan(arctan μ − 5°) with the force N normal to it from its contact pressures, of a
+rigid ring that is pushed down a cone, at the motion of the maximum. The rest, the force less that, is what
+the pressure in the tire exerts on the bead: it is nearly the force once the bead is loose, without interference. With μ = 0.3
+there is a maximum, at which the bead breaks loose; the interference, and with it the friction, vanish over the next
+{loose_way:.0f} mm or so. With μ = 0.1, which is hardly above tan 5° = 0.087, there is none: the force of
+the pressure alone resists, and grows as the bead goes on. Half the pressure has half of this part.
+
+In the test of standards a block pushes the sidewall of one side aside. {bar}
+
+## Slip on the rim
+
+On the same sector, with the rim as one body, the outer tread is held against a turn on three lines, at the crown
+and at the edges of the tread, and the rim turns by 20 degrees. The beads slip at the largest moment, of both all around.
+Beside it is μ ∫ p r dA of the contact pressures before the turn and at its end:
+
+{slip}
+
+The estimate from the tire at rest is too small: as the rim turns, friction turns from the meridian to the
+circumference and no longer holds the beads back, so that the pressure slides them farther up the seats
+and against the flanges. Where they have arrived, the estimate is right.
+
+A braking moment of the ground, {braked_moment:.0f} N m with the coefficient of friction 0.8 at 30 mm
+(below), is far below these.
 
 A press fit has a closed formula: a ring on a cone of 5 degrees, with the interference w, is pushed
 on by the force 2π ∫ E t w/R ds tan(5° + arctan μ). The test `model/press_fit` has it within 0.05 %.
@@ -63,7 +123,7 @@ Both times the ground gives way before the beads do.
 
 The rim may be two bodies, the halves of a divided rim, that close on the beads: each with half of the
 profile, 10 mm farther out at first, so that it does not touch the tire, and with a motion along the axle.
-Under {mounting_pressure:g} MPa the halves close and push the beads along the seats; then the tire is inflated. On a sector of 30
+Under {mounting_pressure:g} MPa the halves close and push the beads along the seats; then the tire is inflated. On a sector of 10
 degrees whose equator is held in its middle plane, which takes no force, the heel ends at
 {halves:.2f} mm and a bead presses on its flange with {pull:.0f} N all around.
 
@@ -83,6 +143,128 @@ Pressed farther, the sidewall rolls over the flange. The run ends at {deepest:.0
 {largest:.0f} N, {times:.1f} times the force at 30 mm: there the sidewall is folded, with strains
 of −0.4, where a linear material has no stiffness left ([limits](limits.md)). The crown does not reach the rim.
 """
+
+
+def ring_integral(points, weight):
+    """The integral of the contact pressure times a function of the distance from
+    the axle, all around, over the line of nodes alpha_2 = -5 of one bead."""
+    line = [(float(p["y"]), math.hypot(float(p["x"]), float(p["z"])),
+             float(p["true_pressure"])) for p in points
+            if float(p["alpha_2"]) == -5 and float(p["y"]) > 0]
+    return sum(math.hypot(y1 - y0, r1 - r0) * math.pi
+               * (p0 * r0 * weight(r0) + p1 * r1 * weight(r1))
+               for (y0, r0, p0), (y1, r1, p1) in zip(line, line[1:]))
+
+
+def unseat(runs, friction, pressure, steps=INFLATION_STEPS):
+    """The run in which flanges push the beads off their seats: its directory."""
+    bodies = {"Body seats/Shape": "revolved", "Body seats/Axis": "0, 1, 0",
+              "Body seats/Friction": friction, "Body seats/Profile":
+                  "-80 178.8435, -32 174.6441 5, -24 155, 24 155, "
+                  "32 174.6441 5, 80 178.8435, 80 140, -80 140, -80 178.8435"}
+    for body, sign, opposite in (("left", "-", ""), ("right", "", "-")):
+        bodies.update({
+            f"Body {body}/Shape": "revolved", f"Body {body}/Axis": "0, 1, 0",
+            f"Body {body}/Friction": friction, f"Body {body}/Profile":
+                "{0}63.5 170, {0}63.5 195 9.5, {0}80 195 6, {0}80 170, "
+                "{0}63.5 170".format(sign),
+            f"Body {body}/Motions": f"push: 0 {opposite}1 0"})
+    present = "seats, left, right"
+    return runs.run(f"unseat_{friction}_{pressure}_{steps}", EXAMPLE, {
+        **SECTOR, **bodies, "Bodies": f"rim, rim inside, {present}",
+        "Number of stages": 2, "Stage 1/Bodies": present,
+        "Stage 1/Pressure": pressure, "Stage 1/Load factor": 0,
+        "Stage 1/Steps": steps, "Stage 2/Name": "push",
+        "Stage 2/Contact": "false", "Stage 2/Travel": "unchanged",
+        "Stage 2/Bodies": present, "Stage 2/Pressure": pressure,
+        "Stage 2/Load factor": UNSEATING_WAY,
+        "Stage 2/Steps": 4 * UNSEATING_WAY})
+
+
+def unseating_curve(directory):
+    """Ways of the flange and its forces on the whole bead, by step."""
+    ways = {int(line["step"]): float(line["load_factor"])
+            for line in lines_of(directory / "history.csv")}
+    return {step: (ways[step], -SECTORS * force[1]) for step, force in
+            forces(directory, "right").items()
+            if step >= last_step(directory, "inflation")}
+
+
+def unseating_row(directory, friction, pressure):
+    curve = unseating_curve(directory)
+    rest = min(curve)
+
+    def seat(step):
+        return ring_integral(lines_of(
+            directory / f"contact-seats-{step:04d}.csv"), lambda r: 1)
+
+    def friction_of_seat(step):
+        return seat(step) * math.tan(math.atan(friction) - math.radians(5))
+
+    peaks = [step for step in curve if step - 1 in curve and step + 1 in curve
+             and curve[step][1] > max(curve[step - 1][1], curve[step + 1][1])]
+    loose = next(step for step in curve if curve[step][0] >= 7)
+    row = [f"{friction:g}", f"{pressure:g}", f"{curve[rest][1]:.0f}",
+           f"{seat(rest):.0f}"]
+    if peaks:
+        way, force = curve[peaks[0]]
+        by_friction = friction_of_seat(peaks[0])
+        row += [f"{force:.0f}", f"{way:.2f}", f"{by_friction:.0f}",
+                f"{force - by_friction:.0f}"]
+    else:
+        row += ["none", "", "", ""]
+    return row + [f"{curve[loose][1]:.0f}"]
+
+
+def turn_rim(runs, friction, pressure):
+    """The run in which the rim turns, and the moments of both beads by angle."""
+    directory = runs.run(f"slip_{friction}_{pressure}", EXAMPLE, {
+        **SECTOR, "Body rim/Friction": friction,
+        "Supports/Point supports": "crown: axial middle; circumferential both, "
+            "left: circumferential both, right: circumferential both",
+        "Number of stages": 2, "Stage 1/Pressure": pressure,
+        "Stage 1/Load factor": 0, "Stage 1/Steps": INFLATION_STEPS,
+        "Stage 2/Name": "turn", "Stage 2/Contact": "false",
+        "Stage 2/Travel": "unchanged", "Stage 2/Bodies": "rim",
+        "Stage 2/Pressure": pressure,
+        "Stage 2/Load factors": "bodies rim turn: 20", "Stage 2/Steps": 80})
+    rest = last_step(directory, "inflation")
+    return directory, {0.25 * (step - rest): SECTORS * force[3] / 1e6
+                       for step, force in forces(directory, "rim").items()
+                       if step >= rest}
+
+
+def draw_unseated(unseated, turned, picture):
+    figure, axes = plt.subplots(1, 3, figsize=(12, 3.8),
+                                constrained_layout=True)
+    for i, (state, directory) in enumerate(unseated.items()):
+        label = f"μ = {state[0]:g}, {state[1]:g} MPa"
+        turn_directory, moments = turned[state]
+        step = last_step(turn_directory, "inflation")
+        points = [p for p in
+                  lines_of(turn_directory / f"contact-rim-{step:04d}.csv")
+                  if float(p["alpha_2"]) == -5 and float(p["y"]) > 0]
+        toe = max(float(p["alpha_1"]) for p in points)
+        axes[0].plot([toe - float(p["alpha_1"]) for p in points],
+                     [float(p["true_pressure"]) for p in points],
+                     marker=".", color=f"C{i}", label=label)
+        axes[1].plot(*zip(*((u, f / 1000) for u, f in
+                            unseating_curve(directory).values())),
+                     color=f"C{i}", label=label)
+        axes[2].plot(moments.keys(), moments.values(), color=f"C{i}",
+                     label=label)
+    for a, x, y in zip(axes, ("from the toe along the outer face [mm]",
+                              "way of the flange [mm]",
+                              "turn of the rim [degrees]"),
+                       ("contact pressure [MPa]", "force on a bead [kN]",
+                        "moment [kN m]")):
+        a.set_xlabel(x)
+        a.set_ylabel(y)
+        a.set_ylim(bottom=0)
+    axes[1].set_xlim(0, UNSEATING_WAY)
+    axes[2].set_xlim(0, 5)
+    axes[0].legend(fontsize="small")
+    figure.savefig(picture, dpi=110)
 
 
 def forces(directory, body):
@@ -203,12 +385,7 @@ def main():
             f"Body {body}/Point": f"0, {sign}10, 0",
             f"Body {body}/Motions": f"close: 0 {opposite}10 0"})
     halves = runs.run("halves", EXAMPLE, {
-        "Bodies": "rim, rim inside, left, right", **divided,
-        "Mesh/Intervals alpha_2": "-15:15:1",
-        "Mesh/Closed in alpha_2": "false", "Supports/alpha_2 min": "cyclic",
-        "Supports/alpha_2 max": "cyclic", "Named points": "crown: end/2 -15",
-        "Supports/Point supports":
-            "crown: axial middle; circumferential middle",
+        "Bodies": "rim, rim inside, left, right", **divided, **SECTOR,
         "Number of stages": 2, "Stage 1/Name": "mounting",
         "Stage 1/Bodies": "left, right",
         "Stage 1/Pressure": MOUNTING_PRESSURE, "Stage 1/Load factor": 1,
@@ -234,6 +411,25 @@ def main():
                        *(f"{abs(round(value, 1)):.1f}" if abs(value) < 0.05
                          else f"{value:.1f}" for value in on_tire[:3])])
 
+    unseated = {state: unseat(runs, *state) for state in STATES}
+    turned = {state: turn_rim(runs, *state) for state in STATES}
+    draw_unseated(unseated, turned,
+                  arguments.output / "figures/mounted_tire_unseated.png")
+    slip = []
+    for (friction, pressure), (directory, moments) in turned.items():
+        estimates = [2e-6 * friction * ring_integral(lines_of(
+            directory / f"contact-rim-{last_step(directory, stage):04d}.csv"),
+            lambda r: r) for stage in ("inflation", "turn")]
+        slip.append([f"{friction:g}", f"{pressure:g}",
+                     f"{max(moments.values()):.2f}",
+                     *(f"{estimate:.2f}" for estimate in estimates)])
+    steps = []
+    for number in (4, 8, 40):
+        directory = unseat(runs, 0.3, 0.2, number)
+        steps.append([f"{number}", *(
+            f"{heel(directory, round(number * part)):.2f}"
+            for part in (0.25, 0.5, 0.75, 1))])
+
     load = []
     for label, directory, step in (
             ("pressed on", aside, last_step(aside, "contact")),
@@ -252,10 +448,23 @@ def main():
                          "Largest contact pressure, MPa"],
                         inflation_rows(aside, "0.3") +
                         inflation_rows(smooth, "0")),
+        steps=table(["Steps", *(f"{p:g} MPa" for p in (0.05, 0.1, 0.15, 0.2))],
+                    steps),
+        inflation_steps=INFLATION_STEPS, unseating_way=UNSEATING_WAY,
+        unseating=table(
+            ["Friction", "Pressure, MPa", "Flange at rest, N",
+             "Normal to the seat at rest, N", "Maximum, N", "at, mm",
+             "friction of the seat, N", "the rest, N", "At 7 mm, N"],
+            [unseating_row(unseated[state], *state) for state in STATES]),
+        slip=table(["Friction", "Pressure, MPa", "Moment at slip, kN m",
+                    "From the pressures at rest, kN m", "at the end, kN m"], slip),
+        braked_moment=abs(forces(braked, "rim")[last_step(braked, "braked")][3])
+        / 1000,
+        loose_way=3.5, bar="BAR",
         load=table(["", "Body", "F_x", "F_y", "F_z", "M_y"], load),
         mounting_pressure=MOUNTING_PRESSURE,
         halves=heel(halves, last_step(halves, "inflation")),
-        pull=12 * abs(forces(halves, "right")
+        pull=SECTORS * abs(forces(halves, "right")
                       [last_step(halves, "inflation")][1]),
         given=given,
         camber=table(["Camber, degrees", "down, mm", "aside, mm", "F_x", "F_y",
