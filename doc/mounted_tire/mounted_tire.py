@@ -83,10 +83,13 @@ Friction of the seat is N tan(arctan μ − 5°) with the force N normal to it f
 rigid ring that is pushed down a cone, at the motion of the maximum. The rest, the force less that, is what
 the pressure in the tire exerts on the bead: it is nearly the force once the bead is loose, without interference. With μ = 0.3
 there is a maximum, at which the bead breaks loose; the interference, and with it the friction, vanish over the next
-{loose_way:.0f} mm or so. With μ = 0.1, which is hardly above tan 5° = 0.087, there is none: the force of
+3 mm or so. With μ = 0.1, which is hardly above tan 5° = 0.087, there is none: the force of
 the pressure alone resists, and grows as the bead goes on. Half the pressure has half of this part.
 
-In the test of standards a block pushes the sidewall of one side aside. {bar}
+In the test of standards a block pushes one sidewall toward the other side. With a bar of radius 30 mm across
+the tire, 240 mm from the axle, instead of the ground, the whole tire converges up to {bar_force:.0f} N, at which the
+heel beside the bar has moved inward by {bar_heel:.1f} mm; there the run ends, also in smaller steps, with softer contact
+springs or without friction. The maximum of this test is not reached.
 
 ## Slip on the rim
 
@@ -411,6 +414,17 @@ def main():
                        *(f"{abs(round(value, 1)):.1f}" if abs(value) < 0.05
                          else f"{value:.1f}" for value in on_tire[:3])])
 
+    bar = runs.run("bar", EXAMPLE, {
+        "Bodies": "rim, rim inside, bar", "Body bar/Shape": "cylinder",
+        "Body bar/Axis": "0, 0, 1", "Body bar/Radius": 30,
+        "Body bar/Point": "240, 107, 0", "Body bar/Motions": "push: 0 -1 0",
+        "Number of stages": 2, "Stage 1/Load factor": 0,
+        "Stage 2/Name": "push", "Stage 2/Contact": "false",
+        "Stage 2/Travel": "unchanged",
+        "Stage 2/Bodies": "rim, rim inside, bar",
+        "Stage 2/Load factors": "bodies bar push: 40", "Stage 2/Steps": 20},
+        may_stop=True)
+    pushed = last_step(bar, "push")
     unseated = {state: unseat(runs, *state) for state in STATES}
     turned = {state: turn_rim(runs, *state) for state in STATES}
     draw_unseated(unseated, turned,
@@ -460,7 +474,8 @@ def main():
                     "From the pressures at rest, kN m", "at the end, kN m"], slip),
         braked_moment=abs(forces(braked, "rim")[last_step(braked, "braked")][3])
         / 1000,
-        loose_way=3.5, bar="BAR",
+        bar_force=abs(forces(bar, "bar")[pushed][1]),
+        bar_heel=heel(bar, last_step(bar, "inflation")) - heel(bar, pushed),
         load=table(["", "Body", "F_x", "F_y", "F_z", "M_y"], load),
         mounting_pressure=MOUNTING_PRESSURE,
         halves=heel(halves, last_step(halves, "inflation")),

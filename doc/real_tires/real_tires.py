@@ -37,6 +37,13 @@ WALLS = {
     "one layer": {"Laminate/Layers": "one"},
     "equilibrium": {"Laminate/Transverse shear": "equilibrium"},
 }
+# a tire of which the databook has load (kN) and radius (mm) at bottoming, and its
+# rim: flanges over which the sidewall folds, and what the inner face meets
+BOTTOMING = {"name": "49x17 26PR", "load": 528.4, "radius": 342.9}
+OUTER_RIM = ("-180 297 15, -180 240, 180 240, 180 297 15, 240 297 10, 240 200, "
+             "-240 200, -240 297 10, -180 297")
+INNER_RIM = ("-145 290 8, -145 254, 145 254, 145 290 8, 240 290, 240 200, "
+             "-240 200, -240 290, -145 290")
 # of which the cornering power is computed with other inputs
 STUDIED = ("32x8.8 14PR", "18x4.4 6PR", "18x5.5 10PR", "49x17 26PR")
 
@@ -358,6 +365,57 @@ def compute_cornering(arguments, rows, varied):
     return results[:len(rows)], [power for *_, power in results[len(rows):]]
 
 
+def compute_bottoming(arguments, rows):
+    """For each wall and rim of the tire of BOTTOMING: words, and how far it is
+    pressed, the force, and that of the rim on the outer face, in mm and kN."""
+    row = next(row for row in rows if row["name"] == BOTTOMING["name"])
+    rim = {"Bodies": "rim, rim inside", "Stage 2/Bodies": "rim, rim inside",
+           "Body rim inside/Face": "inner"}
+    for body, profile in (("rim", OUTER_RIM), ("rim inside", INNER_RIM)):
+        rim |= {f"Body {body}/Shape": "revolved", f"Body {body}/Axis": "0, 1, 0",
+                f"Body {body}/Profile": profile}
+    one_layer = {"Laminate/Layers": "one", "Element/Thickness strain": "normal"}
+    cells = []
+    for name, words, entries in (
+            ("no rim", "two layers, no rim", {}),
+            ("rim", "two layers", rim),
+            ("one layer", "one layer, `Thickness strain = normal`",
+             rim | one_layer)):
+        run(arguments, f"bottoming {name}", {
+            **Construction(row).settings(), **entries, "Number of stages": "2",
+            "Stage 2/Travel": "280", "Stage 2/Steps": "28"})
+        directory = arguments.scratch / f"bottoming {name}".replace(" ", "_")
+        step = contact_step(directory)
+        with open(directory / "forces.csv", encoding="utf-8") as file:
+            on_rim = [float(line["F_x"]) / 1000 for line in csv.DictReader(file)
+                      if line["body"] == "rim"]
+        cells.append([words, f"{float(step['approach']):.0f}",
+                      f"{last_force(directory):.0f}",
+                      f"{on_rim[-1]:.0f}" if on_rim else ""])
+    return cells
+
+
+def bottoming_section(tire, cells):
+    return "\n\n".join([
+        "## Toward bottoming",
+        fill(f"""
+        The databook also has the load at which a tire bottoms: for {tire.row['name']}
+        {BOTTOMING['load']:.0f} kN, three times the rated load, at the deflection
+        {tire.diameter / 2 - BOTTOMING['radius']:.0f} mm. Pressed on by 280 mm instead of
+        {tire.deflection:.0f} mm in steps of 10 mm, with a rim of two flanges on whose edges
+        the sidewall folds, which also meets the inner face, the runs end at
+        """),
+        table(["Wall", "Deflection, mm", "Force, kN", "of it on the flanges, kN"],
+              cells),
+        fill("""
+        None bottoms, and the crown does not meet the rim. With two layers the soft rubber of the
+        sidewall is crushed between the flange and the carcass, by three quarters of its thickness, at
+        the clamped edge. With one layer the shoulder beside the footprint folds: its inner face
+        is compressed by the strain -0.48, where a linear material has no stiffness left
+        ([limits](limits.md)). Smaller steps end at the same place.
+        """)])
+
+
 def vary_cornering(arguments, rows):
     """For each case of other inputs: words, and for each tire of STUDIED force
     over rated load and cornering power over NASA's."""
@@ -608,7 +666,7 @@ def summary(results):
     return len(good), ratio, law, length, width
 
 
-def page(results, singles, equilibrium, variations, cornering, varied):
+def page(results, singles, equilibrium, variations, cornering, varied, bottoming):
     _, single_ratio, _, _, _ = summary(singles)
     n_equilibrium, equilibrium_ratio, _, _, _ = summary(equilibrium)
     n, ratio, law, length, width = summary(results)
@@ -698,6 +756,8 @@ def page(results, singles, equilibrium, variations, cornering, varied):
         """),
         stiffness_table(results, singles),
         cornering_section(*cornering, varied),
+        bottoming_section(next(tire for tire, *_ in results
+                               if tire.row["name"] == BOTTOMING["name"]), bottoming),
         "## What an input does",
         fill(f"""
         The databook has ranges instead of numbers, and says nothing about the
@@ -757,7 +817,7 @@ def main():
         (arguments.output / "real_tires.md").write_text(
             page(results, compute(arguments, rows, "one layer"),
                  compute(arguments, rows, "equilibrium"), variations, cornering,
-                 varied), encoding="utf-8")
+                 varied, compute_bottoming(arguments, rows)), encoding="utf-8")
     return 0 if all(force is not None for _, force, _ in results) else 1
 
 

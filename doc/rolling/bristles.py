@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tables of doc/rolling.md about the bias tire with a tread of bristles:
-stiffnesses of the standing tire, side forces on three meshes, and the iterations
-of 13 slip angles beside those with a critical velocity.
+stiffnesses of the standing tire, side forces on three meshes and on a stiffer
+ground, and the iterations of 13 slip angles beside those with a critical velocity.
 
     python3 doc/rolling/bristles.py --program build/biface
 """
@@ -110,6 +110,18 @@ def main():
                      "side force at 1°, N", "2°", "4°",
                      "aligning moment at 1°, N mm", "iterations of 6 steps"],
                     lines)
+
+        lines = []
+        for normal, cells in ((0.3, 1), (3, 1), (30, 1), (30, 2), (30, 4)):
+            at, _ = roll(program, scratch / f"normal_{normal}_{cells}", (1,), {
+                "Contact/Rolling friction": "bristles",
+                "Contact/Tangential regularization": 0.075,
+                "Contact/Regularization": normal}, cells=cells)
+            lines.append([f"{normal:g}", f"42 × {40 * cells}",
+                          *(f"{float(at[angle]['F_y']):.1f}"
+                            for angle in (0, 1))])
+        print_table(["k_n, MPa/mm", "cells", "side force in free rolling, N",
+                     "at 1°, N"], lines)
 
         lines = []
         for name, entries, steps in (
