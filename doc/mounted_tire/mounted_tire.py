@@ -89,7 +89,9 @@ the pressure alone resists, and grows as the bead goes on. Half the pressure has
 In the test of standards a block pushes one sidewall toward the other side. With a bar of radius 30 mm across
 the tire, 240 mm from the axle, instead of the ground, the whole tire converges up to {bar_force:.0f} N, at which the
 heel beside the bar has moved inward by {bar_heel:.1f} mm; there the run ends, also in smaller steps, with softer contact
-springs or without friction. The maximum of this test is not reached.
+springs or without friction. If the ground of the run below, pressed on by 30 mm, is glued to the tread (`Glued`) instead and slides
+along the axle, the side force grows to {glued_force:.0f} N, at which the trailing heel has moved inward by {glued_heel:.1f} mm,
+and there the run ends. In neither case is the maximum reached.
 
 ## Slip on the rim
 
@@ -343,8 +345,13 @@ def draw(directory, picture):
 
 def heel(directory, step):
     """The largest axial coordinate of the outer face near the rim."""
-    return max(y for y, r in zip(*section(directory, step, "outer"))
-               if r < 190)
+    return heels(directory, step)[1]
+
+
+def heels(directory, step):
+    """The extreme axial coordinates of the outer face near the rim."""
+    near = [y for y, r in zip(*section(directory, step, "outer")) if r < 190]
+    return min(near), max(near)
 
 
 def inflation_rows(directory, label):
@@ -425,6 +432,8 @@ def main():
         "Stage 2/Load factors": "bodies bar push: 40", "Stage 2/Steps": 20},
         may_stop=True)
     pushed = last_step(bar, "push")
+    glued = runs.run("glued", EXAMPLE, {"Stage 3/Glued": "true"}, may_stop=True)
+    held = last_step(glued, "aside")
     unseated = {state: unseat(runs, *state) for state in STATES}
     turned = {state: turn_rim(runs, *state) for state in STATES}
     draw_unseated(unseated, turned,
@@ -475,6 +484,9 @@ def main():
         braked_moment=abs(forces(braked, "rim")[last_step(braked, "braked")][3])
         / 1000,
         bar_force=abs(forces(bar, "bar")[pushed][1]),
+        glued_force=forces(glued, "foundation")[held][1],
+        glued_heel=max(abs(a - b) for a, b in zip(
+            heels(glued, last_step(glued, "contact")), heels(glued, held))),
         bar_heel=heel(bar, last_step(bar, "inflation")) - heel(bar, pushed),
         load=table(["", "Body", "F_x", "F_y", "F_z", "M_y"], load),
         mounting_pressure=MOUNTING_PRESSURE,
