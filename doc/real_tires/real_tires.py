@@ -377,9 +377,11 @@ def compute_bottoming(arguments, rows):
     one_layer = {"Laminate/Layers": "one", "Element/Thickness strain": "normal"}
     cells = []
     for name, words, entries in (
-            ("no rim", "two layers, no rim", {}),
-            ("rim", "two layers", rim),
-            ("one layer", "one layer, `Thickness strain = normal`",
+            ("no rim", "two layers", {}),
+            ("stiffer cords", "two layers, cords with a tenth of their stiffness "
+             "in compression", {"Material cord/E_L compression": "E_L/10"}),
+            ("rim", "two layers, flanges", rim),
+            ("one layer", "one layer, `Thickness strain = normal`, flanges",
              rim | one_layer)):
         run(arguments, f"bottoming {name}", {
             **Construction(row).settings(), **entries, "Number of stages": "2",
@@ -400,19 +402,20 @@ def bottoming_section(tire, cells):
         "## Toward bottoming",
         fill(f"""
         The databook also has the load at which a tire bottoms: for {tire.row['name']}
-        {BOTTOMING['load']:.0f} kN, three times the rated load, at the deflection
+        {BOTTOMING['load']:.0f} kN, three times the rated load, at a deflection of
         {tire.diameter / 2 - BOTTOMING['radius']:.0f} mm. Pressed on by 280 mm instead of
-        {tire.deflection:.0f} mm in steps of 10 mm, with a rim of two flanges on whose edges
-        the sidewall folds, which also meets the inner face, the runs end at
+        {tire.deflection:.0f} mm in steps of 10 mm, also with a rim (`Bodies`) of two flanges, on
+        whose edges the sidewall folds, and which the inner face can meet, the runs end at
         """),
         table(["Wall", "Deflection, mm", "Force, kN", "of it on the flanges, kN"],
               cells),
         fill("""
-        None bottoms, and the crown does not meet the rim. With two layers the soft rubber of the
-        sidewall is crushed between the flange and the carcass, by three quarters of its thickness, at
-        the clamped edge. With one layer the shoulder beside the footprint folds: its inner face
-        is compressed by the strain -0.48, where a linear material has no stiffness left
-        ([limits](limits.md)). Smaller steps end at the same place.
+        None bottoms, and the crown does not meet the rim. The sidewall folds at its
+        widest place beside the footprint: its inner face is compressed there by strains
+        of -0.40 to -0.48, where a linear material has no stiffness left
+        ([limits](limits.md)). With two layers and flanges the soft rubber of the sidewall is crushed
+        before, between the flange and the clamped edge, by three quarters of its thickness. The
+        last steps that were tried are 0.3 mm and less.
         """)])
 
 
