@@ -47,8 +47,7 @@ namespace
         largest                    = std::max(largest, std::abs(lambda[0]));
         tangential =
           std::max({tangential, std::abs(lambda[1]), std::abs(lambda[2])});
-        const double c =
-          contact.ground().clearance(state, loads, mesh->nodes[n]);
+        const double c = contact.ground().clearance(state, loads, n);
         if (state.contacts[0].active[n])
           condition = std::max(condition, std::abs(c - lambda[0] / 2));
         else
