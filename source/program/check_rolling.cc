@@ -103,7 +103,7 @@ namespace Biface
               body.name,
               "with steady rolling it must be a body of revolution about the y "
               "axis, the axle, that moves along it or turns about it only, "
-              "without friction");
+              "with 'Friction = 0'");
         if (contact.condition.points_per_side > 0 && stage.contact)
           throw InputError("Contact/Points in cells",
                            std::to_string(contact.condition.points_per_side),

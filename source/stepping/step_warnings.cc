@@ -17,6 +17,22 @@ namespace Biface
   {
     warn_of_pierced_nodes(run, report.loads);
     warn_of_large_cells(run, report.loads);
+    warn_of_pull(run, report);
+  }
+
+
+  void
+  StepWarnings::warn_of_pull(const StageRun &run, const StepReport &report)
+  {
+    // beside the pressures
+    constexpr double      remarkable = 1e-3;
+    const ContactSummary &contact    = report.contact;
+    if (contact.force >= -remarkable * contact.max_pressure * contact.area ||
+        !warned_of_pull.insert(run.stage.name).second)
+      return;
+    out << "  Warning: the foundation pulls at the shell, since its middle is "
+        << "beyond the points that make contact; its radius is too small for "
+        << "the cells" << std::endl;
   }
 
 
@@ -32,7 +48,7 @@ namespace Biface
         if (pair.get() == &run.contact.ground() ||
             warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
-        const auto deepest = pair->depth_between_nodes(run.state, loads);
+        const auto deepest = pair->depth_between_points(run.state, loads);
         if (deepest.relative <= remarkable)
           continue;
         char depth[48];
@@ -41,11 +57,12 @@ namespace Biface
                       "%.3g, %.2g %% of its thickness,",
                       deepest.depth,
                       100 * deepest.relative);
-        out << "  Warning: between nodes, which alone make contact, the body '"
-            << pair->name << "' is in the shell by " << depth
-            << " more than at the nodes around; make the cells "
-            << "smaller, or its edges rounder, or let 'Points in cells' make "
-            << "contact" << std::endl;
+        out << "  Warning: between "
+            << (pair->points.at_nodes() ? "nodes" : "points in cells")
+            << ", which alone make contact, the body '" << pair->name
+            << "' is in the shell by " << depth
+            << " more than at those around; make the cells smaller, its edges "
+            << "rounder, or 'Points in cells' more" << std::endl;
         warned_of_large_cells.insert(pair->name);
       }
   }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The place at which a plate is compressed most and that at which it is sheared
-// most are found, with their strains, on any number of ranks.
+// most are found, with their strains, on any number of ranks, and the stiffness
+// of a compressed face against short waves, where cells are short.
 
 #include <biface/model/quantities/worst_strains.h>
+#include <biface/program/parameters.h>
+#include <biface/program/shell_model.h>
 
 #include "cord_shells.h"
 #include <tests.h>
@@ -14,7 +17,7 @@ using namespace Biface;
 namespace
 {
   void
-  print(const std::string &name, const StrainAtPlace &strain)
+  print(const std::string &name, const ValueAtPlace &strain)
   {
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cout << name << " " << strain.value << " in cell " << strain.cell
@@ -55,6 +58,47 @@ namespace
                                                                       : "no")
                 << std::endl;
   }
+
+
+  /** The stiffness of an isotropic plate without lateral contraction, with
+   * cells of a quarter of its thickness, compressed along x. */
+  void
+  compress(const std::string &gradient_factor,
+           const double       compression,
+           const double       per_strain)
+  {
+    Parameters       parameters;
+    ParameterHandler prm;
+    read_parameters(DATA_DIR "/plate_and_bodies.prm",
+                    {"Mesh/Intervals alpha_1=0:20:40",
+                     "Laminate/Gradient factor=" + gradient_factor},
+                    MPI_COMM_WORLD,
+                    parameters,
+                    prm);
+    const auto mesh = make_shell_mesh(parameters, MPI_COMM_WORLD);
+    State      state(*mesh);
+    LA::Vector V = mesh->owned_vector();
+    for (const Node &node : mesh->nodes)
+      if (node.locally_owned)
+        V(node.dof(0, 0)) = -compression * node.alpha[0];
+    V.compress(VectorOperation::insert);
+    state.displacement = V;
+    InternalForces forces(*mesh);
+    forces.settle_resultants(state);
+
+    const WorstStrains worst  = worst_strains(*mesh, forces, state);
+    const double       strain = compression * (compression / 2 - 1);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    check_small("stiffness against short waves",
+                worst.short_wave->stiffness.value - (1 + per_strain * strain),
+                1e-12);
+    check_small("their direction", worst.short_wave->direction, 1e-12);
+    check_true(
+      "a sentence if it is small",
+      (1 + per_strain * strain < 0.2) ==
+        (describe(worst).find("Gradient factor") != std::string::npos));
+  }
 } // namespace
 
 
@@ -73,4 +117,10 @@ main(int argc, char *argv[])
   test(*mesh, [](const double, const double z) {
     return Tensor<1, 3>({0, 0, -0.4 * z});
   });
+
+  // K = Gh, R = Gh/3 and N = Ehe/2 on each face, with E = 2G: 1 + 2N/R, or
+  // with eight times R, 1 + 2N/K
+  compress("1", 0.05, 6);
+  compress("1", 0.2, 6);
+  compress("8", 0.2, 2);
 }

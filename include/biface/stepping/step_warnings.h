@@ -33,8 +33,13 @@ namespace Biface
     void
     warn_of_large_cells(const StageRun &run, const Loads &loads);
 
+    /** Warn of a convex foundation on whose far side nodes are. */
+    void
+    warn_of_pull(const StageRun &run, const StepReport &report);
+
     dealii::ConditionalOStream &out;
-    std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells;
+    std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells,
+      warned_of_pull;
   };
 } // namespace Biface
 

@@ -322,8 +322,58 @@ namespace Biface
   }
 
 
-  ContactPair::DepthBetweenNodes
-  ContactPair::depth_between_nodes(const State &state, const Loads &loads) const
+  namespace
+  {
+    /** Call a function with the depth of the body between the points of a cell
+     * with the nodes @p x, where it is in the shell. */
+    template <typename Function>
+    void
+    add_depths_between_points(const Cell                    &cell,
+                              const std::array<Point<3>, 4> &x,
+                              const ContactPair             &pair,
+                              const State                   &state,
+                              const Loads                   &loads,
+                              const Function                &function)
+    {
+      const ContactPoints &points = pair.points;
+      const unsigned int   k      = points.per_side();
+      std::vector<double>  clearances;
+      for (unsigned int i = 0; i < points.per_cell(); ++i)
+        clearances.push_back(
+          pair.clearance(state, loads, points.number(cell, i)));
+      // the parts of the points before and after a corner
+      const auto parts = [&](const unsigned int corner) {
+        const unsigned int before = std::clamp(corner, 1U, k - 1) - 1;
+        const double       after  = corner - 0.5 - before;
+        return std::pair(before, std::array<double, 2>{{1 - after, after}});
+      };
+      for (unsigned int j = 0; j <= k; ++j)
+        for (unsigned int i = 0; i <= k; ++i)
+          {
+            const double   u = double(i) / k, v = double(j) / k;
+            const Point<3> corner(
+              (1 - v) *
+                ((1 - u) * Tensor<1, 3>(x[0]) + u * Tensor<1, 3>(x[1])) +
+              v * ((1 - u) * Tensor<1, 3>(x[2]) + u * Tensor<1, 3>(x[3])));
+            const double in_shell = -pair.body(loads)->body.clearance(corner);
+            if (in_shell <= 0)
+              continue;
+            const auto [first, along]   = parts(i);
+            const auto [second, across] = parts(j);
+            double at_points            = 0;
+            for (unsigned int b = 0; b < 2; ++b)
+              for (unsigned int a = 0; a < 2; ++a)
+                at_points += along[a] * across[b] *
+                             clearances[k * (second + b) + first + a];
+            function(in_shell + at_points);
+          }
+    }
+  } // namespace
+
+
+  ContactPair::DepthBetweenPoints
+  ContactPair::depth_between_points(const State &state,
+                                    const Loads &loads) const
   {
     // the sides of a cell, and both ways across its middle
     static const std::vector<std::vector<std::array<unsigned int, 2>>> between{
@@ -333,9 +383,13 @@ namespace Biface
       {{{1, 3}}},
       {{{0, 1}}, {{2, 3}}, {{0, 2}}, {{1, 3}}}};
 
-    DepthBetweenNodes deepest;
-    if (!body(loads) || !points.at_nodes())
+    DepthBetweenPoints deepest;
+    if (!body(loads) || points.per_cell() == 1)
       return deepest;
+    const auto add = [&](const double depth, const double thickness) {
+      deepest.depth    = std::max(deepest.depth, depth);
+      deepest.relative = std::max(deepest.relative, depth / thickness);
+    };
     const RigidBody       &now = body(loads)->body;
     const Resultants::Face other =
       (face == Resultants::outer) ? Resultants::inner : Resultants::outer;
@@ -351,8 +405,24 @@ namespace Biface
             normal[q] =
               x[q] - mesh.deformed_position(state.displacement, node, other);
             normal[q] /= normal[q].norm();
-            clearances[q] = now.clearance(x[q]);
-            thickness[q]  = node.face_heights[1] - node.face_heights[0];
+            thickness[q] = node.face_heights[1] - node.face_heights[0];
+          }
+        // the clearance bounds the distance
+        const double size = std::max(x[0].distance(x[3]), x[1].distance(x[2]));
+        clearances[0]     = now.clearance(x[0]);
+        if (clearances[0] > 2 * size)
+          continue;
+        for (unsigned int q = 1; q < 4; ++q)
+          clearances[q] = now.clearance(x[q]);
+        if (!points.at_nodes())
+          {
+            add_depths_between_points(
+              cell, x, *this, state, loads, [&](const double depth) {
+                add(depth,
+                    tread.height.value_or(0) +
+                      *std::min_element(thickness.begin(), thickness.end()));
+              });
+            continue;
           }
         for (const auto &sides : between)
           {
@@ -373,9 +443,7 @@ namespace Biface
             const double in_shell = -now.clearance(Point<3>(middle));
             if (in_shell <= 0)
               continue;
-            const double depth = in_shell + at_nodes;
-            deepest.depth      = std::max(deepest.depth, depth);
-            deepest.relative   = std::max(deepest.relative, depth / wall);
+            add(in_shell + at_nodes, wall);
           }
       }
     deepest.depth    = Utilities::MPI::max(deepest.depth, mesh.communicator);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,8 @@ namespace Biface
       unsigned int vertex = 0;
       /** 2 for the thickness strain. */
       unsigned int face = 0;
+      /** Of a wave. Unit: degrees. */
+      double direction = 0;
     };
 
 
@@ -71,9 +74,76 @@ namespace Biface
     }
 
 
-    /** The maximum on all ranks.
+    /** The length of the shortest side of a cell. */
+    double
+    shortest_side(const ShellMesh &mesh, const Cell &cell)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (unsigned int v = 0; v < 4; ++v)
+        for (const unsigned int w : {v ^ 1U, v ^ 2U})
+          shortest =
+            std::min(shortest,
+                     mesh.nodes[cell.nodes[v]].surface.position.distance(
+                       mesh.nodes[cell.nodes[w]].surface.position));
+      return shortest;
+    }
+
+
+    /** Minus the stiffness against short waves, see WorstStrains::ShortWave. */
+    Candidate
+    minimum_stiffness(const ShellMesh &mesh, const Cell &cell, const Strains &H)
+    {
+      using namespace Resultants;
+      constexpr unsigned int n_directions = 36;
+
+      Candidate maximum;
+      double    thickness = 0;
+      for (const unsigned int n : cell.nodes)
+        thickness =
+          std::max(thickness, 2 * mesh.nodes[n].half_thickness[cell.layer]);
+      if (shortest_side(mesh, cell) >= thickness)
+        return maximum;
+      const Matrix &D = mesh.strips[cell.strip].laminate.stiffness();
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const double                direction = 180. * i / n_directions;
+          const std::array<double, 2> n{
+            {std::cos(direction * numbers::PI / 180),
+             std::sin(direction * numbers::PI / 180)}};
+          const auto stiffness = [&](const unsigned int p,
+                                     const unsigned int q) {
+            double sum = 0;
+            for (unsigned int a = 0; a < 2; ++a)
+              for (unsigned int b = 0; b < 2; ++b)
+                sum += n[a] * D[transverse(a, p)][transverse(b, q)] * n[b];
+            return sum;
+          };
+          const double inner = stiffness(0, 0), outer = stiffness(1, 1),
+                       both        = stiffness(0, 1),
+                       determinant = inner * outer - both * both;
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              std::array<double, 2> N;
+              for (unsigned int p = 0; p < 2; ++p)
+                N[p] = n[0] * n[0] * H[v][tangential(0, p)] +
+                       n[1] * n[1] * H[v][tangential(1, p)] +
+                       2 * n[0] * n[1] * H[v][tangential(2, p)];
+              // the lowest eigenvalue
+              const double half = (outer * N[0] + inner * N[1]) / 2;
+              const double root = std::sqrt(
+                std::max(0., half * half - determinant * N[0] * N[1]));
+              const double value = -(1 + (half - root) / determinant);
+              if (value > maximum.value)
+                maximum = {value, v, N[0] < N[1] ? 0U : 1U, direction};
+            }
+        }
+      return maximum;
+    }
+
+
+    /** The maximum on all ranks; none if all are minus infinity.
      * @param of_cell of the cells of this rank, in their order. */
-    StrainAtPlace
+    std::optional<WorstStrains::ShortWave>
     maximum(const ShellMesh &mesh, const std::vector<Candidate> &of_cell)
     {
       std::vector<double> values;
@@ -82,8 +152,9 @@ namespace Biface
       const auto worst = find_largest_cell(mesh, values);
       Assert(worst, ExcMessage("A mesh has cells."));
 
-      // value, face, coordinates, position: of the one rank that has the cell
-      std::vector<double> data(7, 0.);
+      // value, face, coordinates, position, direction: of the one rank that has
+      // the cell
+      std::vector<double> data(8, 0.);
       if (worst->position)
         {
           const Candidate &candidate = of_cell[*worst->position];
@@ -95,10 +166,13 @@ namespace Biface
             data[2 + a] = node.alpha[a] / mesh.get_surface().coordinate_unit(a);
           for (unsigned int i = 0; i < 3; ++i)
             data[4 + i] = node.surface.position[i];
+          data[7] = candidate.direction;
         }
       Utilities::MPI::sum(data, mesh.communicator, data);
+      if (!std::isfinite(data[0]))
+        return {};
 
-      StrainAtPlace place;
+      ValueAtPlace place;
       place.value = data[0];
       if (data[1] < 2)
         place.face = static_cast<unsigned int>(data[1]);
@@ -107,7 +181,7 @@ namespace Biface
       place.cell     = worst->number;
       if (mesh.n_layers() > 1)
         place.layer = worst->layer;
-      return place;
+      return WorstStrains::ShortWave{place, data[7]};
     }
   } // namespace
 
@@ -117,22 +191,31 @@ namespace Biface
                 const InternalForces &forces,
                 const State          &state)
   {
-    std::vector<Candidate> compressions, shears;
+    std::vector<Candidate> compressions, shears, waves;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         if (!mesh.cells[c].is_layer)
           {
             compressions.emplace_back();
             shears.emplace_back();
+            waves.emplace_back();
             continue;
           }
         const Strains strains =
           Modes::at_vertices(forces.total_strains(state, c));
         compressions.push_back(maximum_compression(strains));
         shears.push_back(maximum_shear(strains));
+        waves.push_back(minimum_stiffness(
+          mesh,
+          mesh.cells[c],
+          Modes::at_vertices(forces.total_resultants(state, c))));
       }
-    WorstStrains worst{maximum(mesh, compressions), maximum(mesh, shears)};
+    WorstStrains worst{maximum(mesh, compressions)->stiffness,
+                       maximum(mesh, shears)->stiffness,
+                       maximum(mesh, waves)};
     worst.compression.value *= -1;
+    if (worst.short_wave)
+      worst.short_wave->stiffness.value *= -1;
     return worst;
   }
 
@@ -149,7 +232,7 @@ namespace Biface
 
 
     std::string
-    place(const StrainAtPlace &strain)
+    place(const ValueAtPlace &strain)
     {
       const double size = strain.position.norm();
       std::string  position;
@@ -176,6 +259,7 @@ namespace Biface
   describe(const WorstStrains &worst)
   {
     // a fifth of the strain away the stiffness is a fifth of the initial one
+    constexpr double small = 0.2;
     const bool at_the_end = worst.compression.value < 0.8 * least_stable_strain;
     return "the shell is compressed most " + place(worst.compression) +
            ", by the " + (worst.compression.face ? "tangential" : "thickness") +
@@ -187,6 +271,17 @@ namespace Biface
               ? " A linear (St. Venant-Kirchhoff) material has no "
                 "stiffness left at the strain -1/3; close to it, steps "
                 "fail, however small."
+              : "") +
+           (worst.short_wave && worst.short_wave->stiffness.value < small
+              ? " Where cells are shorter than the wall is thick, a face that "
+                "is compressed may wrinkle: " +
+                  place(worst.short_wave->stiffness) +
+                  ", the stiffness against waves at " +
+                  digits(worst.short_wave->direction) +
+                  " degrees from alpha_1 is " +
+                  digits(worst.short_wave->stiffness.value) +
+                  " of that without load. A 'Laminate/Gradient factor' of 8, "
+                  "or larger cells, may help."
               : "");
   }
 } // namespace Biface

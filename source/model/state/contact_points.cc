@@ -14,7 +14,7 @@ namespace Biface
                                const Resultants::Face face,
                                const unsigned int     per_side,
                                const MultiplierMass   mass)
-    : mesh(mesh), face(face), points_per_cell(per_side * per_side)
+    : mesh(mesh), face(face), points_per_side(per_side)
   {
     if (at_nodes())
       {
@@ -28,7 +28,7 @@ namespace Biface
             points_on_cell.push_back(point);
           }
       }
-    for (unsigned int i = 0; i < points_per_cell; ++i)
+    for (unsigned int i = 0; i < per_cell(); ++i)
       {
         const std::array<double, 2> x{
           {(i % per_side + 0.5) / per_side, (i / per_side + 0.5) / per_side}};
@@ -37,7 +37,7 @@ namespace Biface
           {
             point.position[v] =
               (v & 1 ? x[0] : 1 - x[0]) * (v & 2 ? x[1] : 1 - x[1]);
-            point.forces[v] = point.position[v] / points_per_cell;
+            point.forces[v] = point.position[v] / per_cell();
           }
         points_on_cell.push_back(point);
       }

@@ -13,8 +13,8 @@
 
 namespace Biface
 {
-  /** A strain at a vertex of a cell. */
-  struct StrainAtPlace
+  /** A strain, or another number, at a vertex of a cell. */
+  struct ValueAtPlace
   {
     double value = 0;
     /** The inner or the outer face; none for the thickness strain. */
@@ -35,10 +35,32 @@ namespace Biface
   {
     /** The maximum compression: the minimum of the principal tangential strains
      * of both faces and of the thickness strains. */
-    StrainAtPlace compression;
+    ValueAtPlace compression;
     /** The maximum transverse shear, the length of
      * @f$(2E_{13},2E_{23})@f$. */
-    StrainAtPlace shear;
+    ValueAtPlace shear;
+
+    /** A wave of one face that is short against the thickness. */
+    struct ShortWave
+    {
+      /** The stiffness against it, relative to that without resultants. */
+      ValueAtPlace stiffness;
+      /** Of the wave, from @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$.
+       * Unit: degrees. */
+      double direction = 0;
+    };
+
+    /**
+     * The one with the least stiffness in cells that are shorter than the layer
+     * is thick; none if there are no such cells. With the unit vector n along
+     * the wave, it is the lowest eigenvalue of
+     * @f$\mathbf D_n^{-1}(\mathbf D_n+\mathbf N)@f$, where
+     * @f$D_n^{pq}@f$ are the stiffnesses against the transverse shear strains
+     * of the faces along n, and @f$\mathbf N@f$ has the diagonal entries
+     * @f$H_{ab}^pn_an_b@f$. A face wrinkles where it is negative: the gradient
+     * factor of the laminate raises it.
+     */
+    std::optional<ShortWave> short_wave;
   };
 
   /**
@@ -58,7 +80,7 @@ namespace Biface
 
   /** "the shell is compressed most at ..." and further sentences for the user;
    * they name the material if the compression is close to
-   * @p least_stable_strain. */
+   * @p least_stable_strain, and a face that is about to wrinkle. */
   std::string
   describe(const WorstStrains &worst);
 } // namespace Biface

@@ -73,22 +73,28 @@ namespace Biface
     bool
     at_nodes() const
     {
-      return points_per_cell == 0;
+      return points_per_side == 0;
     }
 
     /** The number of points in a cell; 0 if they are the nodes. */
     unsigned int
     per_cell() const
     {
-      return points_per_cell;
+      return points_per_side * points_per_side;
+    }
+
+    /** Its square root. */
+    unsigned int
+    per_side() const
+    {
+      return points_per_side;
     }
 
     /** The number of points on this rank. */
     unsigned int
     size() const
     {
-      return at_nodes() ? mesh.nodes.size()
-                        : mesh.cells.size() * points_per_cell;
+      return at_nodes() ? mesh.nodes.size() : mesh.cells.size() * per_cell();
     }
 
     /** Whether a point belongs to this rank. */
@@ -112,7 +118,7 @@ namespace Biface
       if (at_nodes())
         return at_node(mesh.nodes[point]);
       const auto &nodes = cell_of(point).nodes;
-      const auto &part  = points_on_cell[point % points_per_cell].position;
+      const auto &part  = points_on_cell[point % per_cell()].position;
       auto        value = part[0] * at_node(mesh.nodes[nodes[0]]);
       for (unsigned int v = 1; v < 4; ++v)
         value += part[v] * at_node(mesh.nodes[nodes[v]]);
@@ -137,12 +143,12 @@ namespace Biface
     const Cell &
     cell_of(const unsigned int point) const
     {
-      return mesh.cells[point / points_per_cell];
+      return mesh.cells[point / per_cell()];
     }
 
     const ShellMesh       &mesh;
     const Resultants::Face face;
-    const unsigned int     points_per_cell;
+    const unsigned int     points_per_side;
     std::vector<OnCell>    points_on_cell;
   };
 } // namespace Biface

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A bar that touches two lines of nodes of a flat plate is in the plate between
-// them by the sagitta of its circle, and a plane is nowhere deeper than at the
-// nodes.
+// A bar that touches two lines of nodes, or of points in cells, of a flat plate
+// is in the plate between them by the sagitta of its circle, and a plane is
+// nowhere deeper than at the nodes or points.
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <biface/program/parameters.h>
 #include <biface/program/shell_model.h>
@@ -28,8 +30,11 @@ main(int argc, char *argv[])
   // the plate with cells of 5 is 2 thick; the bar is over the middle of a cell
   const double radius = 8, cell = 5, face = 1,
                sagitta = radius - std::sqrt(radius * radius - cell * cell / 4);
-  for (const double pushed : {1e-9, 0.3})
+  for (const auto &[pushed, points_per_side] :
+       {std::pair(1e-9, 0U), std::pair(0.3, 0U), std::pair(0.3, 2U)})
     {
+      ContactPair::Parameters laws;
+      laws.condition.points_per_side = points_per_side;
       BodyParameters bar, plane;
       bar.name        = "bar";
       bar.shape       = BodyParameters::Shape::cylinder;
@@ -40,23 +45,24 @@ main(int argc, char *argv[])
       plane.direction = bar.direction;
       plane.point     = Point<3>(0, 0, face - pushed);
       bar.point[2] -= pushed;
-      const ContactInteraction contact(
-        *mesh, ContactPair::Parameters(), {bar, plane});
-      const State state = contact.unloaded_state();
-      Loads       loads;
+      const ContactInteraction contact(*mesh, laws, {bar, plane});
+      const State              state = contact.unloaded_state();
+      Loads                    loads;
       for (const unsigned int i : {1, 2})
         loads.place(i,
                     {contact.pairs[i]->body_at(
                       {0.}, [](const RigidBody &body) { return body; })});
-      const auto of_bar   = contact.pairs[1]->depth_between_nodes(state, loads),
-                 of_plane = contact.pairs[2]->depth_between_nodes(state, loads);
+      const auto of_bar = contact.pairs[1]->depth_between_points(state, loads),
+                 of_plane =
+                   contact.pairs[2]->depth_between_points(state, loads);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
-      // from the circle through the nodes
-      const double height  = radius - sagitta - pushed,
-                   at_node = std::hypot(cell / 2, height) - radius,
-                   middle  = height - radius;
-      check_small("bar", of_bar.depth - (at_node - middle), 1e-9, sagitta);
+      // from the circle through the nodes or points
+      const double distance = cell / 2 / std::max(1U, points_per_side),
+                   height   = radius - sagitta - pushed,
+                   at_point = std::hypot(distance, height) - radius,
+                   middle   = height - radius;
+      check_small("bar", of_bar.depth - (at_point - middle), 1e-9, sagitta);
       check_small(
         "part of the thickness", of_bar.relative - of_bar.depth / 2, 1e-12);
       check_small("plane", of_plane.depth, 1e-12);
