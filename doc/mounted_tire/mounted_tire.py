@@ -143,12 +143,60 @@ the ground, with friction, by a given force of {given:.0f} N, while it may move 
 
 *Where the rim is, and its force on the tire in N.* The wheel moves aside to where its side force vanishes.
 
+## It rolls
+
+A wheel that rolls steadily feels its rim without friction: the body is the same at any angle of the wheel. The beads, which
+stick to a real rim, are held around the axle by supports, and the tire rolls on a tread of bristles, 8 mm of rubber
+with E = 1.8 MPa and μ = 0.8, after it has been pressed on by 30 mm:
+
+    build/biface prm/mounted_tire.prm {rolling_options}
+
+{rolling}
+
+*In the axes of the wheel.* Each step takes {rolling_iterations} iterations.
+
 ## How far it goes
 
 Pressed farther, the sidewall rolls over the flange. The run ends at {deepest:.0f} mm and
 {largest:.0f} N, {times:.1f} times the force at 30 mm: there the sidewall is folded, with strains
 of −0.4, where a linear material has no stiffness left ([limits](limits.md)). The crown does not reach the rim.
 """
+
+
+ROLLING = {
+    "Body rim/Friction": 0, "Body rim/Motions": "",
+    "Supports/alpha_1 min": "circumferential outer",
+    "Supports/alpha_1 max": "circumferential outer",
+    "Contact/Multiplier mass": "lumped", "Contact/Rolling friction": "bristles",
+    "Contact/Tread/Height": 8, "Contact/Tread/Modulus": 1.8,
+    "Number of stages": 4, "Stage 3/Name": "free rolling",
+    "Stage 3/Control": "axle moment", "Stage 3/Ground velocity": 10000,
+    "Stage 3/Slide": "unchanged", "Stage 3/Steps": 1,
+    "Stage 4/Name": "slip angle", "Stage 4/Control": "axle moment",
+    "Stage 4/Ground velocity": 10000, "Stage 4/Slip angle": 1,
+    "Stage 4/Contact": "true", "Stage 4/Travel": 30,
+    "Stage 4/Bodies": "rim, rim inside", "Stage 4/Pressure": 0.2,
+    "Stage 4/Steps": 2}
+
+
+def roll(runs):
+    """What the page says of the wheel that rolls."""
+    directory = runs.run("rolling", EXAMPLE, ROLLING)
+    rows = [[f"{float(line['slip_angle']):g}",
+             f"{float(line['rolling_radius']):.2f}",
+             *(f"{float(line[name]):.1f}" for name in ("F_x", "F_y", "F_z")),
+             f"{float(line['M_z']) / 1000:.2f}"]
+            for line in lines_of(directory / "rolling.csv")]
+    iterations = [int(line["iterations"])
+                  for line in lines_of(directory / "history.csv")
+                  if line["stage"] in ("free rolling", "slip angle")]
+    options = [f'--set "{entry}={value}"' for entry, value in ROLLING.items()]
+    pairs = (" ".join(options[i:i + 2]) for i in range(0, len(options), 2))
+    return {
+        "rolling_options": " \\\n      ".join(pairs),
+        "rolling": table(["Slip angle, °", "R_e, mm", "F_x, N", "F_y, N",
+                          "F_z, N", "M_z, N m"], rows),
+        "rolling_iterations": f"{min(iterations)} to {max(iterations)}"}
 
 
 def ring_integral(points, weight):
@@ -468,6 +516,7 @@ def main():
     at_30 = -forces(aside, "foundation")[last_step(aside, "contact")][0]
     largest = float(reached["force"])
     (arguments.output / "mounted_tire.md").write_text(PAGE.format(
+        **roll(runs),
         inflation=table(["Friction", "Pressure, MPa", "Heel at, mm",
                          "Largest contact pressure, MPa"],
                         inflation_rows(aside, "0.3") +

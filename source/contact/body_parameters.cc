@@ -243,7 +243,7 @@ namespace Biface
       "'foundation': the body is an obstacle on the foundation of the section "
       "'Contact'. Its place is that while the foundation, which moves with it, "
       "is at 'Point on path'; a 'Contact/Tread' lies between both and the "
-      "shell.");
+      "shell. Other bodies touch the shell itself.");
     prm.add_action("Moves with", [this](const std::string &text) {
       on_foundation = (text == "foundation");
     });

@@ -90,7 +90,7 @@ namespace Biface
     {
       using Shape = BodyParameters::Shape;
       const double distance =
-        (body.touches_inner_face ? 0 : contact.tread.height.value_or(0));
+        (body.touches_tread() ? contact.tread.height.value_or(0) : 0);
       const std::string section = "Body " + body.name + "/";
       if (body.shape == Shape::sphere || body.shape == Shape::cylinder)
         check_radius(section + "Radius", *body.radius, distance, contact, mesh);

@@ -2,7 +2,8 @@
 
 // A bar that touches two lines of nodes, or of points in cells, of a flat plate
 // is in the plate between them by the sagitta of its circle, and a plane is
-// nowhere deeper than at the nodes or points.
+// nowhere deeper than at the nodes or points. They are not on the foundation,
+// so that no tread lies between them and the plate.
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,8 @@ main(int argc, char *argv[])
     {
       ContactPair::Parameters laws;
       laws.condition.points_per_side = points_per_side;
+      laws.tread.height              = 1;
+      laws.tread.modulus             = 1;
       BodyParameters bar, plane;
       bar.name        = "bar";
       bar.shape       = BodyParameters::Shape::cylinder;

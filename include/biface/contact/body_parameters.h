@@ -72,6 +72,15 @@ namespace Biface
     bool touches_inner_face = false;
     /** Whether it moves with the foundation. */
     bool on_foundation = false;
+
+    /** Whether it touches the tread, like the foundation, not the shell itself,
+     * like a rim. */
+    bool
+    touches_tread() const
+    {
+      return on_foundation && !touches_inner_face;
+    }
+
     /** A constant coefficient or a formula, see FrictionLaw. */
     std::string friction = "0";
 

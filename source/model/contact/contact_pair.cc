@@ -168,7 +168,7 @@ namespace Biface
     , number(number)
     , name(body.name)
     , face(body.touches_inner_face ? Resultants::inner : Resultants::outer)
-    , tread(face == Resultants::outer ? ground.tread : TreadParameters())
+    , tread(body.touches_tread() ? ground.tread : TreadParameters())
     , condition(tread.with_tread(ground.condition), mesh.wall_stiffness())
     , points(mesh, face, ground.condition.points_per_side, condition.mass())
     , flow_lines(mesh)

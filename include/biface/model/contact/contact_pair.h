@@ -134,8 +134,8 @@ namespace Biface
                 const unsigned int number);
 
     /** The pair with a body that is not the ground, whose laws of contact are
-     * those of the ground, except the coefficient of friction. On the outer
-     * face, a tread lies between both. */
+     * those of the ground, except the coefficient of friction. A tread lies
+     * between both if the body touches it. */
     ContactPair(const ShellMesh      &mesh,
                 const Parameters     &ground,
                 const BodyParameters &body,
