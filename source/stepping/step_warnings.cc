@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <biface/model/quantities/depth_between_points.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/step_warnings.h>
 
@@ -48,7 +49,7 @@ namespace Biface
         if (pair.get() == &run.contact.ground() ||
             warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
-        const auto deepest = pair->depth_between_points(run.state, loads);
+        const auto deepest = depth_between_points(*pair, run.state, loads);
         if (deepest.relative <= remarkable)
           continue;
         char depth[48];

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include <biface/model/quantities/depth_between_points.h>
 #include <biface/program/parameters.h>
 #include <biface/program/shell_model.h>
 
@@ -55,9 +56,9 @@ main(int argc, char *argv[])
         loads.place(i,
                     {contact.pairs[i]->body_at(
                       {0.}, [](const RigidBody &body) { return body; })});
-      const auto of_bar = contact.pairs[1]->depth_between_points(state, loads),
+      const auto of_bar = depth_between_points(*contact.pairs[1], state, loads),
                  of_plane =
-                   contact.pairs[2]->depth_between_points(state, loads);
+                   depth_between_points(*contact.pairs[2], state, loads);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
       // from the circle through the nodes or points

@@ -250,22 +250,6 @@ namespace Biface
     double
     penetration(const State &state, const Loads &loads) const;
 
-    /** How far the body is in the shell between points. */
-    struct DepthBetweenPoints
-    {
-      /** Deeper than in the mean of the points around, and divided by the
-       * thickness of wall and tread; 0 outside. */
-      double depth = 0, relative = 0;
-    };
-
-    /** The largest between nodes at the middle of cells and of their sides,
-     * where the face bulges as its directors turn; between points in cells at
-     * the corners of their parts of the cell, with the depth at the points
-     * extrapolated linearly, and 0 if there is a single one in a cell. Must be
-     * called on all ranks. */
-    DepthBetweenPoints
-    depth_between_points(const State &state, const Loads &loads) const;
-
     /** Whether a node of this rank has passed through the body: one that did
      * not touch it, on the straight line between its places relative to the
      * body, and one that did, if the normal has turned by more than 120
