@@ -150,7 +150,8 @@ namespace Biface
       for (const Candidate &candidate : of_cell)
         values.push_back(candidate.value);
       const auto worst = find_largest_cell(mesh, values);
-      Assert(worst, ExcMessage("A mesh has cells."));
+      if (!worst)
+        return {};
 
       // value, face, coordinates, position, direction: of the one rank that has
       // the cell
@@ -169,8 +170,6 @@ namespace Biface
           data[7] = candidate.direction;
         }
       Utilities::MPI::sum(data, mesh.communicator, data);
-      if (!std::isfinite(data[0]))
-        return {};
 
       ValueAtPlace place;
       place.value = data[0];
