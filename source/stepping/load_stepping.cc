@@ -255,8 +255,12 @@ namespace Biface
       return failure;
     failure.n_negative_pivots = result.exact_pivots();
     if (run.progress.n_steps > 0)
-      failure.worst =
-        worst_strains(equations.mesh, equations.internal_forces(), run.state);
+      {
+        failure.worst =
+          worst_strains(equations.mesh, equations.internal_forces(), run.state);
+        failure.worst->short_wave = softest_short_wave(
+          equations.mesh, equations.internal_forces(), run.state);
+      }
     failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
                       " (" + run.stage.name + ") did not converge" +
                       bisections(n_cuts, n_iterations) + ": " + failure.message;

@@ -86,8 +86,9 @@ namespace
     InternalForces forces(*mesh);
     forces.settle_resultants(state);
 
-    const WorstStrains worst  = worst_strains(*mesh, forces, state);
-    const double       strain = compression * (compression / 2 - 1);
+    WorstStrains worst  = worst_strains(*mesh, forces, state);
+    worst.short_wave    = softest_short_wave(*mesh, forces, state);
+    const double strain = compression * (compression / 2 - 1);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     check_small("stiffness against short waves",

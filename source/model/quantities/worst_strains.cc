@@ -190,32 +190,43 @@ namespace Biface
                 const InternalForces &forces,
                 const State          &state)
   {
-    std::vector<Candidate> compressions, shears, waves;
+    std::vector<Candidate> compressions, shears;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         if (!mesh.cells[c].is_layer)
           {
             compressions.emplace_back();
             shears.emplace_back();
-            waves.emplace_back();
             continue;
           }
         const Strains strains =
           Modes::at_vertices(forces.total_strains(state, c));
         compressions.push_back(maximum_compression(strains));
         shears.push_back(maximum_shear(strains));
-        waves.push_back(minimum_stiffness(
-          mesh,
-          mesh.cells[c],
-          Modes::at_vertices(forces.total_resultants(state, c))));
       }
     WorstStrains worst{maximum(mesh, compressions)->stiffness,
                        maximum(mesh, shears)->stiffness,
-                       maximum(mesh, waves)};
+                       {}};
     worst.compression.value *= -1;
-    if (worst.short_wave)
-      worst.short_wave->stiffness.value *= -1;
     return worst;
+  }
+
+
+  std::optional<WorstStrains::ShortWave>
+  softest_short_wave(const ShellMesh      &mesh,
+                     const InternalForces &forces,
+                     const State          &state)
+  {
+    std::vector<Candidate> waves(mesh.cells.size());
+    for (const unsigned int c : mesh.layers)
+      waves[c] = minimum_stiffness(
+        mesh,
+        mesh.cells[c],
+        Modes::at_vertices(forces.total_resultants(state, c)));
+    auto softest = maximum(mesh, waves);
+    if (softest)
+      softest->stiffness.value *= -1;
+    return softest;
   }
 
 

@@ -63,6 +63,12 @@ namespace Biface
     std::optional<ShortWave> short_wave;
   };
 
+  /** See WorstStrains::short_wave. Must be called on all ranks. */
+  std::optional<WorstStrains::ShortWave>
+  softest_short_wave(const ShellMesh      &mesh,
+                     const InternalForces &forces,
+                     const State          &state);
+
   /**
    * Green's strain at which a St. Venant-Kirchhoff material has no stiffness
    * left in uniaxial stress: the force @f$\lambda E@f$ has its minimum at
@@ -70,9 +76,9 @@ namespace Biface
    */
   constexpr double least_stable_strain = -1. / 3;
 
-  /** The worst strains of a state, the same on all ranks and on any number of
-   * them: of equal strains, that in the cell of the lowest number. Must be
-   * called on all ranks. */
+  /** The worst strains of a state without the short wave, the same on all ranks
+   * and on any number of them: of equal strains, that in the cell of the lowest
+   * number. Must be called on all ranks. */
   WorstStrains
   worst_strains(const ShellMesh      &mesh,
                 const InternalForces &forces,
