@@ -893,56 +893,6 @@ namespace Biface
 
 
   void
-  MixedElement::subtract_slack_cords(const SlackStiffness &slack,
-                                     const StrainMatrix   &B,
-                                     StrainMatrix         &DB) const
-  {
-    // call a function with the tangential strains at a Gauss point, the modes
-    // they depend on, and the factors of these
-    const auto for_modes = [this](const unsigned int g, const auto &function) {
-      for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < group.size; ++i)
-          {
-            const double value = Modes::value_at_gauss_point(group, g);
-            if (group.strains[i] < Resultants::n_tangential)
-              function(group.strains[i], group.first_mode + i, value);
-            else if (group.strains[i] == Modes::twist && with_means())
-              for (unsigned int face = 0; face < 2; ++face)
-                function(Resultants::tangential(2, face),
-                         group.first_mode + i,
-                         face_sign[face] * value);
-          }
-    };
-
-    using Rows =
-      std::array<std::array<double, n_dofs>, Resultants::n_tangential>;
-    for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-      if (slack.any[g])
-        {
-          alignas(64) Rows B_g{}, CB{};
-          for_modes(
-            g, [&](const unsigned int s, const unsigned int m, const double x) {
-              for (unsigned int k = 0; k < n_dofs; ++k)
-                B_g[s][k] += x * B[m][k];
-            });
-          for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-            for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-              {
-                const double c = geometry.weight / Modes::n_gauss_points *
-                                 slack.at_points[g][s][t];
-                for (unsigned int k = 0; k < n_dofs; ++k)
-                  CB[s][k] += c * B_g[t][k];
-              }
-          for_modes(
-            g, [&](const unsigned int s, const unsigned int m, const double x) {
-              for (unsigned int k = 0; k < n_dofs; ++k)
-                DB[m][k] -= x * CB[s][k];
-            });
-        }
-  }
-
-
-  void
   MixedElement::shear_matrix(const StrainMatrix &B, ShearMatrix &G) const
   {
     for (auto &rows : G)
@@ -1000,10 +950,10 @@ namespace Biface
 
   BIFACE_VECTORIZED
   void
-  MixedElement::add_tangent(const ModeStiffness  &stiffness,
-                            const Modes::Vector  &resultants,
-                            NodalMatrix          &K,
-                            const SlackStiffness *slack) const
+  MixedElement::add_tangent(const ModeStiffness             &stiffness,
+                            const Modes::Vector             &resultants,
+                            NodalMatrix                     &K,
+                            const NonlinearPlies::Stiffness *added) const
   {
     Modes::Vector H = resultants;
     if (with_normal_thickness())
@@ -1051,8 +1001,14 @@ namespace Biface
           }
       }
 
-    if (slack)
-      subtract_slack_cords(*slack, B, DB);
+    if (added)
+      for (unsigned int m = 0; m < Modes::n; ++m)
+        for (unsigned int n = 0; n < Modes::n; ++n)
+          {
+            const double c = geometry.weight * (*added)[m][n];
+            for (unsigned int k = 0; k < n_dofs; ++k)
+              DB[m][k] += c * B[n][k];
+          }
     if (with_normal_thickness())
       subtract_leaning(G, H, DB);
 

@@ -45,20 +45,6 @@ namespace Biface
     }
 
 
-    /** The strain along the cords that causes the initial stress of a ply. */
-    double
-    initial_cord_strain(const Ply &ply)
-    {
-      if (ply.compression_loss == 0 || ply.initial_stress.norm() == 0)
-        return 0;
-      const SymmetricTensor<4, 3> compliance = invert(ply.stiffness);
-      const double strain = (compliance * ply.initial_stress)[0][0];
-      return strain >= 0
-               ? strain
-               : strain / (1 - ply.compression_loss * compliance[0][0][0][0]);
-    }
-
-
     TransverseShear::FaceStrains
     transverse_strains(const Resultants::Vector &E)
     {
@@ -76,14 +62,21 @@ namespace Biface
                      const double                 reference_height,
                      const TransverseShearLaw    &shear_law,
                      const std::array<double, 2> &curvature,
-                     const WallOfLayer           &wall)
+                     const WallOfLayer           &wall,
+                     const bool                   along_normal)
     : plies(std::move(plies))
     , rotated(rotated_stiffnesses(this->plies))
     , law(law)
     , functions(thickness(), reference_height, curvature)
     , transverse_shear(shear_law, thicknesses(this->plies), rotated, wall)
+    , along_normal(along_normal)
     , D(integrate_stiffness())
-  {}
+  {
+    if (std::any_of(this->plies.begin(), this->plies.end(), [](const Ply &ply) {
+          return ply.rubber;
+        }))
+      set_points();
+  }
 
 
   double
@@ -211,6 +204,92 @@ namespace Biface
   }
 
 
+  std::shared_ptr<const MaterialLaw>
+  Laminate::law_of(const unsigned int ply) const
+  {
+    return plies[ply].rubber
+             ? plies[ply].rubber
+             : std::make_shared<const LinearLaw>(rotated[ply], along_normal);
+  }
+
+
+  PlyPoints::Point
+  Laminate::point(const unsigned int ply, const double z) const
+  {
+    PlyPoints::Point point;
+    point.area = functions.area(z);
+    for (unsigned int p = 0; p < 2; ++p)
+      {
+        for (unsigned int ab = 0; ab < 3; ++ab)
+          point.tangential[ab][p] = functions.strain(ab, p, z);
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            TransverseShear::FaceStrains unit;
+            unit[p][c]               = 1;
+            const Tensor<1, 2> shear = transverse_shear.strain(unit, ply, z);
+            for (unsigned int a = 0; a < 2; ++a)
+              point.shear[p][a][c] = shear[a];
+          }
+      }
+    return point;
+  }
+
+
+  void
+  Laminate::set_points()
+  {
+    std::vector<PlyPoints::Point> of_plies;
+    // the transverse shear stiffness that the points lack, see TransverseShear
+    Resultants::Matrix remainder;
+    for (unsigned int s = Resultants::transverse(0, 0);
+         s < Resultants::thickness;
+         ++s)
+      for (unsigned int t = Resultants::transverse(0, 0);
+           t < Resultants::thickness;
+           ++t)
+        remainder[s][t] = D[s][t];
+
+    double z = 0;
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      {
+        const auto law = law_of(k);
+        functions.integrate(
+          z, z + plies[k].thickness, [&](const double at, const double weight) {
+            PlyPoints::Point next = point(k, at);
+            next.thickness        = weight;
+            next.law              = law;
+            for (unsigned int p = 0; p < 2; ++p)
+              for (unsigned int q = 0; q < 2; ++q)
+                for (unsigned int a = 0; a < 2; ++a)
+                  for (unsigned int c = 0; c < 2; ++c)
+                    for (unsigned int d = 0; d < 2; ++d)
+                      for (unsigned int e = 0; e < 2; ++e)
+                        remainder[Resultants::transverse(d, p)]
+                                 [Resultants::transverse(e, q)] -=
+                          weight * next.area * next.shear[p][a][d] *
+                          rotated[k][a][2][c][2] * next.shear[q][c][e];
+            of_plies.push_back(std::move(next));
+          });
+        z += plies[k].thickness;
+      }
+    points = std::make_shared<const PlyPoints>(
+      std::move(of_plies), thickness(), remainder, along_normal);
+  }
+
+
+  PointStrains::Vector
+  Laminate::point_strain(const Resultants::Vector &E,
+                         const unsigned int        ply,
+                         const double              z) const
+  {
+    const PlyPoints::Point at       = point(ply, z);
+    PointStrains::Vector   strain   = at.strain(E);
+    strain[PointStrains::thickness] = thickness_strain(
+      *law_of(ply), strain, points->thickness_state(E).stress / at.area);
+    return strain;
+  }
+
+
   std::array<std::array<double, 2>, 2>
   Laminate::mass_moments() const
   {
@@ -237,7 +316,7 @@ namespace Biface
     for (unsigned int k = 0; k < plies.size(); ++k)
       {
         const Ply &ply = plies[k];
-        if (ply.compression_loss > 0)
+        if (ply.cords)
           {
             const std::array<double, 3> direction = cord_direction(ply.angle);
             for (unsigned int g = 0; g < quadrature.size(); ++g)
@@ -250,8 +329,7 @@ namespace Biface
                       functions.strain(ab, p, at) * direction[ab];
                 point.thickness =
                   quadrature.weight(g) * ply.thickness * functions.area(at);
-                point.loss           = ply.compression_loss;
-                point.initial_strain = initial_cord_strain(ply);
+                point.law = ply.cords;
                 points.push_back(point);
               }
           }
@@ -268,8 +346,8 @@ namespace Biface
     for (const CordPoint &cord : cord_points())
       for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
         for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-          matrix[s][t] -=
-            cord.loss * cord.thickness * cord.direction[s] * cord.direction[t];
+          matrix[s][t] += cord.law->lowest_modulus() * cord.thickness *
+                          cord.direction[s] * cord.direction[t];
     return matrix;
   }
 
@@ -290,7 +368,7 @@ namespace Biface
                         const double              z) const
   {
     const auto along = cord_direction(plies[ply].angle);
-    double     e     = initial_cord_strain(plies[ply]);
+    double     e     = 0;
     for (unsigned int ab = 0; ab < 3; ++ab)
       e += along[ab] * tangential_strain(E, ab, z);
     return e;
@@ -332,6 +410,8 @@ namespace Biface
                    const unsigned int        ply,
                    const double              z) const
   {
+    if (points)
+      return PointStrains::to_strain(point_strain(E, ply, z));
     SymmetricTensor<2, 3> strain;
     strain[0][0] = tangential_strain(E, 0, z);
     strain[1][1] = tangential_strain(E, 1, z);
@@ -358,32 +438,37 @@ namespace Biface
                    const unsigned int        ply,
                    const double              z) const
   {
-    const SymmetricTensor<4, 3> &b      = rotated[ply];
-    SymmetricTensor<2, 3>        e      = strain(E, ply, z);
-    SymmetricTensor<2, 3>        stress = b * e;
-    if (law == ThicknessLaw::asymmetric)
+    SymmetricTensor<2, 3> stress;
+    if (points)
+      stress =
+        PointStrains::to_stress(law_of(ply)->stress(point_strain(E, ply, z)));
+    else
       {
-        // tangential stresses of plane stress, the others of the full law
-        const double S_33 = stress[2][2];
-        e[2][2] -= S_33 / b[2][2][2][2];
-        stress       = b * e;
-        stress[2][2] = S_33;
+        const SymmetricTensor<4, 3> &b = rotated[ply];
+        SymmetricTensor<2, 3>        e = strain(E, ply, z);
+        stress                         = b * e;
+        if (law == ThicknessLaw::asymmetric)
+          {
+            // tangential stresses of plane stress, the others of the full law
+            const double S_33 = stress[2][2];
+            e[2][2] -= S_33 / b[2][2][2][2];
+            stress       = b * e;
+            stress[2][2] = S_33;
+          }
+        const Tensor<1, 2> shear =
+          transverse_shear.stress(transverse_strains(E), ply, z);
+        for (unsigned int a = 0; a < 2; ++a)
+          stress[a][2] = shear[a];
       }
-    const Tensor<1, 2> shear =
-      transverse_shear.stress(transverse_strains(E), ply, z);
-    for (unsigned int a = 0; a < 2; ++a)
-      stress[a][2] = shear[a];
 
     const Ply &p = plies[ply];
-    if (p.compression_loss > 0)
+    if (p.cords)
       {
         const auto   along = cord_direction(p.angle);
-        const double missing =
-          p.compression_loss * (std::min(0., cord_strain(E, ply, z)) -
-                                std::min(0., initial_cord_strain(p)));
+        const double added = p.cords->response(cord_strain(E, ply, z)).stress;
         for (unsigned int ab = 0; ab < 3; ++ab)
           stress[Resultants::tangential_pairs[ab][0]]
-                [Resultants::tangential_pairs[ab][1]] -= missing * along[ab];
+                [Resultants::tangential_pairs[ab][1]] += added * along[ab];
       }
     return stress;
   }

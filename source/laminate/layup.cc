@@ -493,10 +493,11 @@ namespace Biface
         if (material == materials.end())
           throw InputError(
             "Laminate/Plies", ply.text, "its material must be one of " + names);
-        material->stiffness();
-        if (material->has_slack_cords() &&
-            material->type == MaterialParameters::Type::transversely_isotropic)
-          material->compression_loss(material->E_L);
+        material->laws();
+        if (material->is_hyperelastic() && law != ThicknessLaw::symmetric)
+          throw InputError("the entry 'Laminate/Thickness law' must be "
+                           "'symmetric' with the law of the material '" +
+                           material->name + "', which is not linear.");
         if (material->has_slack_cords() && !initial_resultants.empty())
           throw InputError("the entry 'Laminate/Initial resultants' must be "
                            "empty with cords that go slack ('Material " +
@@ -506,7 +507,10 @@ namespace Biface
                            "ply stresses' instead.");
         material->get_strengths();
         material->get_density();
-        material->get_loss_factor();
+        if (material->get_loss_factor() > 0 && material->is_hyperelastic())
+          throw InputError("the entry 'Material " + material->name +
+                           "/Loss factor' may only be given with a linear "
+                           "law.");
         for (Formula formula : {ply.thickness, ply.angle})
           variables.bind(formula, tables);
       }
@@ -620,10 +624,12 @@ namespace Biface
                          at_crown = cords.cord_pitch](const double alpha_1) {
           return given(alpha_1) * at_crown / pitch(alpha_1);
         };
-      ply.stiffness = [material,
-                       text      = ply.text,
-                       pitch     = ply.cord_pitch,
-                       thickness = ply.thickness](const double alpha_1) {
+      ply.laws = [material,
+                  text      = ply.text,
+                  pitch     = ply.cord_pitch,
+                  thickness = ply.thickness](
+                   const double                 alpha_1,
+                   const SymmetricTensor<2, 3> &initial_stress) {
         const CordAndRubber &cords = material.cord_and_rubber;
         const double         t = thickness(alpha_1), P = pitch(alpha_1);
         if (!(P > cords.cord_diameter && t > cords.cord_diameter))
@@ -635,7 +641,7 @@ namespace Biface
                              " have the distance " + number_to_string(P) +
                              " in the thickness " + number_to_string(t) +
                              ", but both must be greater than the diameter");
-        return material.stiffness(cords.cord_area() / (P * t));
+        return material.laws(cords.cord_area() / (P * t), initial_stress);
       };
     }
   } // namespace
@@ -666,30 +672,25 @@ namespace Biface
             return m.name == given.material;
           });
         PlyDescription ply;
-        ply.text        = given.text;
-        ply.material    = given.material;
-        ply.strengths   = material->get_strengths();
-        ply.density     = material->get_density();
-        ply.loss_factor = material->get_loss_factor();
-        ply.has_fibers =
-          (material->type != MaterialParameters::Type::isotropic);
-        ply.thickness      = tables.function(given.thickness);
-        const auto degrees = tables.function(given.angle);
-        ply.angle          = [degrees, angle_reference](const double alpha_1) {
+        ply.text            = given.text;
+        ply.material        = given.material;
+        ply.strengths       = material->get_strengths();
+        ply.density         = material->get_density();
+        ply.loss_factor     = material->get_loss_factor();
+        ply.has_fibers      = !material->is_isotropic();
+        ply.has_slack_cords = material->has_slack_cords();
+        ply.is_hyperelastic = material->is_hyperelastic();
+        ply.thickness       = tables.function(given.thickness);
+        const auto degrees  = tables.function(given.angle);
+        ply.angle           = [degrees, angle_reference](const double alpha_1) {
           return angle_from_meridian(degrees(alpha_1), angle_reference);
         };
         if (material->type == MaterialParameters::Type::cord_and_rubber)
           set_cords(*material, surface, ply);
         else
-          ply.stiffness = [stiffness = material->stiffness()](const double) {
-            return stiffness;
-          };
-        if (material->has_slack_cords())
-          ply.compression_loss = [material = *material,
-                                  stiffness =
-                                    ply.stiffness](const double alpha_1) {
-            return material.compression_loss(
-              1 / invert(stiffness(alpha_1))[0][0][0][0]);
+          ply.laws = [material = *material](
+                       const double, const SymmetricTensor<2, 3> &initial) {
+            return material.laws(0, initial);
           };
         if (given.range)
           {
@@ -761,17 +762,20 @@ namespace Biface
                            "a thickness must be positive, and at alpha_1 = " +
                              number_to_string(alpha_1) + " it is " +
                              number_to_string(thickness));
-        present.push_back(
-          {ply.stiffness(alpha_1),
-           thickness,
-           ply.angle(alpha_1),
-           ply.initial_stress ? ply.initial_stress(alpha_1)
-                              : SymmetricTensor<2, 3>(),
-           p,
-           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
-           ply.compression_loss ? ply.compression_loss(alpha_1) : 0,
-           ply.density,
-           ply.loss_factor});
+        const SymmetricTensor<2, 3> initial_stress =
+          ply.initial_stress ? ply.initial_stress(alpha_1)
+                             : SymmetricTensor<2, 3>();
+        const PlyLaws laws = ply.laws(alpha_1, initial_stress);
+        present.push_back({laws.stiffness,
+                           thickness,
+                           ply.angle(alpha_1),
+                           initial_stress,
+                           p,
+                           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
+                           laws.cords,
+                           laws.rubber,
+                           ply.density,
+                           ply.loss_factor});
       }
     if (present.empty())
       throw InputError(
@@ -791,7 +795,9 @@ namespace Biface
                     reference_height,
                     shear_law,
                     curvature ? curvature(alpha_1)
-                              : std::array<double, 2>{{0, 0}});
+                              : std::array<double, 2>{{0, 0}},
+                    {},
+                    along_normal);
   }
 
 
@@ -842,7 +848,8 @@ namespace Biface
                                      reference_height - wall.height_below,
                                      shear_law,
                                      at,
-                                     wall));
+                                     wall,
+                                     along_normal));
         const double thickness = result.back()->thickness();
         if (thickness < 1e-6 * h)
           throw InputError("the entry 'Laminate/Layers' makes layer " +
@@ -881,9 +888,19 @@ namespace Biface
   Layup::has_slack_cords() const
   {
     return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
-      return static_cast<bool>(ply.compression_loss);
+      return ply.has_slack_cords;
     });
   }
+
+
+  bool
+  Layup::is_hyperelastic() const
+  {
+    return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
+      return ply.is_hyperelastic;
+    });
+  }
+
 
   bool
   Layup::has_loss() const

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/material.h>
 #include <biface/laminate/material_parameters.h>
+#include <biface/laminate/rubber.h>
 
 namespace Biface
 {
@@ -22,13 +25,23 @@ namespace Biface
       prm,
       "Type",
       type,
-      {"isotropic", "transversely isotropic", "orthotropic", "cord and rubber"},
+      {"isotropic",
+       "transversely isotropic",
+       "orthotropic",
+       "cord and rubber",
+       "neo-Hooke",
+       "Mooney-Rivlin",
+       "Yeoh",
+       "Ogden"},
       "Which of the constants below are used: 'isotropic' E, nu; "
       "'transversely isotropic' about the cords or fibers E_L to "
       "nu_TT; 'orthotropic' the nine constants E_1 to nu_23, axis 1 "
       "along the fibers, 3 across the ply; 'cord and rubber' E_cord "
       "to 'Ply thickness', from which the constants of a "
-      "transversely isotropic ply are computed.");
+      "transversely isotropic ply are computed. These are linear; rubber at "
+      "large strains is 'neo-Hooke' with mu, 'Mooney-Rivlin' with c10, c01, "
+      "'Yeoh' with c10, c20, c30, or 'Ogden' with mu_i, alpha_i, each with K "
+      "or nu.");
 
     const std::vector<std::pair<std::string, double *>> moduli{{"E", &E},
                                                                {"E_L", &E_L},
@@ -63,7 +76,52 @@ namespace Biface
                         "under a stress along the first. No unit.",
                         Patterns::Double());
 
+    const std::vector<std::tuple<std::string, double *, std::string>> of_rubber{
+      {"K", &K, "The bulk modulus; 0: by nu"},
+      {"mu", &mu, "The shear modulus"},
+      {"c10", &c10, "The factor of I1 - 3"},
+      {"c20", &c20, "The factor of (I1 - 3)^2"},
+      {"c30", &c30, "The factor of (I1 - 3)^3"},
+      {"c01", &c01, "The factor of I2 - 3"}};
+    for (const auto &constant : of_rubber)
+      prm.add_parameter(std::get<0>(constant),
+                        *std::get<1>(constant),
+                        std::get<2>(constant) +
+                          " of rubber, see 'Type'. Unit: force/area.",
+                        Patterns::Double());
+    prm.add_parameter("mu_i",
+                      mu_i,
+                      "List of the constants mu_i of 'Ogden', with the energy "
+                      "mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) "
+                      "of the principal stretches: the shear modulus is half "
+                      "the sum of mu_i alpha_i. Unit: force/area.",
+                      Patterns::List(Patterns::Double()));
+    prm.add_parameter("alpha_i",
+                      alpha_i,
+                      "List of the exponents alpha_i of 'Ogden', as many as "
+                      "mu_i. No unit.",
+                      Patterns::List(Patterns::Double()));
+
     cord_and_rubber.add_parameters(prm);
+    add_choice(prm,
+               "Matrix",
+               matrix,
+               {"linear", "neo-Hooke"},
+               "What is between the cords of 'transversely isotropic' or 'cord "
+               "and rubber': a linear law for small strains, or neo-Hookean "
+               "rubber with the shear modulus G_LT and the bulk modulus K (or "
+               "by nu, or of the rubber of 'cord and rubber'), in which the "
+               "cords have a force linear in their stretch, such that E_L is "
+               "the modulus of the ply; then E_T is about 4 G_LT, and E_T, "
+               "G_TT, nu_LT, nu_TT are not given.");
+    prm.add_parameter("Compression onset",
+                      compression_onset,
+                      "The compressive strain of the cords from which on their "
+                      "modulus is 'E_L compression': a number or a formula of "
+                      "E_L, G_LT, not negative, or 'by matrix': 0 in a linear "
+                      "one, G_LT/E_L, where cords buckle in the matrix, in "
+                      "rubber. No unit.",
+                      Patterns::Anything());
     prm.add_parameter("E_L compression",
                       E_L_compression,
                       "Young's modulus E_L where the strain along the cords is "
@@ -107,8 +165,150 @@ namespace Biface
   }
 
 
-  SymmetricTensor<4, 3>
-  MaterialParameters::stiffness(const double cord_fraction) const
+  bool
+  MaterialParameters::is_isotropic() const
+  {
+    return type != Type::transversely_isotropic && type != Type::orthotropic &&
+           type != Type::cord_and_rubber;
+  }
+
+
+  bool
+  MaterialParameters::is_hyperelastic() const
+  {
+    return matrix == Matrix::neo_Hooke ||
+           (is_isotropic() && type != Type::isotropic);
+  }
+
+
+  void
+  MaterialParameters::check_unused() const
+  {
+    const std::string section = "Material " + name + "/";
+    const auto        refuse  = [&](const std::string &entry,
+                            const bool         given,
+                            const bool         used,
+                            const std::string &users) {
+      if (given && !used)
+        throw InputError("the entry '" + section + entry +
+                         "' may only be given with " + users + ".");
+    };
+    const bool has_cords =
+      type == Type::transversely_isotropic || type == Type::cord_and_rubber;
+    refuse("Matrix",
+           matrix != Matrix::linear,
+           has_cords,
+           "'Type = transversely isotropic' or 'cord and rubber'");
+    const bool polynomial = type == Type::Mooney_Rivlin || type == Type::Yeoh;
+    refuse("mu", mu != 0, type == Type::neo_Hooke, "'Type = neo-Hooke'");
+    refuse("c10", c10 != 0, polynomial, "'Type = Mooney-Rivlin' or 'Yeoh'");
+    refuse(
+      "c01", c01 != 0, type == Type::Mooney_Rivlin, "'Type = Mooney-Rivlin'");
+    refuse("c20", c20 != 0, type == Type::Yeoh, "'Type = Yeoh'");
+    refuse("c30", c30 != 0, type == Type::Yeoh, "'Type = Yeoh'");
+    refuse("mu_i", !mu_i.empty(), type == Type::Ogden, "'Type = Ogden'");
+    refuse("alpha_i", !alpha_i.empty(), type == Type::Ogden, "'Type = Ogden'");
+    refuse("K",
+           K != 0,
+           is_hyperelastic(),
+           "a rubber ('neo-Hooke', 'Mooney-Rivlin', 'Yeoh', 'Ogden') or with "
+           "'Matrix = neo-Hooke'");
+    for (const auto &constant : {std::make_pair("E_T", E_T),
+                                 std::make_pair("G_TT", G_TT),
+                                 std::make_pair("nu_LT", nu_LT),
+                                 std::make_pair("nu_TT", nu_TT)})
+      refuse(constant.first,
+             constant.second != 0,
+             matrix == Matrix::linear,
+             "'Matrix = linear'");
+  }
+
+
+  double
+  MaterialParameters::bulk_modulus(const double shear_modulus) const
+  {
+    const std::string section = "Material " + name + "/";
+    if (K != 0)
+      {
+        if (nu != 0)
+          throw InputError("the entries '" + section + "K' and '" + section +
+                           "nu' exclude each other: give one of them.");
+        check_finite(section + "K", K);
+        if (!(K > 2. / 3 * shear_modulus))
+          throw InputError(section + "K",
+                           number_to_string(K),
+                           "it must be greater than two thirds of the shear "
+                           "modulus, " +
+                             number_to_string(shear_modulus));
+        return K;
+      }
+    if (type == Type::cord_and_rubber && nu == 0)
+      return cord_and_rubber.E_rubber /
+             (3 * (1 - 2 * cord_and_rubber.nu_rubber));
+    if (!(nu > 0 && nu < 0.5))
+      throw InputError(section + "nu",
+                       number_to_string(nu),
+                       "it must lie between 0 and 0.5 where 'K' is not given");
+    return 2 * shear_modulus * (1 + nu) / (3 * (1 - 2 * nu));
+  }
+
+
+  std::shared_ptr<const MaterialLaw>
+  MaterialParameters::rubber(const double shear_modulus) const
+  {
+    const std::string section  = "Material " + name + "/";
+    const auto        positive = [&](const std::string &entries,
+                              const double       modulus) {
+      if (!(modulus > 0 && std::isfinite(modulus)))
+        throw InputError("the entries '" + section + entries +
+                         "' must have a positive shear modulus, but it is " +
+                         number_to_string(modulus) + ".");
+      return bulk_modulus(modulus);
+    };
+    switch (type)
+      {
+        case Type::Mooney_Rivlin:
+        case Type::Yeoh:
+          for (const auto &constant : {std::make_pair("c10", c10),
+                                       std::make_pair("c20", c20),
+                                       std::make_pair("c30", c30),
+                                       std::make_pair("c01", c01)})
+            check_finite(section + constant.first, constant.second);
+          return std::make_shared<PolynomialRubber>(
+            std::array<double, 3>{{c10, c20, c30}},
+            c01,
+            positive(type == Type::Yeoh ? "c10" : "c10' and 'c01",
+                     2 * (c10 + c01)));
+        case Type::Ogden:
+          {
+            if (mu_i.empty() || mu_i.size() != alpha_i.size())
+              throw InputError("the entries '" + section + "mu_i' and '" +
+                               section +
+                               "alpha_i' must be lists of the same length, but "
+                               "have " +
+                               std::to_string(mu_i.size()) + " and " +
+                               std::to_string(alpha_i.size()) + " numbers.");
+            std::vector<OgdenRubber::Term> terms;
+            double                         modulus = 0;
+            for (unsigned int i = 0; i < mu_i.size(); ++i)
+              {
+                check_not_zero(section + "mu_i", mu_i[i]);
+                check_not_zero(section + "alpha_i", alpha_i[i]);
+                terms.push_back({mu_i[i], alpha_i[i]});
+                modulus += mu_i[i] * alpha_i[i] / 2;
+              }
+            return std::make_shared<OgdenRubber>(
+              terms, positive("mu_i' and 'alpha_i", modulus));
+          }
+        default:
+          return std::make_shared<NeoHooke>(shear_modulus,
+                                            bulk_modulus(shear_modulus));
+      }
+  }
+
+
+  Material
+  MaterialParameters::linear_material(const double cord_fraction) const
   {
     const std::string section = "Material " + name;
     switch (type)
@@ -119,24 +319,23 @@ namespace Biface
             throw InputError(section + "/nu",
                              number_to_string(nu),
                              "it must lie between -1 and 0.5");
-          return Material::isotropic(E, nu).stiffness(section);
-        case Type::transversely_isotropic:
-          check_positive(section + "/E_L", E_L);
-          check_positive(section + "/E_T", E_T);
-          check_positive(section + "/G_LT", G_LT);
-          check_positive(section + "/G_TT", G_TT);
-          return Material::transversely_isotropic(
-                   E_L, E_T, G_LT, G_TT, nu_LT, nu_TT)
-            .stiffness(section);
+          return Material::isotropic(E, nu);
         case Type::orthotropic:
-          return Material{E_1, E_2, E_3, G_12, G_13, G_23, nu_12, nu_13, nu_23}
-            .stiffness(section);
+          return {E_1, E_2, E_3, G_12, G_13, G_23, nu_12, nu_13, nu_23};
         case Type::cord_and_rubber:
           cord_and_rubber.check(name);
-          return cord_and_rubber.ply_material(cord_fraction).stiffness(section);
+          return cord_and_rubber.ply_material(cord_fraction);
+        default:
+          check_positive(section + "/E_L", E_L);
+          check_positive(section + "/G_LT", G_LT);
+          if (matrix == Matrix::linear)
+            {
+              check_positive(section + "/E_T", E_T);
+              check_positive(section + "/G_TT", G_TT);
+            }
+          return Material::transversely_isotropic(
+            E_L, E_T, G_LT, G_TT, nu_LT, nu_TT);
       }
-    Assert(false, ExcInternalError());
-    return {};
   }
 
 
@@ -157,7 +356,7 @@ namespace Biface
 
 
   double
-  MaterialParameters::compression_loss(const double E_L) const
+  MaterialParameters::modulus_in_compression(const double E_L) const
   {
     const std::string entry   = "Material " + name + "/E_L compression";
     const double      modulus = Formula(entry, E_L_compression, {"E_L"})({E_L});
@@ -167,7 +366,101 @@ namespace Biface
                        E_L_compression,
                        "it must be above 0 and at most E_L, " +
                          number_to_string(E_L));
-    return std::max(0., E_L - modulus);
+    return std::min(E_L, modulus);
+  }
+
+
+  double
+  MaterialParameters::onset(const double E_L, const double G_LT) const
+  {
+    if (compression_onset == MaterialParameters().compression_onset)
+      return matrix == Matrix::linear ? 0 : G_LT / E_L;
+    const std::string entry = "Material " + name + "/Compression onset";
+    const double      value =
+      Formula(entry, compression_onset, {"E_L", "G_LT"})({E_L, G_LT});
+    if (!(value >= 0 && value < 1))
+      throw InputError(
+        entry, compression_onset, "it must be at least 0 and less than 1");
+    return value;
+  }
+
+
+  namespace
+  {
+    /** The strain along the cords, axis 1, that causes an initial stress, where
+     * beyond the strain -onset the stress is lost by which @p loss is the
+     * modulus. */
+    double
+    initial_cord_strain(const SymmetricTensor<4, 3> &stiffness,
+                        const SymmetricTensor<2, 3> &stress,
+                        const double                 loss,
+                        const double                 onset)
+    {
+      if (stress.norm() == 0)
+        return 0;
+      const SymmetricTensor<4, 3> compliance = invert(stiffness);
+      const double                strain     = (compliance * stress)[0][0];
+      const double                lost       = loss * compliance[0][0][0][0];
+      return strain >= -onset ? strain : (strain + lost * onset) / (1 - lost);
+    }
+  } // namespace
+
+
+  PlyLaws
+  MaterialParameters::laws(const double                 cord_fraction,
+                           const SymmetricTensor<2, 3> &initial_stress) const
+  {
+    const std::string section = "Material " + name;
+    check_unused();
+    PlyLaws result;
+    if (is_isotropic() && is_hyperelastic())
+      {
+        if (type == Type::neo_Hooke)
+          check_positive(section + "/mu", mu);
+        result.rubber    = rubber(mu);
+        result.stiffness = result.rubber->initial_stiffness();
+        return result;
+      }
+
+    const Material constants = linear_material(cord_fraction);
+    const bool     slack     = has_slack_cords();
+    const double   E_c =
+      slack ? modulus_in_compression(constants.E_1) : constants.E_1;
+    if (matrix == Matrix::linear)
+      {
+        result.stiffness = constants.stiffness(section);
+        // E_L as the stiffness has it
+        const double E_L  = 1 / invert(result.stiffness)[0][0][0][0];
+        const double loss = std::max(0., E_L - E_c);
+        if (slack && loss > 0)
+          {
+            const double e_c = onset(constants.E_1, constants.G_12);
+            result.cords     = std::make_shared<SlackCordLaw>(
+              loss,
+              e_c,
+              initial_cord_strain(result.stiffness, initial_stress, loss, e_c));
+          }
+        return result;
+      }
+
+    const double G = constants.G_12, K_matrix = bulk_modulus(G);
+    const double E_matrix = 9 * K_matrix * G / (3 * K_matrix + G);
+    if (!(E_c >= E_matrix))
+      throw InputError(section + (slack ? "/E_L compression" : "/E_L"),
+                       number_to_string(E_c),
+                       "it must be at least Young's modulus of the matrix, " +
+                         number_to_string(E_matrix));
+    if (slack && initial_stress.norm() > 0)
+      throw InputError("a ply of the material '" + name +
+                       "' with 'Matrix = neo-Hooke' and cords that go slack "
+                       "('E_L compression') may have no initial stress "
+                       "('Laminate/Initial ply stresses').");
+    result.rubber = rubber(G);
+    result.cords  = std::make_shared<StretchedCordLaw>(
+      constants.E_1 - E_matrix, E_c - E_matrix, onset(constants.E_1, G));
+    result.stiffness = result.rubber->initial_stiffness();
+    result.stiffness[0][0][0][0] += constants.E_1 - E_matrix;
+    return result;
   }
 
 

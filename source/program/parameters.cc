@@ -411,7 +411,7 @@ namespace Biface
               materials.begin(), materials.end(), [&](const auto &m) {
                 return m.name == ply.material;
               });
-            if (material->type == MaterialParameters::Type::isotropic)
+            if (material->is_isotropic())
               continue;
             for (unsigned int i = 0; i + 1 < lines.size() && angled.empty();
                  ++i)

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include <biface/element/slack_cords.h>
+#include <biface/element/nonlinear_plies.h>
 #include <biface/laminate/layup.h>
 
 #include "one_cell.h"
@@ -117,8 +117,8 @@ namespace
     const Laminate plies = laminate(1e-6);
     ModeStiffness  stiffness(plies.stiffness(), sampling);
     stiffness.release_thickness_strain(plies.stiffness_of_slack_cords());
-    const SlackCords cords(plies.cord_points(), sampling);
-    const TestCell   cell = make_cells(torus(),
+    const NonlinearPlies cords(plies, sampling);
+    const TestCell       cell = make_cells(torus(),
                                      {{"10:20:1", "5:12:1"}},
                                      plies.face_heights(),
                                      sampling,
@@ -128,15 +128,16 @@ namespace
       const MixedElement  element(cell.geometry, V);
       const Modes::Vector E = element.strain();
       return element.internal_force(
-        stiffness.resultants(E) - cords.resultants(E), Modes::Vector());
+        stiffness.resultants(E) + cords.resultants(E), Modes::Vector());
     };
     const auto V = some_vector<24>(-0.05, 1), dV = some_vector<24>(1e-5, 2);
     const MixedElement        element(cell.geometry, V);
-    const Modes::Vector       E       = element.strain();
-    const SlackStiffness      lacking = cords.stiffness(E);
+    const Modes::Vector       E = element.strain();
+    NonlinearPlies::Stiffness lacking;
+    cords.stiffness(E, lacking);
     MixedElement::NodalMatrix K{};
     element.add_tangent(
-      stiffness, stiffness.resultants(E) - cords.resultants(E), K, &lacking);
+      stiffness, stiffness.resultants(E) + cords.resultants(E), K, &lacking);
     MixedElement::NodalVector product;
     for (unsigned int i = 0; i < 24; ++i)
       for (unsigned int j = 0; j < 24; ++j)
@@ -156,7 +157,7 @@ namespace
             if (modes[Modes::twist] != Modes::n)
               E[modes[Modes::twist]] = 0;
         const double taut = Modes::mean_product(stiffness.resultants(E), E) / 2;
-        lowest            = std::min(lowest, 1 - cords.energy(E) / taut);
+        lowest            = std::min(lowest, 1 + cords.energy(E) / taut);
       }
     check_range(
       "energy with slack cords over that with taut ones", lowest, 1e-3, 1);
@@ -172,26 +173,16 @@ namespace
         for (unsigned int i = 0; i < n; ++i)
           matrix(i, j) = column[i];
       }
-    const SlackStiffness all = [&] {
-      Modes::Vector compressed;
-      for (unsigned int s = 0; s < 4; ++s)
-        compressed[s] = -1;
-      return cords.stiffness(compressed);
-    }();
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        Modes::Vector unit;
-        unit[j] = 1;
-        std::array<Tensor<1, Resultants::n_tangential>, Modes::n_gauss_points>
-          at_points;
-        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-          at_points[g] =
-            all.at_points[g] * Modes::tangential_at_gauss_point(unit, g);
-        const Modes::Vector column = Modes::from_gauss_points(
-          at_points, sampling == StrainSampling::means);
-        for (unsigned int i = 0; i < n; ++i)
-          matrix(i, j) -= column[i];
-      }
+    Modes::Vector compressed;
+    for (unsigned int s = 0; s < 4; ++s)
+      compressed[s] = -1;
+    NonlinearPlies::Stiffness all;
+    cords.stiffness(compressed, all);
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < group.size; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(group.first_mode + i, j) +=
+            all[group.first_mode + i][j] / group.weight(i);
     matrix.compute_eigenvalues();
     std::vector<double> values;
     for (unsigned int i = 0; i < n; ++i)

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include <biface/element/slack_cords.h>
+#include <biface/element/nonlinear_plies.h>
 #include <biface/laminate/layup.h>
 
 #include "one_cell.h"
@@ -50,12 +50,12 @@ namespace
        const ThicknessLaw     law,
        const bool             prestressed)
   {
-    const Laminate      plies = laminate(law, prestressed);
-    const ModeStiffness taut(plies.stiffness(), geometry.sampling);
-    const SlackCords    cords(plies.cord_points(), geometry.sampling);
+    const Laminate       plies = laminate(law, prestressed);
+    const ModeStiffness  taut(plies.stiffness(), geometry.sampling);
+    const NonlinearPlies cords(plies, geometry.sampling);
 
     const auto resultants = [&](const Modes::Vector &E) {
-      return taut.resultants(E) - cords.resultants(E);
+      return taut.resultants(E) + cords.resultants(E);
     };
     const auto force_at = [&](const NodalVector &V) {
       const MixedElement element(geometry, V);
@@ -65,7 +65,7 @@ namespace
     const auto energy_at = [&](const NodalVector &V) {
       const Modes::Vector E = MixedElement(geometry, V).strain();
       return geometry.weight *
-             (Modes::mean_product(taut.resultants(E), E) / 2 - cords.energy(E));
+             (Modes::mean_product(taut.resultants(E), E) / 2 + cords.energy(E));
     };
 
     const double      step = 1e-5;
@@ -76,7 +76,7 @@ namespace
     const auto   slack = cords.slack_thickness(element.strain());
     const double most  = *std::max_element(slack.begin(), slack.end());
     const double least = *std::min_element(slack.begin(), slack.end());
-    check_range("  slack cords", most / cords.thickness(), 0.3, 0.99);
+    check_range("  slack cords", most / cords.thickness_of_cords(), 0.3, 0.99);
     if (!prestressed)
       check_true("  not the same everywhere", least < most);
 
@@ -90,7 +90,8 @@ namespace
                     force_at(V).norm() * dV.norm());
       }
 
-    const SlackStiffness      lacking = cords.stiffness(element.strain());
+    NonlinearPlies::Stiffness lacking;
+    check_true("  any", cords.stiffness(element.strain(), lacking));
     MixedElement::NodalMatrix K{}, K_taut{};
     element.add_tangent(taut, resultants(element.strain()), K, &lacking);
     element.add_tangent(taut, resultants(element.strain()), K_taut);
@@ -131,12 +132,12 @@ namespace
     Resultants::Vector       expected = plies.stiffness() * constant;
     for (const CordPoint &cord : plies.cord_points())
       {
-        double e = cord.initial_strain;
+        double e = 0;
         for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
           e += cord.direction[s] * constant[s];
         for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-          expected[s] -=
-            cord.loss * cord.thickness * std::min(0., e) * cord.direction[s];
+          expected[s] +=
+            cord.law->response(e).stress * cord.thickness * cord.direction[s];
       }
     check_small(
       "  constant strains",

@@ -9,9 +9,9 @@
 
 #include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
+#include <biface/element/nonlinear_plies.h>
 #include <biface/element/normal_thickness.h>
 #include <biface/element/shell_fe_values.h>
-#include <biface/element/slack_cords.h>
 #include <biface/element/strain.h>
 #include <biface/element/strain_means.h>
 
@@ -189,13 +189,13 @@ namespace Biface
      * @param resultants all that do work on the second variation of the
      * strains, including initial ones.
      * @param K what it is added to.
-     * @param slack what slack cords lack of the stiffness; null for nothing.
+     * @param added the stiffness of plies that are not linear; null for none.
      */
     void
-    add_tangent(const ModeStiffness  &stiffness,
-                const Modes::Vector  &resultants,
-                NodalMatrix          &K,
-                const SlackStiffness *slack = nullptr) const;
+    add_tangent(const ModeStiffness             &stiffness,
+                const Modes::Vector             &resultants,
+                NodalMatrix                     &K,
+                const NonlinearPlies::Stiffness *added = nullptr) const;
 
     /**
      * The product of the tangent of add_tangent() and @p dV, computed from
@@ -278,13 +278,6 @@ namespace Biface
     subtract_leaning(const ShearMatrix   &G,
                      const Modes::Vector &H,
                      StrainMatrix        &DB) const;
-
-    /** Subtract what slack cords lack from @f$\mathbf D\mathbf B@f$ with the
-     * weights of element and modes. */
-    void
-    subtract_slack_cords(const SlackStiffness &slack,
-                         const StrainMatrix   &B,
-                         StrainMatrix         &DB) const;
   };
 
 

@@ -109,58 +109,63 @@ namespace Biface
              (group.varies[1] ? xi : 1.);
     }
 
-    /** The tangential strains of both faces at a Gauss point. */
-    inline dealii::Tensor<1, Resultants::n_tangential>
-    tangential_at_gauss_point(const Vector &modes, const unsigned int g)
+    /** Call a function with each mode, the strain at a Gauss point that it is a
+     * part of, and its factor there. The twist is a part of two strains.
+     * @param with_twist whether the twist is a mode. */
+    template <typename Function>
+    void
+    for_parts_at_gauss_point(const unsigned int g,
+                             const bool         with_twist,
+                             const Function    &function)
     {
-      constexpr unsigned int inner = Resultants::tangential(2, 0);
-      constexpr unsigned int outer = Resultants::tangential(2, 1);
-
-      dealii::Tensor<1, Resultants::n_tangential> strains;
       for (const Group &group : groups)
-        for (unsigned int i = 0; i < group.size; ++i)
-          {
-            const unsigned int s = group.strains[i];
-            const double       value =
-              value_at_gauss_point(group, g) * modes[group.first_mode + i];
-            if (s < Resultants::n_tangential)
-              strains[s] += value;
-            else if (s == twist)
-              {
-                strains[inner] -= value;
-                strains[outer] += value;
-              }
-          }
+        {
+          const double value = value_at_gauss_point(group, g);
+          for (unsigned int i = 0; i < group.size; ++i)
+            if (group.strains[i] != twist)
+              function(group.first_mode + i, group.strains[i], value);
+            else if (with_twist)
+              for (unsigned int face = 0; face < 2; ++face)
+                function(group.first_mode + i,
+                         Resultants::tangential(2, face),
+                         face == Resultants::inner ? -value : value);
+        }
+    }
+
+    /** The strains at a Gauss point. */
+    inline Resultants::Vector
+    at_gauss_point(const Vector &modes, const unsigned int g)
+    {
+      Resultants::Vector strains;
+      for_parts_at_gauss_point(
+        g,
+        true,
+        [&](const unsigned int m, const unsigned int s, const double value) {
+          strains[s] += value * modes[m];
+        });
       return strains;
     }
 
     /** The modes of resultants given at the Gauss points: those for which
      * @f$\sum_m w_m H_m E_m@f$ is the mean of their products with
-     * tangential_at_gauss_point().
+     * at_gauss_point().
      * @param with_twist whether the twist is a mode. */
     inline Vector
     from_gauss_points(
-      const std::array<dealii::Tensor<1, Resultants::n_tangential>,
-                       n_gauss_points> &at_points,
-      const bool                        with_twist)
+      const std::array<Resultants::Vector, n_gauss_points> &at_points,
+      const bool                                            with_twist)
     {
-      constexpr unsigned int inner = Resultants::tangential(2, 0);
-      constexpr unsigned int outer = Resultants::tangential(2, 1);
-
       Vector modes;
+      for (unsigned int g = 0; g < n_gauss_points; ++g)
+        for_parts_at_gauss_point(
+          g,
+          with_twist,
+          [&](const unsigned int m, const unsigned int s, const double value) {
+            modes[m] += value * at_points[g][s];
+          });
       for (const Group &group : groups)
-        for (unsigned int g = 0; g < n_gauss_points; ++g)
-          for (unsigned int i = 0; i < group.size; ++i)
-            {
-              const unsigned int s      = group.strains[i];
-              const double       factor = value_at_gauss_point(group, g) /
-                                    (n_gauss_points * group.weight(i));
-              if (s < Resultants::n_tangential)
-                modes[group.first_mode + i] += factor * at_points[g][s];
-              else if (s == twist && with_twist)
-                modes[group.first_mode + i] +=
-                  factor * (at_points[g][outer] - at_points[g][inner]);
-            }
+        for (unsigned int i = 0; i < group.size; ++i)
+          modes[group.first_mode + i] /= n_gauss_points * group.weight(i);
       return modes;
     }
 

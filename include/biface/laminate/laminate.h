@@ -6,9 +6,13 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include <biface/laminate/cord_point.h>
+#include <biface/laminate/cord_law.h>
+#include <biface/laminate/material_law.h>
+#include <biface/laminate/ply_points.h>
 #include <biface/laminate/resultants.h>
 #include <biface/laminate/thickness_functions.h>
 #include <biface/laminate/transverse_shear.h>
@@ -44,7 +48,8 @@ namespace Biface
   /** A ply at one position of the shell. */
   struct Ply
   {
-    /** Stiffness in the axes of the ply. Unit: force/area. */
+    /** Stiffness in the axes of the ply, where it is not linear the initial
+     * one. Unit: force/area. */
     dealii::SymmetricTensor<4, 3> stiffness;
     /** Unit: length. */
     double thickness;
@@ -56,9 +61,12 @@ namespace Biface
     unsigned int number = 0;
     /** Distance of the cords, 0 if they are not described. Unit: length. */
     double cord_pitch = 0;
-    /** By how much the modulus along axis 1 is smaller in compression, see
-     * CordPoint. Unit: force/area. */
-    double compression_loss = 0;
+    /** What its cords, along axis 1, add to the law of the material; null for
+     * nothing. */
+    std::shared_ptr<const CordLaw> cords = {};
+    /** The law of the material, which is isotropic, without cords; null for the
+     * linear one with the stiffness. */
+    std::shared_ptr<const MaterialLaw> rubber = {};
     /** Unit: mass/volume. */
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
@@ -80,13 +88,16 @@ namespace Biface
      * inner face. Unit: length.
      * @param curvature of the reference surface, see ThicknessFunctions; zero
      * for the integrals of a plate.
-     * @param wall if the plies are a layer of it. */
+     * @param wall if the plies are a layer of it.
+     * @param along_normal whether the thickness strain is that of
+     * ThicknessStrain::normal. */
     Laminate(std::vector<Ply>             plies,
              const ThicknessLaw           law,
              const double                 reference_height,
-             const TransverseShearLaw    &shear_law = TransverseShearLaw(),
-             const std::array<double, 2> &curvature = {{0, 0}},
-             const WallOfLayer           &wall      = {});
+             const TransverseShearLaw    &shear_law    = TransverseShearLaw(),
+             const std::array<double, 2> &curvature    = {{0, 0}},
+             const WallOfLayer           &wall         = {},
+             const bool                   along_normal = false);
 
     const TransverseShear &
     get_transverse_shear() const
@@ -139,8 +150,9 @@ namespace Biface
 
     /**
      * The stiffness @f$\mathbf D@f$ of @cite GrigolyukKulikovPlotnikova2004,
-     * eq. (9), in the order of Resultants; where cords are slack, without what
-     * they lack. Unit: force/length.
+     * eq. (9), in the order of Resultants; where plies are not linear, the
+     * initial one, and where cords are slack, without what they lack. Unit:
+     * force/length.
      */
     const Resultants::Matrix &
     stiffness() const
@@ -152,6 +164,14 @@ namespace Biface
     Resultants::Matrix
     stiffness_of_slack_cords() const;
 
+    /** The law of the materials of all plies; null if all are linear, and
+     * stiffness() is their law. */
+    const std::shared_ptr<const PlyPoints> &
+    ply_points() const
+    {
+      return points;
+    }
+
     /**
      * The moments of the density with the shape functions of the faces,
      * @f$m^{pq} = \int\varrho\,N^pN^q\,d\alpha_3@f$: all that the inertia of
@@ -160,27 +180,18 @@ namespace Biface
     std::array<std::array<double, 2>, 2>
     mass_moments() const;
 
-    /** The cords that can go slack, at two Gauss points per ply. */
+    /** The cords that have a law of their own, at two Gauss points per ply. */
     std::vector<CordPoint>
     cord_points() const;
 
-    /**
-     * The strain along the cords at the height @p z above the inner face,
-     * counted from the state without stress: that of strain() and the one that
-     * causes the initial stress of the ply.
-     */
-    double
-    cord_strain(const Resultants::Vector &E,
-                const unsigned int        ply,
-                const double              z) const;
-
-    /** Whether the cords are slack there. */
+    /** Whether the cords are slack at the height @p z above the inner face. */
     bool
     is_slack(const Resultants::Vector &E,
              const unsigned int        ply,
              const double              z) const
     {
-      return plies[ply].compression_loss > 0 && cord_strain(E, ply, z) < 0;
+      return plies[ply].cords &&
+             plies[ply].cords->is_slack(cord_strain(E, ply, z));
     }
 
     /**
@@ -232,6 +243,31 @@ namespace Biface
     Resultants::Matrix
     integrate_stiffness() const;
 
+    /** Set the points of plies that are not all linear. */
+    void
+    set_points();
+
+    /** The coefficients of a point at a height, without its thickness and
+     * law. */
+    PlyPoints::Point
+    point(const unsigned int ply, const double z) const;
+
+    /** The law of the material of a ply in the frame of the shell. */
+    std::shared_ptr<const MaterialLaw>
+    law_of(const unsigned int ply) const;
+
+    /** The strains at a height by the laws of points. */
+    PointStrains::Vector
+    point_strain(const Resultants::Vector &E,
+                 const unsigned int        ply,
+                 const double              z) const;
+
+    /** The strain along the cords at a height. */
+    double
+    cord_strain(const Resultants::Vector &E,
+                const unsigned int        ply,
+                const double              z) const;
+
     /** The strain 11, 22 or 2*12 at a height. */
     double
     tangential_strain(const Resultants::Vector &E,
@@ -244,7 +280,9 @@ namespace Biface
     ThicknessLaw                               law;
     ThicknessFunctions                         functions;
     TransverseShear                            transverse_shear;
+    bool                                       along_normal;
     Resultants::Matrix                         D;
+    std::shared_ptr<const PlyPoints>           points;
   };
 } // namespace Biface
 

@@ -43,12 +43,14 @@ namespace Biface
     /** Distance of the cords by @f$\alpha_1@f$; empty if they are not
      * described. Unit: length. */
     std::function<double(const double)> cord_pitch;
-    /** Stiffness in the axes of the ply, by @f$\alpha_1@f$. Unit:
-     * force/area. */
-    std::function<dealii::SymmetricTensor<4, 3>(const double)> stiffness;
-    /** MaterialParameters::compression_loss() by @f$\alpha_1@f$; empty if
-     * there are no cords that can go slack. */
-    std::function<double(const double)> compression_loss;
+    /** The laws by @f$\alpha_1@f$ and the initial stress in the axes of the
+     * ply. */
+    std::function<PlyLaws(const double, const dealii::SymmetricTensor<2, 3> &)>
+      laws;
+    /** Whether it has cords that can go slack. */
+    bool has_slack_cords = false;
+    /** See MaterialParameters. */
+    bool is_hyperelastic = false;
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
@@ -274,6 +276,17 @@ namespace Biface
     /** Whether any ply has a loss factor. */
     bool
     has_loss() const;
+    /** Whether the law of any ply is one for large strains. */
+    bool
+    is_hyperelastic() const;
+
+    /** Let the thickness strain of the laminates be that along the normal, see
+     * ThicknessStrain::normal. */
+    void
+    set_thickness_strain_along_normal(const bool value)
+    {
+      along_normal = value;
+    }
 
     /** Initial resultants beside those of Laminate::initial_resultants(). */
     const std::vector<InitialResultant> &
@@ -296,6 +309,7 @@ namespace Biface
     std::function<std::array<double, 2>(const double)> curvature;
     ThicknessPosition                                  reference;
     std::vector<InitialResultant>                      initial_resultants;
+    bool                                               along_normal = false;
   };
 } // namespace Biface
 

@@ -6,14 +6,29 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <biface/laminate/cord_and_rubber.h>
+#include <biface/laminate/cord_law.h>
 #include <biface/laminate/failure_criteria.h>
+#include <biface/laminate/material.h>
+#include <biface/laminate/material_law.h>
 
 namespace Biface
 {
+  /** The laws of a ply at one position, see Ply. */
+  struct PlyLaws
+  {
+    /** Unit: force/area. */
+    dealii::SymmetricTensor<4, 3>      stiffness;
+    std::shared_ptr<const CordLaw>     cords;
+    std::shared_ptr<const MaterialLaw> rubber;
+  };
+
+
   /** The parameters of a named material. */
   struct MaterialParameters
   {
@@ -22,7 +37,18 @@ namespace Biface
       isotropic,
       transversely_isotropic,
       orthotropic,
-      cord_and_rubber
+      cord_and_rubber,
+      neo_Hooke,
+      Mooney_Rivlin,
+      Yeoh,
+      Ogden
+    };
+
+    /** The law of what is between the cords of a ply. */
+    enum class Matrix
+    {
+      linear,
+      neo_Hooke
     };
 
     std::string   name;
@@ -33,9 +59,16 @@ namespace Biface
     double        G_12 = 0, G_13 = 0, G_23 = 0;
     double        nu_12 = 0, nu_13 = 0, nu_23 = 0;
     CordAndRubber cord_and_rubber;
+    /** The bulk modulus, 0 if not given. */
+    double              K  = 0;
+    double              mu = 0, c10 = 0, c20 = 0, c30 = 0, c01 = 0;
+    std::vector<double> mu_i, alpha_i;
+    Matrix              matrix = Matrix::linear;
     /** A formula of @f$E_L@f$ for Young's modulus along the cords where they
      * are compressed. */
     std::string E_L_compression = "E_L";
+    /** From which compressive strain on; a formula of @f$E_L,G_{LT}@f$. */
+    std::string compression_onset = "by matrix";
     Strengths   strengths;
     /** Unit: mass/volume. */
     double density = 0;
@@ -45,27 +78,32 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /**
-     * The stiffness in the axes of the material, see
-     * Material::stiffness(). Throws InputError if a constant is not
-     * admissible.
-     *
-     * @param cord_fraction the volume fraction of cords, used for cords in
-     * rubber only.
-     */
-    dealii::SymmetricTensor<4, 3>
-    stiffness(const double cord_fraction = 0) const;
+    /** Whether there is no direction in which fibers or cords run. */
+    bool
+    is_isotropic() const;
+
+    /** Whether the law of the material, or that between the cords, is one for
+     * large strains. */
+    bool
+    is_hyperelastic() const;
 
     /** Whether cords can go slack. Throws InputError if the type of the
      * material has no cords, or if E_L_compression is no formula. */
     bool
     has_slack_cords() const;
 
-    /** By how much the modulus along the cords is smaller where they are
-     * compressed, see CordPoint, if it is @p E_L in tension. Unit:
-     * force/area. Throws InputError if it is not admissible. */
-    double
-    compression_loss(const double E_L) const;
+    /**
+     * The laws of a ply of the material. Throws InputError if a constant is not
+     * admissible.
+     *
+     * @param cord_fraction the volume fraction of cords, used for cords in
+     * rubber only.
+     * @param initial_stress of the ply, in its axes. Unit: force/area.
+     */
+    PlyLaws
+    laws(const double                         cord_fraction = 0,
+         const dealii::SymmetricTensor<2, 3> &initial_stress =
+           dealii::SymmetricTensor<2, 3>()) const;
 
     /** The density, 0 if not given. Unit: mass/volume. Throws InputError if
      * it is negative. */
@@ -81,6 +119,33 @@ namespace Biface
      * given. */
     std::optional<Strengths>
     get_strengths() const;
+
+  private:
+    /** The constants of a linear law with cords or fibers. */
+    Material
+    linear_material(const double cord_fraction) const;
+
+    /** The law of a rubber, or of the rubber between cords with the shear
+     * modulus @p shear_modulus. */
+    std::shared_ptr<const MaterialLaw>
+    rubber(const double shear_modulus) const;
+
+    /** Throws InputError where constants are given that the type does not
+     * use. */
+    void
+    check_unused() const;
+
+    /** By the bulk modulus or Poisson's ratio. */
+    double
+    bulk_modulus(const double shear_modulus) const;
+
+    /** Young's modulus along compressed cords, if it is @p E_L in tension. */
+    double
+    modulus_in_compression(const double E_L) const;
+
+    /** See compression_onset. */
+    double
+    onset(const double E_L, const double G_LT) const;
   };
 } // namespace Biface
 

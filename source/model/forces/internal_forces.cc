@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 #include <biface/model/forces/internal_forces.h>
 
 namespace Biface
@@ -13,11 +15,16 @@ namespace Biface
   {
     for (const Strip &strip : mesh.strips)
       {
+        nonlinear.emplace_back(strip.laminate, mesh.sampling);
+        if (nonlinear.back().is_whole_law())
+          {
+            stiffness.emplace_back(Resultants::Matrix(), mesh.sampling);
+            continue;
+          }
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
         if (mesh.thickness_strain == ThicknessStrain::normal)
           stiffness.back().release_thickness_strain(
             strip.laminate.stiffness_of_slack_cords());
-        cords.emplace_back(strip.laminate.cord_points(), mesh.sampling);
       }
     of_laminate = resultants_of_laminate();
   }
@@ -78,11 +85,11 @@ namespace Biface
     const MixedElement element(at.cell.geometry, at.V);
     Modes::Vector      E = element.strain();
     Modes::Vector      H = resultants_of(at.state, at.index, E);
-    if (!cords_of(at.cell).empty())
+    if (!nonlinear_plies(at.cell).empty())
       {
         const Modes::Vector dE = element.strain_variation(dV);
         E += dE;
-        // the product with the taut tangent below contains the second term
+        // the product with the tangent below contains the second term
         H = resultants_of(at.state, at.index, E) -
             stiffness_of(at.cell).resultants(dE);
       }
@@ -90,7 +97,7 @@ namespace Biface
       add_tangent(element, at, E, forces);
     forces.force -=
       element.internal_force(H, initial_resultants(at.state)[at.index]);
-    forces.force -= taut_tangent_product(at, dV);
+    forces.force -= linear_tangent_product(at, dV);
   }
 
 
@@ -99,13 +106,15 @@ namespace Biface
                                 const unsigned int   c,
                                 const Modes::Vector &E) const
   {
-    const Cell         &cell = mesh.cells[c];
-    const Modes::Vector H    = stiffness_of(cell).resultants(E);
-    const SlackCords   &cord = cords_of(cell);
-    if (cord.empty())
-      return H;
+    const Cell           &cell   = mesh.cells[c];
+    const Modes::Vector   linear = stiffness_of(cell).resultants(E);
+    const NonlinearPlies &plies  = nonlinear_plies(cell);
+    if (plies.empty())
+      return linear;
+    if (!state.prestress)
+      return linear + plies.resultants(E);
     const Modes::Vector E_0 = initial_strain(state, c);
-    return H - (cord.resultants(E_0 + E) - cord.resultants(E_0));
+    return linear + (plies.resultants(E_0 + E) - plies.resultants(E_0));
   }
 
 
@@ -115,14 +124,23 @@ namespace Biface
                             const Modes::Vector &E) const
   {
     const Cell  &cell = mesh.cells[c];
-    const double taut =
+    const double linear =
       Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2;
-    const SlackCords &cord = cords_of(cell);
-    if (cord.empty())
-      return taut;
+    const NonlinearPlies &plies = nonlinear_plies(cell);
+    if (plies.empty())
+      return linear;
     const Modes::Vector E_0 = initial_strain(state, c);
-    return taut - (cord.energy(E_0 + E) - cord.energy(E_0) -
-                   Modes::mean_product(cord.resultants(E_0), E));
+    return linear + (plies.energy(E_0 + E) - plies.energy(E_0) -
+                     Modes::mean_product(plies.resultants(E_0), E));
+  }
+
+
+  bool
+  InternalForces::is_nonlinear() const
+  {
+    return std::any_of(nonlinear.begin(),
+                       nonlinear.end(),
+                       [](const auto &plies) { return !plies.empty(); });
   }
 
 
@@ -132,15 +150,14 @@ namespace Biface
                               const Modes::Vector &E,
                               CellForces          &forces) const
   {
-    const Modes::Vector H = total_resultants(at.state, at.index);
-    if (cords_of(at.cell).empty())
-      {
-        element.add_tangent(stiffness_of(at.cell), H, forces.tangent);
-        return;
-      }
-    const SlackStiffness slack =
-      cords_of(at.cell).stiffness(initial_strain(at.state, at.index) + E);
-    element.add_tangent(stiffness_of(at.cell), H, forces.tangent, &slack);
+    const Modes::Vector       H     = total_resultants(at.state, at.index);
+    const NonlinearPlies     &plies = nonlinear_plies(at.cell);
+    NonlinearPlies::Stiffness added;
+    const bool                any =
+      !plies.empty() &&
+      plies.stiffness(initial_strain(at.state, at.index) + E, added);
+    element.add_tangent(
+      stiffness_of(at.cell), H, forces.tangent, any ? &added : nullptr);
   }
 
 
@@ -193,7 +210,7 @@ namespace Biface
 
 
   MixedElement::NodalVector
-  InternalForces::taut_tangent_product(
+  InternalForces::linear_tangent_product(
     const CellState &at, const MixedElement::NodalVector &dV) const
   {
     return MixedElement(at.cell.geometry, at.V)
@@ -219,7 +236,7 @@ namespace Biface
       return result;
     result.displacement = state.linearization_point->displacement;
     result.predicted_strains.clear();
-    if (mesh.layup.has_slack_cords())
+    if (is_nonlinear())
       for (const Cell &cell : mesh.cells)
         result.predicted_strains.push_back(cell.is_layer ? strains(state, cell)
                                                          : Modes::Vector());
@@ -292,7 +309,7 @@ namespace Biface
   InternalForces::predict_resultants(State            &state,
                                      const LA::Vector &increment) const
   {
-    if (mesh.layup.has_slack_cords())
+    if (is_nonlinear())
       state.predicted_strains.resize(mesh.cells.size());
     for (const unsigned int c : mesh.layers)
       {
@@ -328,12 +345,13 @@ namespace Biface
   InternalForces::slack_fractions(const State       &state,
                                   const unsigned int c) const
   {
-    const SlackCords &cord = cords_of(mesh.cells[c]);
-    if (cord.empty())
+    const NonlinearPlies &plies     = nonlinear_plies(mesh.cells[c]);
+    const double          thickness = plies.thickness_of_cords();
+    if (thickness == 0)
       return {};
-    auto fractions = cord.slack_thickness(total_strains(state, c));
+    auto fractions = plies.slack_thickness(total_strains(state, c));
     for (double &fraction : fractions)
-      fraction /= cord.thickness();
+      fraction /= thickness;
     return fractions;
   }
 
@@ -344,8 +362,9 @@ namespace Biface
     double slack = 0, all = 0;
     for (const unsigned int c : mesh.layers)
       {
-        const Cell  &cell   = mesh.cells[c];
-        const double volume = cell.geometry.weight * cords_of(cell).thickness();
+        const Cell  &cell = mesh.cells[c];
+        const double volume =
+          cell.geometry.weight * nonlinear_plies(cell).thickness_of_cords();
         for (const double fraction : slack_fractions(state, c))
           slack += volume * fraction / Modes::n_gauss_points;
         all += volume;
@@ -394,20 +413,20 @@ namespace Biface
         forces.clear();
         add(at, forces);
         energy += strain_energy(base, c, V_0) - forces.force * dV +
-                  taut_tangent_product(at, dV) * dV / 2;
-        if (cords_of(cell).empty())
+                  linear_tangent_product(at, dV) * dV / 2;
+        if (nonlinear_plies(cell).empty())
           continue;
-        // the energy is quadratic but for the cords that go slack
+        // the energy is quadratic but for the plies that are not linear
         const MixedElement  element(cell.geometry, V_0);
-        const Modes::Vector E    = element.strain();
-        const Modes::Vector dE   = element.strain_variation(dV);
-        const auto          taut = [&](const Modes::Vector &E) {
+        const Modes::Vector E      = element.strain();
+        const Modes::Vector dE     = element.strain_variation(dV);
+        const auto          linear = [&](const Modes::Vector &E) {
           return stiffness_of(cell).resultants(E);
         };
         energy += cell.geometry.weight *
                   (energy_of(state, c, E + dE) - energy_of(state, c, E) -
                    Modes::mean_product(resultants_of(state, c, E), dE) -
-                   Modes::mean_product(taut(dE), dE) / 2);
+                   Modes::mean_product(linear(dE), dE) / 2);
       }
     return Utilities::MPI::sum(energy, mesh.communicator);
   }

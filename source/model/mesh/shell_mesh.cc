@@ -373,7 +373,9 @@ namespace Biface
                        : layup.n_layers() > 1 ? ThicknessStrain::normal
                                               : ThicknessStrain::vertices)
   {
-    const Faces faces(layup, *this->surface, grid);
+    this->layup.set_thickness_strain_along_normal(this->thickness_strain ==
+                                                  ThicknessStrain::normal);
+    const Faces faces(this->layup, *this->surface, grid);
     strips = faces.strips;
     for (const Faces::Heights &heights : faces.on_lines)
       max_thickness = std::max(max_thickness, heights.back() - heights.front());
@@ -427,7 +429,9 @@ namespace Biface
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
     result->layup = other;
-    const Faces faces(other, *surface, grid);
+    result->layup.set_thickness_strain_along_normal(thickness_strain ==
+                                                    ThicknessStrain::normal);
+    const Faces faces(result->layup, *surface, grid);
     result->strips = faces.strips;
     if (strips.size() != result->strips.size())
       return nullptr;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <biface/element/modes.h>
-#include <biface/element/slack_cords.h>
+#include <biface/element/nonlinear_plies.h>
 #include <biface/model/forces/force_term.h>
 
 namespace Biface
@@ -37,8 +37,8 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
-    /** Add the forces of linear strain theory to a cell. Cords go slack by the
-     * linearized strains.
+    /** Add the forces of linear strain theory to a cell. Laws that are not
+     * linear, as of cords that go slack, take the linearized strains.
      * @param at the cell in the state about which the strains are linearized.
      * @param dV the displacements since then. */
     void
@@ -181,14 +181,18 @@ namespace Biface
       return stiffness[cell.strip];
     }
 
-    const SlackCords &
-    cords_of(const Cell &cell) const
+    const NonlinearPlies &
+    nonlinear_plies(const Cell &cell) const
     {
-      return cords[cell.strip];
+      return nonlinear[cell.strip];
     }
 
-    /** The resultants of strains of a cell. Cords go slack by all strains,
-     * including those that caused the prestress. */
+    /** Whether any ply of the shell is not linear. */
+    bool
+    is_nonlinear() const;
+
+    /** The resultants of strains of a cell. Laws that are not linear depend on
+     * all strains, including those that caused the prestress. */
     Modes::Vector
     resultants_of(const State         &state,
                   const unsigned int   cell,
@@ -208,17 +212,17 @@ namespace Biface
                 const Modes::Vector &E,
                 CellForces          &forces) const;
 
-    /** The product of the tangent of a cell without slack cords with @p dV, see
-     * MixedElement::tangent_product(). */
+    /** The product of the tangent of a cell with the law of ModeStiffness alone
+     * and @p dV, see MixedElement::tangent_product(). */
     MixedElement::NodalVector
-    taut_tangent_product(const CellState                 &at,
-                         const MixedElement::NodalVector &dV) const;
+    linear_tangent_product(const CellState                 &at,
+                           const MixedElement::NodalVector &dV) const;
 
     const ShellMesh &mesh;
     /** By ShellMesh::strips. */
-    std::vector<ModeStiffness> stiffness;
-    std::vector<SlackCords>    cords;
-    bool                       symmetric_stiffness;
+    std::vector<ModeStiffness>  stiffness;
+    std::vector<NonlinearPlies> nonlinear;
+    bool                        symmetric_stiffness;
     /** The initial resultants of the laminate, by cell. */
     std::vector<Modes::Vector> of_laminate;
   };

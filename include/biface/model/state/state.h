@@ -77,8 +77,8 @@ namespace Biface
      * of the mixed iteration. Initial resultants are not included. */
     std::vector<Modes::Vector> resultants;
 
-    /** The strains of each locally owned cell at which the law of cords that go
-     * slack is linearized, another unknown of the mixed iteration. Empty if
+    /** The strains of each locally owned cell at which laws that are not linear
+     * are linearized, another unknown of the mixed iteration. Empty if
      * these are the strains of the displacements, as in all converged
      * states. */
     std::vector<Modes::Vector> predicted_strains;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_cord_law_h
+#define biface_laminate_cord_law_h
+
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+
+#include <biface/laminate/resultants.h>
+
+namespace Biface
+{
+  /**
+   * What the cords of a ply add to the law of its material: a stress along them
+   * that depends on the Green-Lagrange strain along them. Unit of energies,
+   * stresses and moduli: force per area of the ply.
+   */
+  class CordLaw
+  {
+  public:
+    virtual ~CordLaw() = default;
+
+    struct Response
+    {
+      double energy, stress, modulus;
+    };
+
+    /** Energy and stress are those since the undeformed state. */
+    virtual Response
+    response(const double strain) const = 0;
+
+    /** Whether the strain is below that from which on cords are softer. */
+    virtual bool
+    is_slack(const double strain) const = 0;
+
+    /** The lowest modulus there may be. */
+    virtual double
+    lowest_modulus() const = 0;
+  };
+
+
+  /**
+   * Cords that go slack in a ply whose linear law contains them, in the manner
+   * of @cite Bert1977: below the strain @f$-e_c@f$ the stress along the cords
+   * is smaller by @f$\kappa(e+e_c)@f$, with @f$\kappa=E_L-E_{L,c}@f$ and the
+   * modulus @f$E_{L,c}@f$ in compression. The stiffness of the ply is then
+   * @f$\mathbf b-\kappa\,\mathbf a\mathbf a^T@f$, where @f$\mathbf a@f$ are the
+   * components of the dyad of the cords. A uniaxial stress along the cords has
+   * exactly the moduli @f$E_L@f$ in tension and @f$E_{L,c}@f$ in compression,
+   * and the same Poisson's ratios.
+   */
+  class SlackCordLaw : public CordLaw
+  {
+  public:
+    /** @param loss @f$\kappa@f$. Unit: force/area.
+     * @param onset @f$e_c\ge0@f$
+     * @param initial_strain the strain that causes the initial stress of the
+     * ply. */
+    SlackCordLaw(const double loss,
+                 const double onset,
+                 const double initial_strain);
+
+    Response
+    response(const double strain) const override;
+
+    bool
+    is_slack(const double strain) const override
+    {
+      return strain < limit;
+    }
+
+    double
+    lowest_modulus() const override
+    {
+      return -loss;
+    }
+
+  private:
+    double loss, limit;
+  };
+
+
+  /**
+   * Cords whose nominal stress, the force per undeformed area of the ply, is
+   * linear in their stretch @f$\lambda=\sqrt{1+2e}@f$:
+   * @f$P = E\,(\lambda-1)@f$, with a lower modulus where they are shorter than
+   * @f$1-e_c@f$. The stress is @f$P/\lambda@f$.
+   */
+  class StretchedCordLaw : public CordLaw
+  {
+  public:
+    /** @param modulus, @param compression of the cords alone, the second one in
+     * compression beyond the @p onset @f$e_c@f$. Unit: force/area of the
+     * ply. */
+    StretchedCordLaw(const double modulus,
+                     const double compression,
+                     const double onset)
+      : modulus(modulus), compression(compression), onset(onset)
+    {}
+
+    Response
+    response(const double strain) const override;
+
+    bool
+    is_slack(const double strain) const override;
+
+    double
+    lowest_modulus() const override
+    {
+      return compression;
+    }
+
+  private:
+    double modulus, compression, onset;
+  };
+
+
+  /** Cords at a height within a ply: a point of the integration over the
+   * thickness. */
+  struct CordPoint
+  {
+    /** @f$e=\mathbf A\cdot\mathbf E@f$ with the tangential strains of both
+     * faces, in the order of Resultants. */
+    dealii::Tensor<1, Resultants::n_tangential> direction;
+    /** The part of the thickness of the ply that the point stands for. Unit:
+     * length. */
+    double                         thickness;
+    std::shared_ptr<const CordLaw> law;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_ply_points_h
+#define biface_laminate_ply_points_h
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <biface/laminate/material_law.h>
+#include <biface/laminate/resultants.h>
+
+namespace Biface
+{
+  /**
+   * The integration over the thickness of plies of which some are not linear:
+   * at each point a law between strains and stresses, and one thickness stress
+   * for all.
+   *
+   * The tangential and the shear strains at a point k are linear in those of
+   * the faces, @f$\mathbf e_k=\mathbf L_k\mathbf E@f$. Its thickness strain
+   * @f$e_k@f$ is the one at which @f$S_{33}=\sigma/m_k@f$, with the area
+   * @f$m_k@f$ at its height relative to that of the middle surface; the
+   * stress @f$\sigma@f$ follows from
+   * @f$\sum_k t_k e_k = h\,E_{33}@f$. The resultants are
+   * @f$\sum_k t_k m_k\mathbf L_k^T\mathbf S_k@f$ and @f$H_{33}=h\sigma@f$: the
+   * derivatives of the energy @f$\sum_k t_k m_k\psi_k@f$. Their tangent is that
+   * of ThicknessLaw::symmetric with the moduli of the points.
+   */
+  class PlyPoints
+  {
+  public:
+    /** A height within a ply. */
+    struct Point
+    {
+      /** The part of the thickness that it stands for. Unit: length. */
+      double thickness;
+      /** @f$m_k@f$ */
+      double area;
+      /** `tangential[ab][p]`: the part of the strain of the face p. */
+      std::array<std::array<double, 2>, 3> tangential;
+      /** `shear[p][a][c]`: the part of the strain c3 of the face p in a3. */
+      std::array<dealii::Tensor<2, 2>, 2> shear;
+      std::shared_ptr<const MaterialLaw>  law;
+
+      /** The strains without the thickness strain. */
+      PointStrains::Vector
+      strain(const Resultants::Vector &E) const;
+    };
+
+    /** @param points all of a laminate.
+     * @param thickness h. Unit: length.
+     * @param remainder a stiffness to be added, symmetric. Unit:
+     * force/length.
+     * @param along_normal whether the thickness strain of the faces is without
+     * that of a director that leans, see NormalThickness. The laws know shear
+     * strains and take the one with it. */
+    PlyPoints(std::vector<Point>        points,
+              const double              thickness,
+              const Resultants::Matrix &remainder,
+              const bool                along_normal);
+
+    /** The thickness stress @f$\sigma@f$ of strains of the faces, and the
+     * thickness strains of the points; nan where there is none. */
+    struct ThicknessState
+    {
+      double              stress;
+      std::vector<double> strains;
+    };
+    ThicknessState
+    thickness_state(const Resultants::Vector &E) const;
+
+    /** The energy per area. Unit: force/length. */
+    double
+    energy(const Resultants::Vector &E) const;
+
+    /** The resultants, and their derivatives unless null. */
+    Resultants::Vector
+    resultants(const Resultants::Vector &E,
+               Resultants::Matrix       *stiffness = nullptr) const;
+
+  private:
+    /** @f$E_{33}@f$ with the director's leaning. */
+    double
+    director_strain(const Resultants::Vector &E) const;
+
+    std::vector<Point> points;
+    double             thickness;
+    Resultants::Matrix remainder;
+    bool               along_normal;
+  };
+
+
+  /** The strain 33 at which a law has a thickness stress; nan if there is none.
+   * @param strain the other strains. */
+  double
+  thickness_strain(const MaterialLaw   &law,
+                   PointStrains::Vector strain,
+                   const double         stress);
+} // namespace Biface
+
+#endif

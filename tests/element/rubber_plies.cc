@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// With plies that are not linear, the internal force of an element is the
+// derivative of its energy, and the tangent is that of the force, for every
+// law, with other plies, every element and every law of the transverse shear.
+// At small strains they have the resultants of the linear law.
+
+#include <biface/element/nonlinear_plies.h>
+#include <biface/laminate/layup.h>
+
+#include "one_cell.h"
+#include "some_vector.h"
+#include <cord_ply.h>
+#include <tests.h>
+
+using namespace dealii;
+using namespace Biface;
+
+namespace
+{
+  using Type        = MaterialParameters::Type;
+  using NodalVector = MixedElement::NodalVector;
+
+  std::vector<MaterialParameters>
+  materials()
+  {
+    auto all                 = cord_ply();
+    all[0].E_L_compression   = "E_L/50";
+    all[0].compression_onset = "0.01";
+    const auto add           = [&](const std::string &name, const Type type) {
+      all.emplace_back();
+      all.back().name = name;
+      all.back().type = type;
+      return &all.back();
+    };
+    {
+      auto *rubber = add("neo-Hooke", Type::neo_Hooke);
+      rubber->mu   = 1;
+      rubber->K    = 50;
+    }
+    {
+      auto *rubber = add("Mooney", Type::Mooney_Rivlin);
+      rubber->c10  = 0.4;
+      rubber->c01  = 0.1;
+      rubber->nu   = 0.49;
+    }
+    {
+      auto *rubber = add("Yeoh", Type::Yeoh);
+      rubber->c10  = 0.4;
+      rubber->c20  = -0.02;
+      rubber->c30  = 0.01;
+      rubber->nu   = 0.49;
+    }
+    {
+      auto *rubber    = add("Ogden", Type::Ogden);
+      rubber->mu_i    = {0.63, 0.0012, -0.01};
+      rubber->alpha_i = {1.3, 5, -2};
+      rubber->K       = 50;
+    }
+    auto *cords            = add("cords", Type::transversely_isotropic);
+    cords->E_L             = 510.45;
+    cords->G_LT            = 2.33;
+    cords->matrix          = MaterialParameters::Matrix::neo_Hooke;
+    cords->K               = 100;
+    cords->E_L_compression = "E_L/20";
+    return all;
+  }
+
+
+  Layup
+  layup(const std::string       &plies,
+        const std::string       &shear,
+        const ThicknessIntegrals integrals,
+        const bool               along_normal)
+  {
+    Layup::Parameters parameters;
+    parameters.plies           = parse_plies("plies", plies);
+    parameters.shear_law       = parse_transverse_shear("shear", shear);
+    parameters.gradient_factor = 3;
+    parameters.integrals       = integrals;
+    SurfaceOfPlies surface;
+    surface.curvature = [](const double) {
+      return std::array<double, 2>{{0.01, 0.003}};
+    };
+    Layup result(parameters, materials(), surface);
+    result.set_thickness_strain_along_normal(along_normal);
+    return result;
+  }
+
+
+  void
+  test(const std::string       &plies,
+       const std::string       &shear,
+       const ThicknessIntegrals integrals,
+       const StrainSampling     sampling,
+       const ThicknessStrain    thickness_strain)
+  {
+    const Laminate laminate =
+      layup(
+        plies, shear, integrals, thickness_strain == ThicknessStrain::normal)
+        .laminate(0);
+    ElementGeometry geometry =
+      make_cells(
+        torus(), {{"40:45:1", "10:15:1"}}, laminate.face_heights(), sampling)[0]
+        .geometry;
+    geometry.thickness_strain = thickness_strain;
+    const NonlinearPlies law(laminate, sampling);
+    check_true("  whole law", law.is_whole_law());
+
+    const auto force_at = [&](const NodalVector &V) {
+      const MixedElement element(geometry, V);
+      return element.internal_force(law.resultants(element.strain()),
+                                    Modes::Vector());
+    };
+    const auto energy_at = [&](const NodalVector &V) {
+      return geometry.weight * law.energy(MixedElement(geometry, V).strain());
+    };
+
+    const double       step = 1e-5;
+    const NodalVector  V = some_vector<24>(-0.2, 1), dV = some_vector<24>(1, 2);
+    const MixedElement element(geometry, V);
+    check_range("  strains", element.strain().norm(), 0.2, 1);
+    const double difference =
+      (energy_at(V + step * dV) - energy_at(V - step * dV)) / (2 * step);
+    check_small("  internal force",
+                force_at(V) * dV - difference,
+                1e-7,
+                force_at(V).norm() * dV.norm());
+
+    NonlinearPlies::Stiffness stiffness;
+    check_true("  any", law.stiffness(element.strain(), stiffness));
+    MixedElement::NodalMatrix K{};
+    element.add_tangent(ModeStiffness(Resultants::Matrix(), sampling),
+                        law.resultants(element.strain()),
+                        K,
+                        &stiffness);
+    double deviation = 0, scale = 0, asymmetry = 0;
+    for (unsigned int j = 0; j < 24; ++j)
+      {
+        NodalVector unit;
+        unit[j] = step;
+        const NodalVector by_force =
+          (force_at(V + unit) - force_at(V - unit)) / (2 * step);
+        for (unsigned int i = 0; i < 24; ++i)
+          {
+            deviation = std::max(deviation, std::abs(K[i][j] - by_force[i]));
+            scale     = std::max(scale, std::abs(K[i][j]));
+            asymmetry = std::max(asymmetry, std::abs(K[i][j] - K[j][i]));
+          }
+      }
+    check_small("  tangent", deviation, 1e-7, scale);
+    check_small("  symmetry", asymmetry, 1e-13, scale);
+
+    const Modes::Vector small = 1e-6 * element.strain();
+    const ModeStiffness linear(laminate.stiffness(), sampling);
+    check_small("  linear at small strains",
+                (law.resultants(small) - linear.resultants(small)).norm(),
+                1e-4,
+                linear.resultants(small).norm());
+  }
+} // namespace
+
+
+int
+main()
+{
+  using Integrals = ThicknessIntegrals;
+  for (const char *name : {"neo-Hooke", "Mooney", "Yeoh", "Ogden", "cords"})
+    {
+      std::cout << name << std::endl;
+      test(std::string(name) + ": 3 @ 20",
+           "constant strain",
+           Integrals::plate,
+           StrainSampling::vertices,
+           ThicknessStrain::vertices);
+    }
+  const std::string mixed =
+    "cord: 1 @ 30, neo-Hooke: 0.5 @ 0, cords: 1 @ -30, Yeoh: 1 @ 0";
+  for (const std::string shear : {"constant strain", "5/6", "equilibrium"})
+    for (const auto integrals : {Integrals::plate, Integrals::shell})
+      for (const auto thickness_strain : {ThicknessStrain::vertices,
+                                          ThicknessStrain::mean_director,
+                                          ThicknessStrain::normal})
+        {
+          std::cout << "mixed, shear " << shear << ", integrals "
+                    << (integrals == Integrals::plate ? "plate" : "shell")
+                    << ", thickness strain "
+                    << static_cast<int>(thickness_strain) << std::endl;
+          test(
+            mixed, shear, integrals, StrainSampling::means, thickness_strain);
+        }
+}
