@@ -59,11 +59,14 @@ namespace Biface
 
 
   bool
-  NonlinearPlies::stiffness(const Modes::Vector &E, Stiffness &result) const
+  NonlinearPlies::stiffness(const Modes::Vector &E,
+                            Stiffness           &result,
+                            Modes::Vector       *resultants) const
   {
     for (auto &row : result)
       row.fill(0);
-    bool any = false;
+    std::array<Resultants::Vector, n_gauss_points> at_points;
+    bool                                           any = false;
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       {
         const Resultants::Vector strain = Modes::at_gauss_point(E, g);
@@ -71,19 +74,20 @@ namespace Biface
         bool                     any_here = false;
         if (points)
           {
-            points->resultants(strain, &C);
-            any_here = true;
+            at_points[g] = points->resultants(strain, &C);
+            any_here     = true;
           }
         for (const CordPoint &cord : cords)
           {
-            const double modulus =
-              cord.law->response(strain_along(cord, strain)).modulus;
-            if (modulus == 0)
+            const auto at = cord.law->response(strain_along(cord, strain));
+            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+              at_points[g][s] += cord.thickness * at.stress * cord.direction[s];
+            if (at.modulus == 0)
               continue;
             any_here = true;
             for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
               for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-                C[s][t] += cord.thickness * modulus * cord.direction[s] *
+                C[s][t] += cord.thickness * at.modulus * cord.direction[s] *
                            cord.direction[t];
           }
         if (!any_here)
@@ -107,7 +111,25 @@ namespace Biface
               result[m][n] += value * by_mode[s][n];
           });
       }
+    if (resultants)
+      *resultants = Modes::from_gauss_points(at_points, with_twist);
     return any;
+  }
+
+
+  Modes::Vector
+  NonlinearPlies::product(const Stiffness &stiffness, const Modes::Vector &dE)
+  {
+    Modes::Vector dH;
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < group.size; ++i)
+        {
+          const unsigned int m = group.first_mode + i;
+          for (unsigned int n = 0; n < Modes::n; ++n)
+            dH[m] += stiffness[m][n] * dE[n];
+          dH[m] /= group.weight(i);
+        }
+    return dH;
   }
 
 

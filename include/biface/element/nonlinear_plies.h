@@ -67,9 +67,16 @@ namespace Biface
     resultants(const Modes::Vector &E) const;
 
     /** The second derivative.
+     * @param resultants set to them, unless null.
      * @return whether it is not zero. */
     bool
-    stiffness(const Modes::Vector &E, Stiffness &result) const;
+    stiffness(const Modes::Vector &E,
+              Stiffness           &result,
+              Modes::Vector       *resultants = nullptr) const;
+
+    /** The change of the resultants with that of the strains. */
+    static Modes::Vector
+    product(const Stiffness &stiffness, const Modes::Vector &dE);
 
     /** The sum of the thicknesses of all points of cords. */
     double

@@ -61,17 +61,31 @@ namespace Biface
   void
   InternalForces::add(const CellState &at, CellForces &forces) const
   {
-    const MixedElement  element(at.cell.geometry, at.V);
-    const Modes::Vector E = element.strain();
-    if (forces.with_tangent)
+    const MixedElement    element(at.cell.geometry, at.V);
+    const Modes::Vector   E         = element.strain();
+    const auto           &predicted = at.state.predicted_strains;
+    const NonlinearPlies &plies     = nonlinear_plies(at.cell);
+    const Modes::Vector  &at_strain =
+      predicted.empty() ? E : predicted[at.index];
+    Modes::Vector H;
+    if (plies.is_whole_law() && (forces.with_tangent || !predicted.empty()))
       {
-        const auto &predicted = at.state.predicted_strains;
-        add_tangent(
-          element, at, predicted.empty() ? E : predicted[at.index], forces);
+        const Linearization law = linearize(at.state, at.index, at_strain);
+        H                       = law.resultants(E);
+        if (forces.with_tangent)
+          element.add_tangent(stiffness_of(at.cell),
+                              total_resultants(at.state, at.index),
+                              forces.tangent,
+                              &law.stiffness);
+      }
+    else
+      {
+        H = resultants_of(at.state, at.index, E);
+        if (forces.with_tangent)
+          add_tangent(element, at, at_strain, forces);
       }
     const MixedElement::NodalVector force =
-      element.internal_force(resultants_of(at.state, at.index, E),
-                             initial_resultants(at.state)[at.index]);
+      element.internal_force(H, initial_resultants(at.state)[at.index]);
     forces.force -= force;
     forces.square += force.norm_square();
   }
@@ -115,6 +129,22 @@ namespace Biface
       return linear + plies.resultants(E);
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.resultants(E_0 + E) - plies.resultants(E_0));
+  }
+
+
+  InternalForces::Linearization
+  InternalForces::linearize(const State         &state,
+                            const unsigned int   c,
+                            const Modes::Vector &E) const
+  {
+    const NonlinearPlies &plies = nonlinear_plies(mesh.cells[c]);
+    const Modes::Vector   E_0   = initial_strain(state, c);
+    Linearization         law;
+    law.E = E;
+    plies.stiffness(E_0 + E, law.stiffness, &law.H);
+    if (state.prestress)
+      law.H -= plies.resultants(E_0);
+    return law;
   }
 
 
@@ -309,6 +339,7 @@ namespace Biface
   InternalForces::predict_resultants(State            &state,
                                      const LA::Vector &increment) const
   {
+    const bool first = state.predicted_strains.empty();
     if (is_nonlinear())
       state.predicted_strains.resize(mesh.cells.size());
     for (const unsigned int c : mesh.layers)
@@ -318,7 +349,16 @@ namespace Biface
                                    mesh.cell_values(state.displacement, cell));
         const auto         dV = mesh.cell_values(increment, cell);
         Modes::Vector      E  = element.strain() + element.strain_variation(dV);
-        state.resultants[c]   = resultants_of(state, c, E);
+        if (nonlinear_plies(cell).is_whole_law())
+          {
+            const Modes::Vector &last = state.predicted_strains[c];
+            state.resultants[c] =
+              linearize(state, c, first ? element.strain() : last)
+                .resultants(E);
+            state.predicted_strains[c] = E;
+            continue;
+          }
+        state.resultants[c] = resultants_of(state, c, E);
         if (mesh.sampling == StrainSampling::vertices)
           {
             const Modes::Vector H         = total_resultants(state, c);
