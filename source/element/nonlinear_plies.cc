@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include <biface/element/nonlinear_plies.h>
 
 namespace Biface
@@ -20,19 +22,36 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    using AtPoints = std::array<Resultants::Vector, n_gauss_points>;
+
+    AtPoints
+    at_gauss_points(const Modes::Vector &E)
+    {
+      AtPoints strains;
+      for (unsigned int g = 0; g < n_gauss_points; ++g)
+        strains[g] = Modes::at_gauss_point(E, g);
+      return strains;
+    }
+  } // namespace
+
+
   double
   NonlinearPlies::energy(const Modes::Vector &E) const
   {
-    double sum = 0;
-    for (unsigned int g = 0; g < n_gauss_points; ++g)
+    const AtPoints strains = at_gauss_points(E);
+    double         sum     = 0;
+    if (points)
       {
-        const Resultants::Vector strain = Modes::at_gauss_point(E, g);
-        if (points)
-          sum += points->energy(strain);
-        for (const CordPoint &cord : cords)
-          sum += cord.thickness *
-                 cord.law->response(strain_along(cord, strain)).energy;
+        const auto state = points->thickness_state(strains);
+        for (unsigned int g = 0; g < n_gauss_points; ++g)
+          sum += points->energy(strains[g], state, g);
       }
+    for (const Resultants::Vector &strain : strains)
+      for (const CordPoint &cord : cords)
+        sum += cord.thickness *
+               cord.law->response(strain_along(cord, strain)).energy;
     return sum / n_gauss_points;
   }
 
@@ -40,20 +59,26 @@ namespace Biface
   Modes::Vector
   NonlinearPlies::resultants(const Modes::Vector &E) const
   {
-    std::array<Resultants::Vector, n_gauss_points> at_points;
-    for (unsigned int g = 0; g < n_gauss_points; ++g)
+    const AtPoints strains = at_gauss_points(E);
+    AtPoints       at_points;
+    if (points)
       {
-        const Resultants::Vector strain = Modes::at_gauss_point(E, g);
-        if (points)
-          at_points[g] = points->resultants(strain);
-        for (const CordPoint &cord : cords)
+        const auto          state = points->thickness_state(strains);
+        PlyPoints::Response response;
+        for (unsigned int g = 0; g < n_gauss_points; ++g)
           {
-            const double stress =
-              cord.law->response(strain_along(cord, strain)).stress;
-            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-              at_points[g][s] += cord.thickness * stress * cord.direction[s];
+            points->respond(strains[g], state, g, false, response);
+            at_points[g] = response.H;
           }
       }
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      for (const CordPoint &cord : cords)
+        {
+          const double stress =
+            cord.law->response(strain_along(cord, strains[g])).stress;
+          for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+            at_points[g][s] += cord.thickness * stress * cord.direction[s];
+        }
     return Modes::from_gauss_points(at_points, with_twist);
   }
 
@@ -65,34 +90,56 @@ namespace Biface
   {
     for (auto &row : result)
       row.fill(0);
-    std::array<Resultants::Vector, n_gauss_points> at_points;
-    bool                                           any = false;
+    const AtPoints                                 strains = at_gauss_points(E);
+    AtPoints                                       at_points;
+    std::array<Resultants::Matrix, n_gauss_points> C;
+    std::array<bool, n_gauss_points>               any{};
+
+    if (points)
+      {
+        // how the thickness stress changes by the modes
+        std::array<double, Modes::n> f{};
+        double                       compliance = 0;
+        const auto                   state = points->thickness_state(strains);
+        PlyPoints::Response          response;
+        for (unsigned int g = 0; g < n_gauss_points; ++g)
+          {
+            points->respond(strains[g], state, g, true, response);
+            at_points[g] = response.H;
+            C[g]         = response.C;
+            any[g]       = true;
+            Modes::for_parts_at_gauss_point(g,
+                                            with_twist,
+                                            [&](const unsigned int m,
+                                                const unsigned int s,
+                                                const double       value) {
+                                              f[m] += value * response.f[s] /
+                                                      n_gauss_points;
+                                            });
+            compliance += response.compliance / n_gauss_points;
+          }
+        for (unsigned int m = 0; m < Modes::n; ++m)
+          for (unsigned int n = 0; n < Modes::n; ++n)
+            result[m][n] += f[m] * f[n] / compliance;
+      }
+
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       {
-        const Resultants::Vector strain = Modes::at_gauss_point(E, g);
-        Resultants::Matrix       C;
-        bool                     any_here = false;
-        if (points)
-          {
-            at_points[g] = points->resultants(strain, &C);
-            any_here     = true;
-          }
         for (const CordPoint &cord : cords)
           {
-            const auto at = cord.law->response(strain_along(cord, strain));
+            const auto at = cord.law->response(strain_along(cord, strains[g]));
             for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
               at_points[g][s] += cord.thickness * at.stress * cord.direction[s];
             if (at.modulus == 0)
               continue;
-            any_here = true;
+            any[g] = true;
             for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
               for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-                C[s][t] += cord.thickness * at.modulus * cord.direction[s] *
-                           cord.direction[t];
+                C[g][s][t] += cord.thickness * at.modulus * cord.direction[s] *
+                              cord.direction[t];
           }
-        if (!any_here)
+        if (!any[g])
           continue;
-        any = true;
 
         // C times the modes, then the modes times that
         std::array<std::array<double, Modes::n>, Resultants::n> by_mode{};
@@ -101,7 +148,7 @@ namespace Biface
           with_twist,
           [&](const unsigned int m, const unsigned int s, const double value) {
             for (unsigned int t = 0; t < Resultants::n; ++t)
-              by_mode[t][m] += value / n_gauss_points * C[t][s];
+              by_mode[t][m] += value / n_gauss_points * C[g][t][s];
           });
         Modes::for_parts_at_gauss_point(
           g,
@@ -113,7 +160,23 @@ namespace Biface
       }
     if (resultants)
       *resultants = Modes::from_gauss_points(at_points, with_twist);
-    return any;
+    return std::any_of(
+      any.begin(), any.end(), [](const bool here) { return here; });
+  }
+
+
+  std::array<Resultants::Vector, 4>
+  NonlinearPlies::strains_at_vertices(const Modes::Vector &E) const
+  {
+    auto strains = Modes::at_vertices(E);
+    if (points)
+      {
+        const auto H = Modes::at_vertices(resultants(E));
+        for (unsigned int v = 0; v < 4; ++v)
+          strains[v][Resultants::thickness] = points->thickness_strain(
+            strains[v], H[v][Resultants::thickness] / points->get_thickness());
+      }
+    return strains;
   }
 
 

@@ -285,7 +285,7 @@ namespace Biface
     const PlyPoints::Point at       = point(ply, z);
     PointStrains::Vector   strain   = at.strain(E);
     strain[PointStrains::thickness] = thickness_strain(
-      *law_of(ply), strain, points->thickness_state(E).stress / at.area);
+      *law_of(ply), strain, points->thickness_state({&E, 1}).stress / at.area);
     return strain;
   }
 

@@ -79,17 +79,24 @@ namespace Biface
 
 
   PlyPoints::ThicknessState
-  PlyPoints::thickness_state(const Resultants::Vector &E) const
+  PlyPoints::thickness_state(const Places &places) const
   {
-    const unsigned int                n = points.size();
+    const unsigned int                n = places.size() * points.size();
     std::vector<PointStrains::Vector> strains(n);
     std::vector<double>               lowest(n);
-    for (unsigned int k = 0; k < n; ++k)
+    double                            given = 0;
+    for (unsigned int i = 0; i < places.size(); ++i)
       {
-        strains[k] = points[k].strain(E);
-        lowest[k]  = points[k].law->lowest_thickness_strain(strains[k]);
-        strains[k][PointStrains::thickness] =
-          points[k].law->free_thickness_strain(strains[k]);
+        given += thickness * director_strain(places[i]);
+        for (unsigned int k = 0; k < points.size(); ++k)
+          {
+            PointStrains::Vector &e = strains[i * points.size() + k];
+            e                       = points[k].strain(places[i]);
+            lowest[i * points.size() + k] =
+              points[k].law->lowest_thickness_strain(e);
+            e[PointStrains::thickness] =
+              points[k].law->free_thickness_strain(e);
+          }
       }
 
     std::vector<MaterialLaw::ThicknessStress> at(n);
@@ -97,15 +104,14 @@ namespace Biface
     double                                    largest = 1;
     for (unsigned int step = 0; largest > small_change; ++step)
       {
-        double lacking = thickness * director_strain(E), compliance = 0;
+        double lacking = given, compliance = 0;
         for (unsigned int k = 0; k < n; ++k)
           {
-            at[k] = points[k].law->thickness_stress(strains[k]);
-            lacking +=
-              points[k].thickness * (at[k].stress / at[k].modulus -
-                                     strains[k][PointStrains::thickness]);
-            compliance +=
-              points[k].thickness / (points[k].area * at[k].modulus);
+            const Point &point = points[k % points.size()];
+            at[k]              = point.law->thickness_stress(strains[k]);
+            lacking += point.thickness * (at[k].stress / at[k].modulus -
+                                          strains[k][PointStrains::thickness]);
+            compliance += point.thickness / (point.area * at[k].modulus);
             if (!(at[k].modulus > 0 && step < max_thickness_steps))
               {
                 result.strains.assign(n, PointStrains::none);
@@ -116,10 +122,10 @@ namespace Biface
         largest       = 0;
         for (unsigned int k = 0; k < n; ++k)
           {
-            double      &e = strains[k][PointStrains::thickness];
             const double by =
-              (result.stress / points[k].area - at[k].stress) / at[k].modulus;
-            change(e, by, lowest[k]);
+              (result.stress / points[k % points.size()].area - at[k].stress) /
+              at[k].modulus;
+            change(strains[k][PointStrains::thickness], by, lowest[k]);
             largest = std::max(largest, std::abs(by));
           }
       }
@@ -130,14 +136,31 @@ namespace Biface
 
 
   double
-  PlyPoints::energy(const Resultants::Vector &E) const
+  PlyPoints::thickness_strain(const Resultants::Vector &E,
+                              const double              stress) const
   {
-    const ThicknessState state = thickness_state(E);
-    double               sum   = E * (remainder * E) / 2;
+    Resultants::Vector others     = E;
+    others[Resultants::thickness] = 0;
+    double strain                 = -director_strain(others);
+    for (const Point &point : points)
+      strain += point.thickness / thickness *
+                Biface::thickness_strain(
+                  *point.law, point.strain(E), stress / point.area);
+    return strain;
+  }
+
+
+  double
+  PlyPoints::energy(const Resultants::Vector &E,
+                    const ThicknessState     &state,
+                    const unsigned int        number) const
+  {
+    double sum = E * (remainder * E) / 2;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        PointStrains::Vector strain     = points[k].strain(E);
-        strain[PointStrains::thickness] = state.strains[k];
+        PointStrains::Vector strain = points[k].strain(E);
+        strain[PointStrains::thickness] =
+          state.strains[number * points.size() + k];
         sum +=
           points[k].thickness * points[k].area * points[k].law->energy(strain);
       }
@@ -145,27 +168,49 @@ namespace Biface
   }
 
 
-  Resultants::Vector
-  PlyPoints::resultants(const Resultants::Vector &E,
-                        Resultants::Matrix       *stiffness) const
+  void
+  PlyPoints::respond(const Resultants::Vector &E,
+                     const ThicknessState     &state,
+                     const unsigned int        number,
+                     const bool                with_changes,
+                     Response                 &response) const
   {
     using PointStrains::transverse;
     constexpr unsigned int n_others = PointStrains::thickness;
 
-    const ThicknessState state = thickness_state(E);
-    Resultants::Vector   H     = remainder * E;
-    H[Resultants::thickness] += thickness * state.stress;
+    Resultants::Vector &H = response.H, &f = response.f;
+    const double        H_33 = thickness * state.stress;
+    H                        = remainder * E;
+    H[Resultants::thickness] += H_33;
+    if (with_changes)
+      {
+        f                        = Resultants::Vector();
+        f[Resultants::thickness] = thickness;
+        response.C               = remainder;
+        response.compliance      = 0;
+      }
+    if (along_normal)
+      for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int p = 0; p < 2; ++p)
+          {
+            // the derivative of the strain of the director
+            const unsigned int s    = Resultants::transverse(a, p);
+            const double       lean = mean_shear(E, a) / 2;
+            H[s] += lean * H_33;
+            if (with_changes)
+              {
+                f[s] += lean * thickness;
+                for (unsigned int q = 0; q < 2; ++q)
+                  response.C[s][Resultants::transverse(a, q)] += H_33 / 4;
+              }
+          }
 
-    // the sum of t L^T f, and of t/(m b_3333)
-    Resultants::Vector f;
-    double             compliance = 0;
-    if (stiffness)
-      *stiffness = remainder;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const Point         &point      = points[k];
-        PointStrains::Vector strain     = point.strain(E);
-        strain[PointStrains::thickness] = state.strains[k];
+        const Point         &point  = points[k];
+        PointStrains::Vector strain = point.strain(E);
+        strain[PointStrains::thickness] =
+          state.strains[number * points.size() + k];
         PointStrains::Vector S;
         PointStrains::Matrix b;
         point.law->evaluate(strain, S, b);
@@ -181,13 +226,13 @@ namespace Biface
                 H[Resultants::transverse(c, p)] +=
                   weight * point.shear[p][a][c] * S[transverse(a)];
           }
-        if (!stiffness)
+        if (!with_changes)
           continue;
 
         // the moduli at constant thickness stress, and their product with L
         const PointStrains::Vector &b_3    = b[PointStrains::thickness];
         const double                b_3333 = b_3[PointStrains::thickness];
-        compliance += point.thickness / (point.area * b_3333);
+        response.compliance += point.thickness / (point.area * b_3333);
         std::array<Resultants::Vector, n_others> qL;
         std::array<double, n_others>             by_stress;
         for (unsigned int i = 0; i < n_others; ++i)
@@ -214,7 +259,7 @@ namespace Biface
                 const unsigned int s = Resultants::tangential(ab, p);
                 f[s] +=
                   point.thickness * point.tangential[ab][p] * by_stress[ab];
-                (*stiffness)[s] += point.tangential[ab][p] * qL[ab];
+                response.C[s] += point.tangential[ab][p] * qL[ab];
               }
             for (unsigned int c = 0; c < 2; ++c)
               for (unsigned int a = 0; a < 2; ++a)
@@ -222,47 +267,10 @@ namespace Biface
                   const unsigned int s = Resultants::transverse(c, p);
                   f[s] += point.thickness * point.shear[p][a][c] *
                           by_stress[transverse(a)];
-                  (*stiffness)[s] += point.shear[p][a][c] * qL[transverse(a)];
+                  response.C[s] += point.shear[p][a][c] * qL[transverse(a)];
                 }
           }
       }
-    if (stiffness)
-      {
-        // the thickness strain and f change the thickness stress
-        f[Resultants::thickness] = thickness;
-        for (unsigned int s = 0; s < Resultants::n; ++s)
-          for (unsigned int t = 0; t < Resultants::n; ++t)
-            (*stiffness)[s][t] += f[s] * f[t] / compliance;
-      }
-    if (along_normal)
-      {
-        // the derivatives of the strain of the director
-        const double                H_33 = H[Resultants::thickness];
-        std::array<unsigned int, 4> shear;
-        std::array<double, 4>       factor;
-        for (unsigned int a = 0; a < 2; ++a)
-          for (unsigned int p = 0; p < 2; ++p)
-            {
-              shear[2 * a + p]  = Resultants::transverse(a, p);
-              factor[2 * a + p] = mean_shear(E, a) / 2;
-            }
-        for (unsigned int i = 0; i < 4; ++i)
-          H[shear[i]] += factor[i] * H_33;
-        if (stiffness)
-          {
-            Resultants::Matrix &C = *stiffness;
-            for (unsigned int i = 0; i < 4; ++i)
-              for (unsigned int s = 0; s < Resultants::n; ++s)
-                C[s][shear[i]] += factor[i] * C[s][Resultants::thickness];
-            for (unsigned int i = 0; i < 4; ++i)
-              C[shear[i]] += factor[i] * C[Resultants::thickness];
-            for (unsigned int i = 0; i < 4; ++i)
-              for (unsigned int j = 0; j < 4; ++j)
-                if (i / 2 == j / 2)
-                  C[shear[i]][shear[j]] += H_33 / 4;
-          }
-      }
-    return H;
   }
 
 

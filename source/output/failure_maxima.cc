@@ -29,8 +29,7 @@ namespace Biface
                                const SymmetricTensor<2, 3> &stress)> &function)
     {
       const ShellMesh &mesh = equations.mesh;
-      const auto       E =
-        Modes::at_vertices(equations.internal_forces().total_strains(state, c));
+      const auto E = equations.internal_forces().strains_at_vertices(state, c);
       for (unsigned int v = 0; v < 4; ++v)
         {
           const Laminate &laminate =

@@ -78,8 +78,8 @@ namespace Biface
             const Laminate &laminate =
               mesh.strips[mesh.cells[c].strip].laminate;
             Resultants::Vector E;
-            for (const Resultants::Vector &E_v : Modes::at_vertices(
-                   equations.internal_forces().total_strains(state, c)))
+            for (const Resultants::Vector &E_v :
+                 equations.internal_forces().strains_at_vertices(state, c))
               E += E_v / 4.;
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
               of_plies[laminate.get_plies()[p].number] +=

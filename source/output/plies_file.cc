@@ -96,8 +96,8 @@ namespace Biface
             if (v == 4)
               continue;
             const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
-            const Resultants::Vector E = Modes::at_vertices(
-              equations.internal_forces().total_strains(state, c))[v];
+            const Resultants::Vector E =
+              equations.internal_forces().strains_at_vertices(state, c)[v];
 
             double height = laminate.face_heights()[0];
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)

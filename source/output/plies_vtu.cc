@@ -69,8 +69,8 @@ namespace Biface
       {
         const Cell  &cell  = mesh.cells[c];
         const Strip &strip = mesh.strips[cell.strip];
-        const auto   E     = Modes::at_vertices(
-          equations.internal_forces().total_strains(state, c));
+        const auto   E =
+          equations.internal_forces().strains_at_vertices(state, c);
 
         // at each vertex, the height of the inner side of the ply
         std::array<double, 4> height{};

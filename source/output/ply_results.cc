@@ -92,8 +92,8 @@ namespace Biface
         wall = of_cell;
         strains.clear();
         for (unsigned int c = first; c < end; ++c)
-          strains.push_back(Modes::at_vertices(
-            equations.internal_forces().total_strains(state, c)));
+          strains.push_back(
+            equations.internal_forces().strains_at_vertices(state, c));
       }
 
     const auto laminate = [&](const unsigned int c) -> const Laminate & {

@@ -78,8 +78,8 @@ namespace Biface
                 return mesh.nodes[n].alpha[1] == line;
               }))
           continue;
-        const auto E = Modes::at_vertices(
-          equations.internal_forces().total_strains(state, c));
+        const auto E =
+          equations.internal_forces().strains_at_vertices(state, c);
         for (unsigned int v = 0; v < 4; ++v)
           {
             const Node &node = mesh.nodes[cell.nodes[v]];

@@ -14,7 +14,13 @@ namespace Biface
 {
   /**
    * What plies that are not linear add to the resultants of ModeStiffness: that
-   * of PlyPoints, beside which there is no ModeStiffness, and that of cords.
+   * of PlyPoints and that of cords.
+   *
+   * The points of PlyPoints have one thickness stress in the whole element,
+   * which follows from the constant mode of the thickness strain; otherwise
+   * nearly incompressible layers, which are stretched where a stack of them
+   * bends, would lock. Beside them the other modes of the thickness strain have
+   * a linear stiffness, see ModeStiffness::keep_varying_thickness_strain().
    *
    * The strains of the modes are evaluated at the 2x2 Gauss points of the
    * element, each with its own law. These points integrate products of modes
@@ -50,7 +56,7 @@ namespace Biface
       return !points && cords.empty();
     }
 
-    /** Whether they are the whole law: then there is no ModeStiffness. */
+    /** Whether there are PlyPoints. */
     bool
     is_whole_law() const
     {
@@ -77,6 +83,12 @@ namespace Biface
     /** The change of the resultants with that of the strains. */
     static Modes::Vector
     product(const Stiffness &stiffness, const Modes::Vector &dE);
+
+    /** The strains at the vertices, where the thickness strain is the one that
+     * belongs to the thickness stress of the element, if they are the whole
+     * law. */
+    std::array<Resultants::Vector, 4>
+    strains_at_vertices(const Modes::Vector &E) const;
 
     /** The sum of the thicknesses of all points of cords. */
     double

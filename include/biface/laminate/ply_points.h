@@ -3,6 +3,8 @@
 #ifndef biface_laminate_ply_points_h
 #define biface_laminate_ply_points_h
 
+#include <deal.II/base/array_view.h>
+
 #include <array>
 #include <memory>
 #include <vector>
@@ -60,24 +62,57 @@ namespace Biface
               const Resultants::Matrix &remainder,
               const bool                along_normal);
 
-    /** The thickness stress @f$\sigma@f$ of strains of the faces, and the
-     * thickness strains of the points; nan where there is none. */
+    /** The strains of the faces at the places of the shell that share one
+     * thickness stress. */
+    using Places = dealii::ArrayView<const Resultants::Vector>;
+
+    /** The thickness stress @f$\sigma@f$ for the mean of @f$E_{33}@f$ over the
+     * places, and the thickness strains of their points, place by place; nan
+     * where there is none. */
     struct ThicknessState
     {
       double              stress;
       std::vector<double> strains;
     };
     ThicknessState
-    thickness_state(const Resultants::Vector &E) const;
+    thickness_state(const Places &places) const;
 
-    /** The energy per area. Unit: force/length. */
+    /** The thickness strain @f$E_{33}@f$ of a place, by its other strains, with
+     * a thickness stress. */
     double
-    energy(const Resultants::Vector &E) const;
+    thickness_strain(const Resultants::Vector &E, const double stress) const;
 
-    /** The resultants, and their derivatives unless null. */
-    Resultants::Vector
-    resultants(const Resultants::Vector &E,
-               Resultants::Matrix       *stiffness = nullptr) const;
+    /** The energy of a place per area. Unit: force/length.
+     * @param number of the place. */
+    double
+    energy(const Resultants::Vector &E,
+           const ThicknessState     &state,
+           const unsigned int        number) const;
+
+    /** The resultants of a place, and how they change: at constant thickness
+     * stress by the matrix C, and with that by the vector f. The thickness
+     * stress changes by the mean of @f$\mathbf f\cdot d\mathbf E@f$ over the
+     * mean of the compliance. */
+    struct Response
+    {
+      Resultants::Vector H, f;
+      Resultants::Matrix C;
+      double             compliance;
+    };
+
+    /** @param with_changes whether to set more than H. */
+    void
+    respond(const Resultants::Vector &E,
+            const ThicknessState     &state,
+            const unsigned int        number,
+            const bool                with_changes,
+            Response                 &response) const;
+
+    double
+    get_thickness() const
+    {
+      return thickness;
+    }
 
   private:
     /** @f$E_{33}@f$ with the director's leaning. */

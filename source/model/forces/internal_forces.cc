@@ -16,15 +16,13 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       {
         nonlinear.emplace_back(strip.laminate, mesh.sampling);
-        if (nonlinear.back().is_whole_law())
-          {
-            stiffness.emplace_back(Resultants::Matrix(), mesh.sampling);
-            continue;
-          }
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
-        if (mesh.thickness_strain == ThicknessStrain::normal)
+        const bool whole_law = nonlinear.back().is_whole_law();
+        if (whole_law || mesh.thickness_strain == ThicknessStrain::normal)
           stiffness.back().release_thickness_strain(
             strip.laminate.stiffness_of_slack_cords());
+        if (whole_law)
+          stiffness.back().keep_varying_thickness_strain();
       }
     of_laminate = resultants_of_laminate();
   }
@@ -71,7 +69,7 @@ namespace Biface
     if (plies.is_whole_law() && (forces.with_tangent || !predicted.empty()))
       {
         const Linearization law = linearize(at.state, at.index, at_strain);
-        H                       = law.resultants(E);
+        H = stiffness_of(at.cell).resultants(E) + law.resultants(E);
         if (forces.with_tangent)
           element.add_tangent(stiffness_of(at.cell),
                               total_resultants(at.state, at.index),
@@ -325,6 +323,15 @@ namespace Biface
   }
 
 
+  std::array<Resultants::Vector, 4>
+  InternalForces::strains_at_vertices(const State       &state,
+                                      const unsigned int c) const
+  {
+    return nonlinear_plies(mesh.cells[c])
+      .strains_at_vertices(total_strains(state, c));
+  }
+
+
   void
   InternalForces::settle_resultants(State &state) const
   {
@@ -353,6 +360,7 @@ namespace Biface
           {
             const Modes::Vector &last = state.predicted_strains[c];
             state.resultants[c] =
+              stiffness_of(cell).resultants(E) +
               linearize(state, c, first ? element.strain() : last)
                 .resultants(E);
             state.predicted_strains[c] = E;

@@ -116,6 +116,11 @@ namespace Biface
     Modes::Vector
     total_strains(const State &state, const unsigned int cell) const;
 
+    /** These at the vertices of a layer, as the plies have them: see
+     * NonlinearPlies::strains_at_vertices(). */
+    std::array<Resultants::Vector, 4>
+    strains_at_vertices(const State &state, const unsigned int cell) const;
+
     /** Resultants of a cell, including initial ones. */
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
