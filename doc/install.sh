@@ -3,14 +3,14 @@
 
 # Installs the Debian 12 packages that biface needs and that are missing:
 #   doc/install.sh         to build and run the program
-#   doc/install.sh report  and to turn results into a page with biface-report
+#   doc/install.sh report  and for biface-report and biface-rubber
 #   doc/install.sh tests   and to run all tests and build the documentation
 
 set -eu
 
 packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
-report="python3-matplotlib xvfb xauth"
+report="python3-matplotlib python3-scipy xvfb xauth"
 # ParaView brings its own VTK and conflicts with Debian's
 status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
   2>/dev/null) || :

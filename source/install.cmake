@@ -68,10 +68,10 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
 Program, library with headers, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# the second line is what biface-report needs
+# the second line is what biface-report and biface-rubber need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
-  "python3-matplotlib, python3-vtk9 | python3-paraview, xvfb, xauth")
+  "python3-matplotlib, python3-scipy, python3-vtk9 | python3-paraview, xvfb, xauth")
 # for those who link the library
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libdeal.ii-dev, cmake, paraview")
 include(CPack)

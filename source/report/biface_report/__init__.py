@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Turns a directory of biface results into one page of HTML.
 
+    command_line   what the commands have in common
     results        reads and checks the files of a run
     parameters     reads parameters.prm
     loading        what changes from step to step

@@ -1,21 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line of biface-report."""
 
-import argparse
 import sys
-from importlib.util import find_spec
 from pathlib import Path
+
+from .command_line import Arguments, complain, missing_module
 
 # Required modules, and the Debian packages that provide them
 NEEDED = {"numpy": "python3-matplotlib", "matplotlib": "python3-matplotlib"}
-
-
-class Arguments(argparse.ArgumentParser):
-    """Exits with 1, as for any wrong input."""
-
-    def error(self, message):
-        self.print_usage(sys.stderr)
-        self.exit(1, f"biface-report: {message}\n")
 
 
 def parse_arguments():
@@ -37,11 +29,9 @@ def parse_arguments():
 def main():
     """Writes the page. The exit code is 1 if that is not possible."""
     arguments = parse_arguments()
-    for module, package in NEEDED.items():
-        if not find_spec(module):
-            print(f"biface-report: {module} for Python is missing (Debian: "
-                  f"{package}).", file=sys.stderr)
-            return 1
+    missing = missing_module(NEEDED)
+    if missing:
+        return complain("biface-report", missing)
 
     from . import study
     from .content import report
@@ -58,12 +48,11 @@ def main():
             text = report(Run(arguments.directory, arguments.step))
         path.write_text(text, encoding="utf-8")
     except ReportError as error:
-        print(f"biface-report: {error}", file=sys.stderr)
-        return 1
+        return complain("biface-report", error)
     except OSError as error:
-        print(f"biface-report: {error.filename or path} cannot be read or written "
-              f"({error.strerror}).", file=sys.stderr)
-        return 1
+        return complain("biface-report",
+                        f"{error.filename or path} cannot be read or written "
+                        f"({error.strerror}).")
     print(f"Report in {path}")
     return 0
 

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measured curves of rubber."""
+
+import csv
+import math
+
+import numpy as np
+
+from .errors import RubberError
+from .laws import TESTS
+
+# no rubber stretches as far; percents would
+LARGEST_STRETCH = 100
+
+COLUMNS = ("test", "stretch", "stress")
+
+
+class Data:
+    """Points of measured curves: for each the name of its test, the stretch and the
+    nominal stress, the force over the undeformed area."""
+
+    def __init__(self, tests, stretches, stresses):
+        self.tests = np.array(tests)
+        self.stretches = np.array(stretches, dtype=float)
+        self.stresses = np.array(stresses, dtype=float)
+
+    def __len__(self):
+        return len(self.tests)
+
+    def of(self, test):
+        """Where the points of a test are."""
+        return self.tests == test
+
+    def measured(self):
+        """The tests of which there are points."""
+        return [test for test in TESTS if self.of(test).any()]
+
+    def largest_stretch(self):
+        """The largest principal stretch of all points."""
+        return max(TESTS[test](self.stretches[self.of(test)]).max()
+                   for test in self.measured())
+
+
+def number(line, column, place):
+    """A finite number of a line of the file."""
+    try:
+        value = float(line[column])
+    except (TypeError, ValueError):
+        value = math.nan
+    if not math.isfinite(value):
+        raise RubberError(f"{place}: the {column} is '{line[column] or ''}', but must "
+                          "be a number.")
+    return value
+
+
+def read(path):
+    """The points of a CSV file, in which lines that start with # are comments."""
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            numbered = [(number, line) for number, line in enumerate(file, 1)
+                        if line.strip() and not line.lstrip().startswith("#")]
+    except UnicodeDecodeError as error:
+        raise RubberError(f"{path} is not a text file.") from error
+    if not numbered:
+        raise RubberError(f"{path} is empty.")
+    reader = csv.DictReader((line for _, line in numbered), skipinitialspace=True)
+    names = [name.strip() for name in reader.fieldnames]
+    reader.fieldnames = names
+    for column in COLUMNS:
+        if column not in names:
+            raise RubberError(f"{path} has no column '{column}'.")
+    points = []
+    for (place, _), line in zip(numbered[1:], reader):
+        place = f"{path}, line {place}"
+        test = (line["test"] or "").strip()
+        if test not in TESTS:
+            raise RubberError(f"{place}: the test is '{test}', but must be "
+                              "uniaxial, equibiaxial or planar.")
+        stretch = number(line, "stretch", place)
+        if not 1 / LARGEST_STRETCH <= stretch <= LARGEST_STRETCH:
+            raise RubberError(f"{place}: the stretch is {stretch:g}, but must lie "
+                              f"between {1 / LARGEST_STRETCH:g} and "
+                              f"{LARGEST_STRETCH}.")
+        points.append((test, stretch, number(line, "stress", place)))
+    if not points:
+        raise RubberError(f"{path} has no points.")
+    return Data(*zip(*points))
