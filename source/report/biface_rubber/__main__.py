@@ -11,8 +11,8 @@ from .errors import RubberError
 
 COMMAND = "biface-rubber"
 
-# Required modules, and the Debian packages that provide them
-NEEDED = {"numpy": "python3-scipy", "scipy": "python3-scipy"}
+# Required modules, and the Debian packages that provide them; SciPy brings NumPy
+NEEDED = {"scipy": "python3-scipy"}
 
 LAWS = ("neo-Hooke", "Mooney-Rivlin", "Yeoh", "Ogden", "all")
 
