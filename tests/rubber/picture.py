@@ -9,7 +9,7 @@ require("numpy", "scipy", "matplotlib")
 
 from biface_rubber.data import read
 from biface_rubber.laws import LINEAR, TESTS, Law
-from biface_rubber.picture import _draw_law
+from biface_rubber.picture import draw_law
 from biface_report.drawing import plt
 
 path = scratch() / "curves.png"
@@ -20,7 +20,7 @@ check(code == 1 and "must be a png, svg or pdf file" in errors, errors)
 
 data = read(TRELOAR)
 panel = plt.subplots()[1]
-_draw_law(panel, Law("neo-Hooke", LINEAR["neo-Hooke"].values(), [0.4]), data)
+draw_law(panel, Law("neo-Hooke", LINEAR["neo-Hooke"].values(), [0.4]), data, data)
 for test in TESTS:
     end = data.stretches[data.of(test)].max()
     solid, = [line for line in panel.lines if line.get_label() == test]

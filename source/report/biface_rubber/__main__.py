@@ -45,6 +45,9 @@ def make_parser():
                         help="which errors in the stress are made small: absolute "
                              "ones (default), or those relative to the measured "
                              "stress, which weigh small strains more")
+    curves.add_argument("--only", metavar="TESTS",
+                        help="fits only the tests of this list, such as 'uniaxial, "
+                             "planar'; errors are shown of all")
     curves.add_argument("--stable", action="store_true",
                         help="only constants whose signs make the law stable at all "
                              "stretches")
@@ -61,7 +64,7 @@ def check(parser, arguments):
     if (arguments.data is None) == (arguments.shore is None):
         raise RubberError("give either DATA.csv or --shore.")
     if arguments.shore is not None:
-        for option in ("law", "terms", "errors", "stable", "up_to", "plot"):
+        for option in ("law", "terms", "errors", "only", "stable", "up_to", "plot"):
             if getattr(arguments, option) != parser.get_default(option):
                 raise RubberError(f"--{option.replace('_', '-')} belongs to curves, "
                                   "not to --shore.")
@@ -89,35 +92,43 @@ def fit_curves(arguments):
     from .stability import instabilities
 
     data = read(arguments.data)
+    fitted = data
+    if arguments.only is not None:
+        tests = [test.strip() for test in arguments.only.split(",")]
+        for test in tests:
+            if test not in data.measured():
+                raise RubberError(f"--only names '{test}', but {arguments.data} has "
+                                  f"only points of {', '.join(data.measured())}.")
+        fitted = data.only(tests)
     end = arguments.up_to or min(max(2 * data.largest_stretch() - 1, 1.01),
                                  LARGEST_STRETCH)
     measure, options = arguments.errors, {"relative": arguments.errors == "relative",
                                           "stable": arguments.stable}
     material = (arguments.name, arguments.K, arguments.nu)
     if arguments.law != "all":
-        law = fit(data, arguments.law, arguments.terms or 3, **options)
+        law = fit(fitted, arguments.law, arguments.terms or 3, **options)
         laws = [(arguments.law, law)]
-        result = text.of_fit(law, data, measure, instabilities(law, end), end,
+        result = text.of_fit(law, data, fitted, measure, instabilities(law, end), end,
                              *material)
     else:
         rows = []
         for name, count in ([(name, 0) for name in LINEAR]
                             + [("Ogden", count) for count in (1, 2, 3)]):
-            label = f"Ogden, {count}" if count else name
+            label = f"Ogden, {count} term{'s' * (count > 1)}" if count else name
             try:
-                law = fit(data, name, count, **options)
+                law = fit(fitted, name, count, **options)
                 rows.append((label, law, instabilities(law, end)))
             except RubberError as error:
                 rows.append((label, None, str(error)))
         laws = [(label, law) for label, law, _ in rows if law]
-        result = text.of_all(rows, data, measure, end)
+        result = text.of_all(rows, data, fitted, measure, end)
     if arguments.plot and laws:
         missing = missing_module({"matplotlib": "python3-matplotlib"})
         if missing:
             raise RubberError(missing)
         from .picture import draw
         try:
-            draw(laws, data, arguments.plot)
+            draw(laws, data, fitted, arguments.plot)
         except ValueError as error:
             raise RubberError(f"--plot is {arguments.plot}, but must be a png, svg or "
                               "pdf file.") from error

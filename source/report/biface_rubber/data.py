@@ -35,6 +35,11 @@ class Data:
         """The tests of which there are points."""
         return [test for test in TESTS if self.of(test).any()]
 
+    def only(self, tests):
+        """The points of some tests."""
+        where = np.isin(self.tests, tests)
+        return Data(self.tests[where], self.stretches[where], self.stresses[where])
+
     def largest_stretch(self):
         """The largest principal stretch of all points."""
         return max(TESTS[test](self.stretches[self.of(test)]).max()

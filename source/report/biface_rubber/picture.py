@@ -9,9 +9,9 @@ from .laws import TESTS
 MARKERS = "os^"
 
 
-def draw(laws, data, path):
+def draw(laws, data, fitted, path):
     """Writes a picture with a panel for each labeled law: the points, and the
-    curves of all tests, dashed beyond the points."""
+    curves of all tests, dashed beyond the points that were fitted."""
     plt.rcParams.update(STYLE)
     columns = min(3, len(laws))
     rows = -(-len(laws) // columns)
@@ -19,7 +19,7 @@ def draw(laws, data, path):
         rows, columns, squeeze=False, sharex=True, sharey=True,
         figsize=(1.5 + 3.4 * columns if columns > 1 else 6.4, 0.8 + 3.2 * rows))
     for panel, (label, law) in zip(panels.flat, laws):
-        _draw_law(panel, law, data)
+        draw_law(panel, law, data, fitted)
         panel.set_title(label)
     for panel in panels.flat[len(laws):]:
         panel.set_visible(False)
@@ -33,15 +33,15 @@ def draw(laws, data, path):
     save(figure, path)
 
 
-def _draw_law(panel, law, data):
+def draw_law(panel, law, data, fitted):
+    """A panel."""
     low, high = data.stretches.min(), data.stretches.max()
     margin = 0.15 * (max(high, 1) - min(low, 1))
     low = min(1, low if low >= 1 else low - margin * min(1, low))
     high = max(1, high) + margin
     for (test, color, marker) in zip(TESTS, DISTINCT, MARKERS):
-        where = data.of(test)
-        points = data.stretches[where]
-        panel.plot(points, data.stresses[where], marker, color=color, markersize=4.5,
+        where, points = data.of(test), fitted.stretches[fitted.of(test)]
+        panel.plot(data.stretches[where], data.stresses[where], marker, color=color, markersize=4.5,
                    markerfacecolor="none", linestyle="none")
         inside = (min(1, points.min()), max(1, points.max())) if points.size else (1, 1)
         for start, end, style in ((*inside, "-"), (low, inside[0], "--"),

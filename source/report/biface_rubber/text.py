@@ -68,12 +68,6 @@ def residuals(law, data):
     return result
 
 
-def overall(law, data):
-    """The root mean square of the errors of all points."""
-    found = residuals(law, data).values()
-    return np.sqrt(sum(points * size ** 2 for points, size, _, _ in found) / len(data))
-
-
 def stability(found):
     """A sentence on the instabilities of a law."""
     if not found:
@@ -85,7 +79,7 @@ def stability(found):
         for test, ranges in found.items())
 
 
-def of_fit(law, data, measure, found, end, name, bulk_modulus, nu):
+def of_fit(law, data, fitted, measure, found, end, name, bulk_modulus, nu):
     """The section of a law that was fitted, with its errors and its stability."""
     value, line = bulk_modulus_of(law.shear_modulus(), bulk_modulus, nu)
     rows = [f"{'test':12}{'points':>7}{'stretches':>16}{'RMS error':>13}"
@@ -93,33 +87,39 @@ def of_fit(law, data, measure, found, end, name, bulk_modulus, nu):
     for test, (points, size, worst, at) in residuals(law, data).items():
         stretches = data.stretches[data.of(test)]
         span = f"{stretches.min():.4g} to {stretches.max():.4g}"
-        rows.append(f"{test:12}{points:7d}{span:>16}{size:13.3g}{worst:12.3g}  {at:.4g}")
+        rows.append(f"{test:12}{points:7d}{span:>16}{size:13.3g}{worst:12.3g}  {at:.4g}"
+                    + ("" if test in fitted.measured() else "  (not fitted)"))
     missing = [test for test in TESTS if test not in data.measured()]
     if missing:
         rows.append(f"No points: {', '.join(missing)}. The law is a guess there.")
     return comments(
-        f"{law.name}, least squares of the {measure} errors of {len(data)} stresses",
+        f"{law.name}, least squares of the {measure} errors of {len(fitted)} stresses.",
         *rows,
         f"Drucker's condition: {stability(found)}; checked in all tests up to the "
-        f"stretch {end:.4g}, measured up to {data.largest_stretch():.4g}.",
+        f"stretch {end:.4g}, fitted up to {fitted.largest_stretch():.4g}.",
         f"Shear modulus {law.shear_modulus():.4g}.",
         line) + section(name, law.name, law.entries(), value)
 
 
-def of_all(rows, data, measure, end):
+def of_all(rows, data, fitted, measure, end):
     """A table of laws: for each its label, and the law and its instabilities, or
     why there is none."""
-    lines = [f"Least squares of the {measure} errors of {len(data)} stresses; RMS error and",
-             "maximum in the unit of the stresses; stability by Drucker's condition in all",
-             f"tests up to the stretch {end:.4g}, measured up to "
-             f"{data.largest_stretch():.4g}", "",
-             f"{'law':15}{'constants':>10}{'RMS error':>13}{'maximum':>12}  stability"]
+    columns = f"{'law':15}{'constants':>9}" + "".join(
+        f"{test:>13}" for test in data.measured()) + "  stability"
+    which = ("" if len(fitted) == len(data)
+             else f" in {' and '.join(fitted.measured())} tests")
+    lines = textwrap.wrap(
+        f"Least squares of the {measure} errors of {len(fitted)} stresses{which}. RMS "
+        "errors by test, in the unit of the stresses. Drucker's condition in all tests "
+        f"up to the stretch {end:.4g}, fitted up to {fitted.largest_stretch():.4g}.", 88)
+    lines += ["", columns]
     for label, law, found in rows:
         if law is None:
             lines.append(f"{label:15}{found}")
             continue
         count = len(law.constants) * (2 if law.name == "Ogden" else 1)
-        worst = max(error[2] for error in residuals(law, data).values())
-        lines.append(f"{label:15}{count:10d}{overall(law, data):13.3g}{worst:12.3g}  "
-                     f"{stability(found)}")
+        lines.append(f"{label:15}{count:9d}"
+                     + "".join(f"{error[1]:13.3g}"
+                               for error in residuals(law, data).values())
+                     + f"  {stability(found)}")
     return "\n".join(lines) + "\n"
