@@ -120,8 +120,9 @@ The same laws, from the uniaxial points only:
     {uniaxial_plot}
 
 Two and three terms of Ogden's law follow the uniaxial curve best, Drucker's condition
-holds, and in equibiaxial tension they are wrong by orders of magnitude. The walls of inflated shells are stretched in two directions: a sphere equibiaxially, a long tube
-nearly in the planar way. For these measure equibiaxial and planar curves, or take Yeoh's
+holds, and in equibiaxial tension they are wrong by orders of magnitude. The walls of
+inflated shells are stretched in two directions: a sphere equibiaxially, a long tube nearly
+in the planar way. For these measure equibiaxial and planar curves, or take Yeoh's
 law. No law is reliable much beyond its points: keep the strains of the run
 inside them.
 
@@ -134,7 +135,7 @@ rubber, and steps of a run may fail. The command checks the three tests from
 stretch 1 on; compression needs no check of its own, since it is tension in
 another test under a pressure. Between the tests nothing is checked. Sufficient are c10, c01, c20, c30 not
 negative, and $`\\mu_i\\alpha_i > 0`$ in each term; `--stable` only allows these. For
-Treloar's points it costs Yeoh's law its negative c20, and little accuracy of Ogden's.
+Treloar's points it costs Yeoh's law its negative c20, and Ogden's law nothing.
 
 Stable rubber still has limit points: the pressure of a balloon has a maximum. See
 `Control` in [parameters.md](parameters.md).
@@ -144,15 +145,16 @@ Stable rubber still has limit points: the pressure of a balloon has a maximum. S
 Rubber changes its shape a thousand times more easily than its volume: K is of the order of
 1000 MPa ([Tabor 1994](references.bib#Tabor1994)). Walls of shells are free to become
 thinner, so that K hardly matters unless rubber is confined, as a thin layer between stiff
-ones. By default K follows from nu = 0.499, K = 500 mu. The tube of [1_cylinder.prm](../prm/tutorial/1_cylinder.prm) with the constants of Ogden's law
-above, inflated to {pressure} MPa in {steps} steps with nonlinear theory:
+ones. By default K follows from nu = 0.499, K = 500 mu. The tube of
+[1_cylinder.prm](../prm/tutorial/1_cylinder.prm) with the constants of Ogden's law above, inflated to {pressure} MPa in {steps} steps with nonlinear theory:
 
 {bulk}
 
 From nu = 0.49 on the displacement changes by {late:.1f} %, from 0.45 on by {change:.1f} %. Larger bulk
 moduli cost convergence: on the mesh of this example, 4 × 8 cells, nu = 0.4998, K = 2500 mu,
-does not converge beyond 0.0027 MPa, neither in 8 steps nor in 32, and neither with `Ogden`
-nor with `neo-Hooke`. So keep nu = 0.499; give `--K` if rubber is confined.
+does not converge beyond 0.0027 MPa, in 8 or 32 steps with `Ogden`, in 8 with `neo-Hooke`.
+So keep nu = 0.499; give `--K` if rubber is confined. In tube.prm the printed section
+replaces that of the example:
 
     {bulk_command}
 """
