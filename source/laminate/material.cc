@@ -108,4 +108,22 @@ namespace Biface
     return Physics::Transformations::Contravariant::push_forward(
       stress, rotation(angle));
   }
+
+
+  SymmetricTensor<2, 3>
+  cauchy_stress(const SymmetricTensor<2, 3> &stress,
+                const SymmetricTensor<2, 3> &strain)
+  {
+    const auto principal =
+      eigenvectors(strain, SymmetricTensorEigenvectorMethod::jacobi);
+    Tensor<2, 3> U;
+    double       det = 1;
+    for (const auto &[value, axis] : principal)
+      {
+        const double stretch = std::sqrt(1 + 2 * value);
+        U += stretch * outer_product(axis, axis);
+        det *= stretch;
+      }
+    return symmetrize(U * Tensor<2, 3>(stress) * U) / det;
+  }
 } // namespace Biface

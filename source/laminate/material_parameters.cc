@@ -18,6 +18,30 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::vector<double>
+    parse_constants(const std::string &entry, const std::string &text)
+    {
+      std::vector<double> numbers;
+      for (const std::string &item : split_list(entry, text))
+        numbers.push_back(parse_number(
+          entry, item, "it must be a list of numbers, separated by commas"));
+      return numbers;
+    }
+
+
+    std::string
+    text_of(const std::vector<double> &numbers)
+    {
+      std::string text;
+      for (const double number : numbers)
+        text += (text.empty() ? "" : ", ") + number_to_string(number);
+      return text;
+    }
+  } // namespace
+
+
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
@@ -89,18 +113,24 @@ namespace Biface
                         std::get<2>(constant) +
                           " of rubber, see 'Type'. Unit: force/area.",
                         Patterns::Double());
-    prm.add_parameter("mu_i",
-                      mu_i,
-                      "List of the constants mu_i of 'Ogden', with the energy "
-                      "mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) "
-                      "of the principal stretches: the shear modulus is half "
-                      "the sum of mu_i alpha_i. Unit: force/area.",
-                      Patterns::List(Patterns::Double()));
-    prm.add_parameter("alpha_i",
-                      alpha_i,
-                      "List of the exponents alpha_i of 'Ogden', as many as "
-                      "mu_i. No unit.",
-                      Patterns::List(Patterns::Double()));
+    add_parsed(prm,
+               "Material " + name + "/",
+               "mu_i",
+               "",
+               mu_i,
+               parse_constants,
+               "List of the constants mu_i of 'Ogden', with the energy "
+               "mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) "
+               "of the principal stretches: the shear modulus is half "
+               "the sum of mu_i alpha_i. Unit: force/area.");
+    add_parsed(prm,
+               "Material " + name + "/",
+               "alpha_i",
+               "",
+               alpha_i,
+               parse_constants,
+               "List of the exponents alpha_i of 'Ogden', as many as "
+               "mu_i. No unit.");
 
     cord_and_rubber.add_parameters(prm);
     add_choice(prm,
@@ -185,42 +215,54 @@ namespace Biface
   MaterialParameters::check_unused() const
   {
     const std::string section = "Material " + name + "/";
-    const auto        refuse  = [&](const std::string &entry,
-                            const bool         given,
-                            const bool         used,
-                            const std::string &users) {
+    const auto        only    = [&](const std::string &entry,
+                          const std::string &value,
+                          const bool         given,
+                          const bool         used,
+                          const std::string &users) {
       if (given && !used)
-        throw InputError("the entry '" + section + entry +
-                         "' may only be given with " + users + ".");
+        throw InputError(
+          section + entry, value, "it may only be given with " + users);
+    };
+    const auto only_number = [&](const std::string &entry,
+                                 const double       value,
+                                 const bool         used,
+                                 const std::string &users) {
+      only(entry, number_to_string(value), value != 0, used, users);
     };
     const bool has_cords =
       type == Type::transversely_isotropic || type == Type::cord_and_rubber;
-    refuse("Matrix",
-           matrix != Matrix::linear,
-           has_cords,
-           "'Type = transversely isotropic' or 'cord and rubber'");
+    only("Matrix",
+         "neo-Hooke",
+         matrix != Matrix::linear,
+         has_cords,
+         "'Type = transversely isotropic' or 'cord and rubber'");
     const bool polynomial = type == Type::Mooney_Rivlin || type == Type::Yeoh;
-    refuse("mu", mu != 0, type == Type::neo_Hooke, "'Type = neo-Hooke'");
-    refuse("c10", c10 != 0, polynomial, "'Type = Mooney-Rivlin' or 'Yeoh'");
-    refuse(
-      "c01", c01 != 0, type == Type::Mooney_Rivlin, "'Type = Mooney-Rivlin'");
-    refuse("c20", c20 != 0, type == Type::Yeoh, "'Type = Yeoh'");
-    refuse("c30", c30 != 0, type == Type::Yeoh, "'Type = Yeoh'");
-    refuse("mu_i", !mu_i.empty(), type == Type::Ogden, "'Type = Ogden'");
-    refuse("alpha_i", !alpha_i.empty(), type == Type::Ogden, "'Type = Ogden'");
-    refuse("K",
-           K != 0,
-           is_hyperelastic(),
-           "a rubber ('neo-Hooke', 'Mooney-Rivlin', 'Yeoh', 'Ogden') or with "
-           "'Matrix = neo-Hooke'");
-    for (const auto &constant : {std::make_pair("E_T", E_T),
-                                 std::make_pair("G_TT", G_TT),
-                                 std::make_pair("nu_LT", nu_LT),
-                                 std::make_pair("nu_TT", nu_TT)})
-      refuse(constant.first,
-             constant.second != 0,
-             matrix == Matrix::linear,
-             "'Matrix = linear'");
+    only_number("mu", mu, type == Type::neo_Hooke, "'Type = neo-Hooke'");
+    only_number("c10", c10, polynomial, "'Type = Mooney-Rivlin' or 'Yeoh'");
+    only_number(
+      "c01", c01, type == Type::Mooney_Rivlin, "'Type = Mooney-Rivlin'");
+    only_number("c20", c20, type == Type::Yeoh, "'Type = Yeoh'");
+    only_number("c30", c30, type == Type::Yeoh, "'Type = Yeoh'");
+    for (const auto &constants :
+         {std::make_pair("mu_i", &mu_i), std::make_pair("alpha_i", &alpha_i)})
+      only(constants.first,
+           text_of(*constants.second),
+           !constants.second->empty(),
+           type == Type::Ogden,
+           "'Type = Ogden'");
+    only_number("K",
+                K,
+                is_hyperelastic(),
+                "a rubber ('neo-Hooke', 'Mooney-Rivlin', 'Yeoh', 'Ogden') or "
+                "with 'Matrix = neo-Hooke'");
+    if (matrix != Matrix::linear)
+      for (const auto &constant : {std::make_pair("E_T", E_T),
+                                   std::make_pair("G_TT", G_TT),
+                                   std::make_pair("nu_LT", nu_LT),
+                                   std::make_pair("nu_TT", nu_TT)})
+        only_number(
+          constant.first, constant.second, false, "'Matrix = linear'");
   }
 
 
@@ -231,8 +273,9 @@ namespace Biface
     if (K != 0)
       {
         if (nu != 0)
-          throw InputError("the entries '" + section + "K' and '" + section +
-                           "nu' exclude each other: give one of them.");
+          throw InputError(section + "K",
+                           number_to_string(K),
+                           "it may only be given without 'nu'");
         check_finite(section + "K", K);
         if (!(K > 2. / 3 * shear_modulus))
           throw InputError(section + "K",
@@ -256,13 +299,15 @@ namespace Biface
   std::shared_ptr<const MaterialLaw>
   MaterialParameters::rubber(const double shear_modulus) const
   {
-    const std::string section  = "Material " + name + "/";
-    const auto        positive = [&](const std::string &entries,
-                              const double       modulus) {
+    const std::string section         = "Material " + name + "/";
+    const auto        bulk_modulus_of = [&](const std::string &entry,
+                                     const std::string &value,
+                                     const double       modulus) {
       if (!(modulus > 0 && std::isfinite(modulus)))
-        throw InputError("the entries '" + section + entries +
-                         "' must have a positive shear modulus, but it is " +
-                         number_to_string(modulus) + ".");
+        throw InputError(section + entry,
+                         value,
+                         "the shear modulus must be positive, but it is " +
+                           number_to_string(modulus));
       return bulk_modulus(modulus);
     };
     switch (type)
@@ -277,17 +322,20 @@ namespace Biface
           return std::make_shared<PolynomialRubber>(
             std::array<double, 3>{{c10, c20, c30}},
             c01,
-            positive(type == Type::Yeoh ? "c10" : "c10' and 'c01",
-                     2 * (c10 + c01)));
+            bulk_modulus_of(c10 > 0 ? "c01" : "c10",
+                            number_to_string(c10 > 0 ? c01 : c10),
+                            2 * (c10 + c01)));
         case Type::Ogden:
           {
-            if (mu_i.empty() || mu_i.size() != alpha_i.size())
-              throw InputError("the entries '" + section + "mu_i' and '" +
-                               section +
-                               "alpha_i' must be lists of the same length, but "
-                               "have " +
-                               std::to_string(mu_i.size()) + " and " +
-                               std::to_string(alpha_i.size()) + " numbers.");
+            if (mu_i.empty())
+              throw InputError(
+                section + "mu_i", "", "it must contain at least one number");
+            if (mu_i.size() != alpha_i.size())
+              throw InputError(section + "alpha_i",
+                               text_of(alpha_i),
+                               "it must have as many numbers as 'mu_i', which "
+                               "is '" +
+                                 text_of(mu_i) + "'");
             std::vector<OgdenRubber::Term> terms;
             double                         modulus = 0;
             for (unsigned int i = 0; i < mu_i.size(); ++i)
@@ -298,7 +346,7 @@ namespace Biface
                 modulus += mu_i[i] * alpha_i[i] / 2;
               }
             return std::make_shared<OgdenRubber>(
-              terms, positive("mu_i' and 'alpha_i", modulus));
+              terms, bulk_modulus_of("mu_i", text_of(mu_i), modulus));
           }
         default:
           return std::make_shared<NeoHooke>(shear_modulus,

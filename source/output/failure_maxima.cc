@@ -41,12 +41,11 @@ namespace Biface
                 mesh.layup.get_plies()[ply.number];
               if (description.strengths)
                 for (unsigned int side = 0; side < 2; ++side)
-                  function(v,
-                           description,
-                           ply.number,
-                           rotate_about_normal(
-                             PlyState(laminate, p, side, E[v], {}).stress,
-                             -ply.angle));
+                  function(
+                    v,
+                    description,
+                    ply.number,
+                    PlyState(laminate, p, side, E[v], {}).failure_stress(ply));
             }
         }
     }

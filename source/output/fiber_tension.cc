@@ -16,6 +16,13 @@ namespace Biface
   using namespace dealii;
 
   double
+  force_per_stress(const Ply &ply, const double strain)
+  {
+    return ply.rubber ? std::sqrt(1 + 2 * strain) : 1.;
+  }
+
+
+  double
   fiber_tension(const Laminate           &laminate,
                 const unsigned int        p,
                 const Resultants::Vector &E)
@@ -30,11 +37,13 @@ namespace Biface
     const Tensor<1, 3> along({std::cos(ply.angle), std::sin(ply.angle), 0});
     double             tension = ply.initial_stress[0][0] * ply.thickness;
     for (unsigned int g = 0; g < gauss.size(); ++g)
-      tension +=
-        gauss.weight(g) * ply.thickness *
-        (along *
-         (laminate.stress(E, p, below + gauss.point(g)[0] * ply.thickness) *
-          along));
+      {
+        const double z = below + gauss.point(g)[0] * ply.thickness;
+        tension +=
+          gauss.weight(g) * ply.thickness *
+          (along * (laminate.stress(E, p, z) * along)) *
+          force_per_stress(ply, along * (laminate.strain(E, p, z) * along));
+      }
     return tension;
   }
 

@@ -6,6 +6,7 @@
 
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
+#include <biface/output/fiber_tension.h>
 #include <biface/output/ply_results.h>
 
 namespace Biface
@@ -99,6 +100,12 @@ namespace Biface
     const auto laminate = [&](const unsigned int c) -> const Laminate & {
       return mesh.strips[mesh.cells[c].strip].at_lines[line];
     };
+    for (unsigned int c = first; c < end; ++c)
+      if (laminate(c).ply_points())
+        {
+          constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+          return Tensor<1, 2>({nan, nan});
+        }
     const double z = height_in_laminate(laminate(layer), ply, fraction);
     if (end == first + 1)
       return laminate(layer).interlaminar_stress(strains[0][vertex], ply, z);
@@ -140,6 +147,14 @@ namespace Biface
   }
 
 
+  SymmetricTensor<2, 3>
+  PlyState::failure_stress(const Ply &ply) const
+  {
+    return rotate_about_normal(
+      ply.rubber ? cauchy_stress(stress, strain) : stress, -ply.angle);
+  }
+
+
   std::vector<std::string>
   ply_value_names(const FailureCriteria &criteria, const Layup &layup)
   {
@@ -155,6 +170,9 @@ namespace Biface
       names.push_back("cord_tension");
     if (layup.has_slack_cords())
       names.push_back("slack");
+    if (layup.is_hyperelastic())
+      for (const char *component : {"L", "T", "N", "TN", "LN", "LT"})
+        names.push_back(std::string("cauchy_") + component);
     return names;
   }
 
@@ -177,24 +195,31 @@ namespace Biface
     };
     const SymmetricTensor<2, 3> stress =
       rotate_about_normal(state.stress, -ply.angle);
+    const SymmetricTensor<2, 3> strain =
+      rotate_about_normal(state.strain, -ply.angle);
     append(state.strain, 2);
     append(state.stress, 1);
-    append(rotate_about_normal(state.strain, -ply.angle), 2);
+    append(strain, 2);
     append(stress, 1);
 
     const auto &strengths = layup.get_plies()[ply.number].strengths;
     for (const FailureCriterion &criterion : criteria.requested())
-      values.push_back(strengths ? criterion.index(stress, *strengths) : nan);
+      values.push_back(
+        strengths ? criterion.index(state.failure_stress(ply), *strengths)
+                  : nan);
     values.push_back(state.interlaminar[1]);
     values.push_back(state.interlaminar[0]);
     if (layup.has_cords())
       // cords run in the whole ply, of which a layer may have a part
       values.push_back(ply.cord_pitch > 0
-                         ? stress[0][0] * ply.thickness /
-                             (ply.end - ply.begin) * ply.cord_pitch
+                         ? stress[0][0] * force_per_stress(ply, strain[0][0]) *
+                             ply.thickness / (ply.end - ply.begin) *
+                             ply.cord_pitch
                          : nan);
     if (layup.has_slack_cords())
       values.push_back(state.slack ? 1 : 0);
+    if (layup.is_hyperelastic())
+      append(cauchy_stress(stress, strain), 1);
     return values;
   }
 } // namespace Biface

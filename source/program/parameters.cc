@@ -173,6 +173,7 @@ namespace Biface
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     check_densities();
+    check_prestress();
     check_rolling();
   }
 
@@ -243,6 +244,27 @@ namespace Biface
                            "0",
                            "it must be positive for the 'Modes' of stage " +
                              std::to_string(stage - stages.begin() + 1));
+  }
+
+
+  void
+  Parameters::check_prestress() const
+  {
+    const auto stage =
+      std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
+        return stage.from_prestress;
+      });
+    if (stage == stages.end())
+      return;
+    for (const PlyParameters &ply : laminate.plies)
+      for (const MaterialParameters &material : materials)
+        if (material.name == ply.material && material.is_hyperelastic())
+          throw InputError(
+            "Stage " + std::to_string(stage - stages.begin() + 1) +
+              "/Start from prestress",
+            "true",
+            "it must be 'false' with the material '" + material.name +
+              "', whose law depends on the whole deformation");
   }
 
 

@@ -47,6 +47,22 @@ namespace
                                  {"Material rubber/Cord diameter", "0.6"},
                                  {"Material rubber/Cord pitch", "1"}};
 
+  Settings
+  rubber(const std::string &type, const Settings &others)
+  {
+    Settings settings{{"Material rubber/Type", type},
+                      {"Material rubber/E", "0"},
+                      {"Material rubber/nu", "0"}};
+    settings.insert(others.begin(), others.end());
+    return settings;
+  }
+
+  const Settings cords_in_neo_Hooke{
+    {"Material rubber/Type", "transversely isotropic"},
+    {"Material rubber/Matrix", "neo-Hooke"},
+    {"Material rubber/E_L", "100"},
+    {"Material rubber/G_LT", "1"}};
+
   /** What is wrong for entries that the program reads as a text, and what is
    * out of range for those it reads as a number. */
   const std::map<std::string, std::vector<Wrong>> by_name{
@@ -478,6 +494,32 @@ namespace
     {"Material rubber/Cord diameter", {{{"0", "-1"}, cords_in_rubber}}},
     {"Material rubber/Cord pitch", {{{"0", "-1", "0.6"}, cords_in_rubber}}},
     {"Material rubber/nu", {{{"0.5", "-1", "1"}}}},
+    {"Material rubber/mu", {{{"1"}}, {{"0", "-1"}, rubber("neo-Hooke", {})}}},
+    {"Material rubber/K",
+     {{{"1"}},
+      {{"0.5", "-1"}, rubber("neo-Hooke", {{"Material rubber/mu", "1"}})}}},
+    {"Material rubber/c10", {{{"1"}}, {{"0", "-1"}, rubber("Yeoh", {})}}},
+    {"Material rubber/c20",
+     {{{"1"}, rubber("Mooney-Rivlin", {{"Material rubber/c10", "1"}})}}},
+    {"Material rubber/c30", {{{"1"}}}},
+    {"Material rubber/c01",
+     {{{"1"}},
+      {{"-1", "-2"}, rubber("Mooney-Rivlin", {{"Material rubber/c10", "1"}})}}},
+    {"Material rubber/mu_i",
+     {{{"1"}},
+      {{"", "-1", "0"}, rubber("Ogden", {{"Material rubber/alpha_i", "2"}})}}},
+    {"Material rubber/alpha_i",
+     {{{"1"}},
+      {{"", "1, 2", "0"}, rubber("Ogden", {{"Material rubber/mu_i", "2"}})}}},
+    {"Material rubber/Matrix", {{{"neo-Hooke"}}}},
+    {"Material rubber/E_T", {{{"1"}, cords_in_neo_Hooke}}},
+    {"Material rubber/Compression onset",
+     {{{"-1", "1", "E_T", "", "nan"},
+       [] {
+         Settings slack                           = cords_in_neo_Hooke;
+         slack["Material rubber/E_L compression"] = "E_L/10";
+         return slack;
+       }()}}},
     {"Material rubber/E_L compression",
      {{{"", "1", "E_L/10", "E_L compression"}},
       {{"", "0", "-1", "2.5", "2*E_L", "E_T", "1/0", "nan", "1e999", "1 1"},

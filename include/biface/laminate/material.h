@@ -62,6 +62,14 @@ namespace Biface
   dealii::SymmetricTensor<2, 3>
   rotate_about_normal(const dealii::SymmetricTensor<2, 3> &stress,
                       const double                         angle);
+
+  /** The Cauchy stress in axes that turn with the material, of a second
+   * Piola-Kirchhoff @p stress at a Green-Lagrange @p strain:
+   * @f$\mathbf U\mathbf S\mathbf U/\det\mathbf U@f$ with the right stretch
+   * tensor @f$\mathbf U@f$. Unit: that of the stress. */
+  dealii::SymmetricTensor<2, 3>
+  cauchy_stress(const dealii::SymmetricTensor<2, 3> &stress,
+                const dealii::SymmetricTensor<2, 3> &strain);
 } // namespace Biface
 
 #endif

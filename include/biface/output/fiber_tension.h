@@ -15,6 +15,12 @@
 
 namespace Biface
 {
+  /** The ratio of the force per undeformed area along the fibers and the second
+   * Piola-Kirchhoff stress at a strain along them: the stretch; 1 in a linear
+   * law, which is one for small strains. */
+  double
+  force_per_stress(const Ply &ply, const double strain);
+
   /** The tension along the fibers of a ply, the integral of the stress along
    * them over its thickness. Unit: force/length.
    * @param ply the position of the ply in the laminate.

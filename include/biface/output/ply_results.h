@@ -58,9 +58,10 @@ namespace Biface
   struct PlyState
   {
     dealii::SymmetricTensor<2, 3> strain;
-    /** Unit: force/area. */
+    /** Second Piola-Kirchhoff. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> stress;
-    /** In equilibrium with bending, see EquilibriumShear. Unit: force/area. */
+    /** In equilibrium with bending, see EquilibriumShear; nan where a law is
+     * not linear. Unit: force/area. */
     dealii::Tensor<1, 2> interlaminar;
     /** See Laminate::is_slack(). */
     bool slack;
@@ -77,6 +78,11 @@ namespace Biface
              const double                fraction,
              const Resultants::Vector   &E,
              const dealii::Tensor<1, 2> &interlaminar);
+
+    /** The stress in the axes of the ply that failure criteria take: with a law
+     * for large strains that of cauchy_stress(). */
+    dealii::SymmetricTensor<2, 3>
+    failure_stress(const Ply &ply) const;
   };
 
 
@@ -122,7 +128,9 @@ namespace Biface
    * the shell, then in the axes of the ply, then the requested failure indices,
    * then the interlaminar stresses. If there are cords in @p layup, the tension
    * of a cord follows, if the whole thickness of the ply had the stress at the
-   * point, and if they can go slack, whether they are. Shear strains are
+   * point, and if they can go slack, whether they are; and if a law in it is
+   * one for large strains, the Cauchy stresses in axes of the ply that turn
+   * with it. Shear strains are
    * engineering strains, twice the components. Without strengths of the ply the
    * indices are NaN, and without cords their tension.
    *

@@ -111,6 +111,8 @@ namespace Biface
      * density. */
     void
     check_densities() const;
+    void
+    check_prestress() const;
 
     /** Whether the shell rolls in each of the stages. */
     std::vector<bool>

@@ -208,6 +208,11 @@ namespace Biface
                        maximum(mesh, shears)->stiffness,
                        {}};
     worst.compression.value *= -1;
+    const auto &plies = mesh.layup.get_plies();
+    worst.linear_law =
+      std::any_of(plies.begin(), plies.end(), [](const PlyDescription &ply) {
+        return !ply.is_hyperelastic;
+      });
     return worst;
   }
 
@@ -270,7 +275,8 @@ namespace Biface
   {
     // a fifth of the strain away the stiffness is a fifth of the initial one
     constexpr double small = 0.2;
-    const bool at_the_end = worst.compression.value < 0.8 * least_stable_strain;
+    const bool       at_the_end =
+      worst.linear_law && worst.compression.value < 0.8 * least_stable_strain;
     return "the shell is compressed most " + place(worst.compression) +
            ", by the " + (worst.compression.face ? "tangential" : "thickness") +
            " strain " + digits(worst.compression.value) +

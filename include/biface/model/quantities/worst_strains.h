@@ -61,6 +61,9 @@ namespace Biface
      * factor of the laminate raises it.
      */
     std::optional<ShortWave> short_wave;
+
+    /** Whether the law of any ply is linear. */
+    bool linear_law = true;
   };
 
   /** See WorstStrains::short_wave. Must be called on all ranks. */
