@@ -125,22 +125,4 @@ namespace Biface
         set_twist(matrix);
       }
   }
-
-
-  void
-  ModeStiffness::keep_varying_thickness_strain()
-  {
-    constexpr unsigned int thickness = Resultants::thickness;
-    for (auto &matrix : D)
-      {
-        const auto whole  = matrix;
-        const bool varies = (&matrix != &D[0]);
-        for (unsigned int s = 0; s < Resultants::n; ++s)
-          for (unsigned int t = 0; t < Resultants::n; ++t)
-            matrix[s][t] = varies ? whole[s][thickness] * whole[thickness][t] /
-                                      whole[thickness][thickness]
-                                  : 0;
-        set_twist(matrix);
-      }
-  }
 } // namespace Biface

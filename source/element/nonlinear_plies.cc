@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <type_traits>
 
 #include <biface/element/nonlinear_plies.h>
 
@@ -37,57 +38,156 @@ namespace Biface
   } // namespace
 
 
-  double
-  NonlinearPlies::energy(const Modes::Vector &E) const
+  NonlinearPlies::NonlinearPlies(const Laminate      &laminate,
+                                 const StrainSampling sampling)
+    : points(laminate.ply_points())
+    , cords(laminate.cord_points())
+    , with_twist(sampling == StrainSampling::means)
   {
-    const AtPoints strains = at_gauss_points(E);
-    double         sum     = 0;
+    if (!points)
+      return;
+    ModeStiffness released(laminate.stiffness(), sampling);
+    released.release_thickness_strain(laminate.stiffness_of_slack_cords());
+    for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+      {
+        const Modes::Group &group = Modes::groups[m];
+        const auto          index = [&](const unsigned int s) {
+          return Modes::mode_of[m][s] - group.first_mode;
+        };
+        const unsigned int i = index(Resultants::thickness);
+        const double       D = released(m, i, i);
+        varying_stiffness[m] = group.weight() * D;
+        for (unsigned int s = 0; s < Resultants::n; ++s)
+          if (Modes::mode_of[m][s] != Modes::n)
+            varying_parts[m][s] = released(m, i, index(s)) / D;
+      }
+  }
+
+
+  NonlinearPlies::Variation
+  NonlinearPlies::variation(const Modes::Vector &E, const unsigned int m) const
+  {
+    Variation result;
+    for (unsigned int s = 0; s < Resultants::n; ++s)
+      if (varying_parts[m][s] != 0)
+        {
+          // E^m_s and the squared mean stretch
+          const unsigned int mode = Modes::mode_of[m][s];
+          const double       x = E[mode], C = 1 + 2 * E[s];
+          const double       factor = varying_parts[m][s] / C;
+          result.value += factor * x;
+          result.gradient[mode] += factor;
+          result.gradient[s] -= 2 * factor * x / C;
+          result.mixed[s]   = -2 * factor / C;
+          result.by_mean[s] = 8 * factor * x / (C * C);
+        }
+    return result;
+  }
+
+
+  double
+  NonlinearPlies::energy(const Modes::Vector  &E,
+                         const HistoryOfPlies &history) const
+  {
+    const RelaxedStresses stresses = relaxed(history);
+    const AtPoints        strains  = at_gauss_points(E);
+    double                sum      = 0;
     if (points)
       {
-        const auto state = points->thickness_state(strains);
+        const auto state = points->thickness_state(strains, stresses.points);
         for (unsigned int g = 0; g < n_gauss_points; ++g)
-          sum += points->energy(strains[g], state, g);
+          sum += points->energy(strains[g], stresses.points, state, g);
       }
-    for (const Resultants::Vector &strain : strains)
-      for (const CordPoint &cord : cords)
-        sum += cord.thickness *
-               cord.law->response(strain_along(cord, strain)).energy;
-    return sum / n_gauss_points;
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      for (unsigned int k = 0; k < cords.size(); ++k)
+        sum += cords[k].thickness * response(stresses, g, k, strains[g]).energy;
+    sum /= n_gauss_points;
+    if (points)
+      for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+        {
+          const double eta = variation(E, m).value;
+          sum += varying_stiffness[m] * eta * eta / 2;
+        }
+    return sum;
+  }
+
+
+  void
+  NonlinearPlies::add_varying(const Modes::Vector &E,
+                              Modes::Vector       &resultants,
+                              Stiffness           *stiffness) const
+  {
+    if (!points)
+      return;
+    Modes::Vector weights;
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < group.size; ++i)
+        weights[group.first_mode + i] = group.weight(i);
+    for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+      {
+        const Variation eta = variation(E, m);
+        const double    H   = varying_stiffness[m] * eta.value;
+        for (unsigned int i = 0; i < Modes::n; ++i)
+          if (eta.gradient[i] != 0)
+            {
+              resultants[i] += H * eta.gradient[i] / weights[i];
+              if (stiffness)
+                for (unsigned int j = 0; j < Modes::n; ++j)
+                  (*stiffness)[i][j] +=
+                    varying_stiffness[m] * eta.gradient[i] * eta.gradient[j];
+            }
+        if (stiffness)
+          for (unsigned int s = 0; s < Resultants::n; ++s)
+            if (varying_parts[m][s] != 0)
+              {
+                const unsigned int mode = Modes::mode_of[m][s];
+                (*stiffness)[s][s] += H * eta.by_mean[s];
+                (*stiffness)[s][mode] += H * eta.mixed[s];
+                (*stiffness)[mode][s] += H * eta.mixed[s];
+              }
+      }
   }
 
 
   Modes::Vector
-  NonlinearPlies::resultants(const Modes::Vector &E) const
+  NonlinearPlies::resultants(const Modes::Vector  &E,
+                             const HistoryOfPlies &history) const
   {
-    const AtPoints strains = at_gauss_points(E);
-    AtPoints       at_points;
+    const RelaxedStresses stresses = relaxed(history);
+    const AtPoints        strains  = at_gauss_points(E);
+    AtPoints              at_points;
     if (points)
       {
-        const auto          state = points->thickness_state(strains);
+        const auto state = points->thickness_state(strains, stresses.points);
         PlyPoints::Response response;
         for (unsigned int g = 0; g < n_gauss_points; ++g)
           {
-            points->respond(strains[g], state, g, false, response);
+            points->respond(
+              strains[g], stresses.points, state, g, false, response);
             at_points[g] = response.H;
           }
       }
     for (unsigned int g = 0; g < n_gauss_points; ++g)
-      for (const CordPoint &cord : cords)
+      for (unsigned int k = 0; k < cords.size(); ++k)
         {
-          const double stress =
-            cord.law->response(strain_along(cord, strains[g])).stress;
+          const CordPoint &cord   = cords[k];
+          const double     stress = response(stresses, g, k, strains[g]).stress;
           for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
             at_points[g][s] += cord.thickness * stress * cord.direction[s];
         }
-    return Modes::from_gauss_points(at_points, with_twist);
+    Modes::Vector H = Modes::from_gauss_points(at_points, with_twist);
+    add_varying(E, H, nullptr);
+    return H;
   }
 
 
   bool
-  NonlinearPlies::stiffness(const Modes::Vector &E,
-                            Stiffness           &result,
-                            Modes::Vector       *resultants) const
+  NonlinearPlies::stiffness(const Modes::Vector  &E,
+                            Stiffness            &result,
+                            Modes::Vector        *resultants,
+                            const HistoryOfPlies &history) const
   {
+    const RelaxedStresses stresses = relaxed(history);
     for (auto &row : result)
       row.fill(0);
     const AtPoints                                 strains = at_gauss_points(E);
@@ -100,11 +200,12 @@ namespace Biface
         // how the thickness stress changes by the modes
         std::array<double, Modes::n> f{};
         double                       compliance = 0;
-        const auto                   state = points->thickness_state(strains);
-        PlyPoints::Response          response;
+        const auto state = points->thickness_state(strains, stresses.points);
+        PlyPoints::Response response;
         for (unsigned int g = 0; g < n_gauss_points; ++g)
           {
-            points->respond(strains[g], state, g, true, response);
+            points->respond(
+              strains[g], stresses.points, state, g, true, response);
             at_points[g] = response.H;
             C[g]         = response.C;
             any[g]       = true;
@@ -125,9 +226,10 @@ namespace Biface
 
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       {
-        for (const CordPoint &cord : cords)
+        for (unsigned int k = 0; k < cords.size(); ++k)
           {
-            const auto at = cord.law->response(strain_along(cord, strains[g]));
+            const CordPoint &cord = cords[k];
+            const auto       at   = response(stresses, g, k, strains[g]);
             for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
               at_points[g][s] += cord.thickness * at.stress * cord.direction[s];
             if (at.modulus == 0)
@@ -158,25 +260,175 @@ namespace Biface
               result[m][n] += value * by_mode[s][n];
           });
       }
+    Modes::Vector H = Modes::from_gauss_points(at_points, with_twist);
+    add_varying(E, H, &result);
     if (resultants)
-      *resultants = Modes::from_gauss_points(at_points, with_twist);
+      *resultants = H;
     return std::any_of(
       any.begin(), any.end(), [](const bool here) { return here; });
   }
 
 
-  std::array<Resultants::Vector, 4>
-  NonlinearPlies::strains_at_vertices(const Modes::Vector &E) const
+  std::array<StrainsOfPlies, 4>
+  NonlinearPlies::strains_at_vertices(const Modes::Vector  &E,
+                                      const HistoryOfPlies &history) const
   {
-    auto strains = Modes::at_vertices(E);
+    const auto                    at_vertices = Modes::at_vertices(E);
+    std::array<StrainsOfPlies, 4> strains;
+    const RelaxedStresses         stresses = relaxed(history);
+    for (unsigned int v = 0; v < 4; ++v)
+      {
+        strains[v].E         = at_vertices[v];
+        const auto of_vertex = [v](const auto &all) {
+          const auto begin = all.begin() + v * (all.size() / n_gauss_points);
+          return std::decay_t<decltype(all)>(
+            begin, begin + all.size() / n_gauss_points);
+        };
+        strains[v].points = of_vertex(stresses.points);
+        strains[v].cords  = of_vertex(stresses.cords);
+      }
     if (points)
       {
-        const auto H = Modes::at_vertices(resultants(E));
+        const auto H = Modes::at_vertices(resultants(E, history));
         for (unsigned int v = 0; v < 4; ++v)
-          strains[v][Resultants::thickness] = points->thickness_strain(
-            strains[v], H[v][Resultants::thickness] / points->get_thickness());
+          strains[v].E[Resultants::thickness] = points->thickness_strain(
+            strains[v].E,
+            strains[v].points,
+            H[v][Resultants::thickness] / points->get_thickness());
       }
     return strains;
+  }
+
+
+  namespace
+  {
+    using OfPoint = InternalStresses<PointStrains::Vector>;
+    using OfCords = InternalStresses<double>;
+
+
+    /** Call functions with each point and each cord of each Gauss point, its
+     * number among all of its kind, and the position of its internal variables.
+     * @return the number of these. */
+    template <typename OnPoint, typename OnCord>
+    unsigned int
+    for_internal(const PlyPoints              *points,
+                 const std::vector<CordPoint> &cords,
+                 const OnPoint                &on_point,
+                 const OnCord                 &on_cord)
+    {
+      unsigned int       position = 0;
+      const unsigned int n_points = points ? points->get_points().size() : 0;
+      for (unsigned int g = 0; g < n_gauss_points; ++g)
+        {
+          for (unsigned int k = 0; k < n_points; ++k)
+            if (const auto &relaxation = points->get_points()[k].relaxation)
+              {
+                on_point(*relaxation, g, k, position);
+                position += OfPoint::n_numbers(*relaxation);
+              }
+          for (unsigned int k = 0; k < cords.size(); ++k)
+            if (const auto &relaxation = cords[k].relaxation)
+              {
+                on_cord(*relaxation, g, k, position);
+                position += OfCords::n_numbers(*relaxation);
+              }
+        }
+      return position;
+    }
+  } // namespace
+
+
+  unsigned int
+  NonlinearPlies::n_internal() const
+  {
+    const auto nothing = [](const Relaxation &,
+                            const unsigned int,
+                            const unsigned int,
+                            const unsigned int) {};
+    return for_internal(points.get(), cords, nothing, nothing);
+  }
+
+
+  NonlinearPlies::RelaxedStresses
+  NonlinearPlies::relaxed(const HistoryOfPlies &history) const
+  {
+    RelaxedStresses result;
+    if (!history.internal)
+      return result;
+    const unsigned int n_points = points ? points->get_points().size() : 0;
+    result.points.resize(n_gauss_points * n_points);
+    result.cords.resize(n_gauss_points * cords.size());
+    for_internal(
+      points.get(),
+      cords,
+      [&](const Relaxation  &relaxation,
+          const unsigned int g,
+          const unsigned int k,
+          const unsigned int position) {
+        result.points[g * n_points + k] = OfPoint::relaxed(
+          relaxation.step(history.step), history.internal + position);
+      },
+      [&](const Relaxation  &relaxation,
+          const unsigned int g,
+          const unsigned int k,
+          const unsigned int position) {
+        result.cords[g * cords.size() + k] = OfCords::relaxed(
+          relaxation.step(history.step), history.internal + position);
+      });
+    return result;
+  }
+
+
+  CordLaw::Response
+  NonlinearPlies::response(const RelaxedStresses    &relaxed,
+                           const unsigned int        g,
+                           const unsigned int        k,
+                           const Resultants::Vector &strain) const
+  {
+    const double      e      = strain_along(cords[k], strain);
+    CordLaw::Response result = cords[k].law->response(e);
+    if (!relaxed.cords.empty())
+      {
+        const Relaxed<double> &at = relaxed.cords[g * cords.size() + k];
+        result                    = {at.factor * result.energy + at.stress * e,
+                                     at.factor * result.stress + at.stress,
+                                     at.factor * result.modulus};
+      }
+    return result;
+  }
+
+
+  void
+  NonlinearPlies::commit(const Modes::Vector &E,
+                         const TimeStep      &time,
+                         double              *internal) const
+  {
+    const AtPoints            strains  = at_gauss_points(E);
+    const RelaxedStresses     stresses = relaxed({internal, time});
+    PlyPoints::ThicknessState state;
+    if (points)
+      state = points->thickness_state(strains, stresses.points);
+    for_internal(
+      points.get(),
+      cords,
+      [&](const Relaxation  &relaxation,
+          const unsigned int g,
+          const unsigned int k,
+          const unsigned int position) {
+        OfPoint::commit(relaxation.step(time),
+                        points->get_points()[k].law->stress(
+                          points->strain(strains[g], state, g, k)),
+                        internal + position);
+      },
+      [&](const Relaxation  &relaxation,
+          const unsigned int g,
+          const unsigned int k,
+          const unsigned int position) {
+        OfCords::commit(
+          relaxation.step(time),
+          cords[k].law->response(strain_along(cords[k], strains[g])).stress,
+          internal + position);
+      });
   }
 
 

@@ -57,6 +57,28 @@ namespace Biface
   } // namespace
 
 
+  StrainsOfPlies
+  mean(const std::array<StrainsOfPlies, 4> &at_vertices)
+  {
+    StrainsOfPlies result = at_vertices[0];
+    result.E              = Resultants::Vector();
+    const auto set_mean   = [&](auto member) {
+      for (unsigned int k = 0; k < (result.*member).size(); ++k)
+        {
+          auto &value  = (result.*member)[k];
+          value.stress = {};
+          for (const StrainsOfPlies &at : at_vertices)
+            value.stress += 0.25 * (at.*member)[k].stress;
+        }
+    };
+    set_mean(&StrainsOfPlies::points);
+    set_mean(&StrainsOfPlies::cords);
+    for (const StrainsOfPlies &at : at_vertices)
+      result.E += at.E / 4.;
+    return result;
+  }
+
+
   Laminate::Laminate(std::vector<Ply>             plies,
                      const ThicknessLaw           law,
                      const double                 reference_height,
@@ -73,7 +95,7 @@ namespace Biface
     , D(integrate_stiffness())
   {
     if (std::any_of(this->plies.begin(), this->plies.end(), [](const Ply &ply) {
-          return ply.rubber;
+          return ply.rubber || ply.relaxation;
         }))
       set_points();
   }
@@ -258,6 +280,8 @@ namespace Biface
             PlyPoints::Point next = point(k, at);
             next.thickness        = weight;
             next.law              = law;
+            next.relaxation       = plies[k].relaxation;
+            next.height           = at;
             for (unsigned int p = 0; p < 2; ++p)
               for (unsigned int q = 0; q < 2; ++q)
                 for (unsigned int a = 0; a < 2; ++a)
@@ -277,15 +301,107 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** A value at a height, linear between the points of a ply.
+     * @param points those of all plies.
+     * @param is_of_ply whether a point belongs to the ply.
+     * @param height of a point. */
+    template <typename Stress, typename Point, typename Height>
+    Relaxed<Stress>
+    between_points(const std::vector<Relaxed<Stress>> &values,
+                   const std::vector<Point>           &points,
+                   const double                        inner,
+                   const double                        outer,
+                   const Height                       &height,
+                   const double                        z)
+    {
+      // the last points of the ply around z, or its two closest ones
+      std::vector<unsigned int> of_ply;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        if (inner < height(k) && height(k) < outer)
+          of_ply.push_back(k);
+      if (of_ply.empty())
+        return {};
+      unsigned int i = 0;
+      while (i + 2 < of_ply.size() && height(of_ply[i + 1]) < z)
+        ++i;
+      const unsigned int
+        below = of_ply[i],
+        above = of_ply[std::min<std::size_t>(i + 1, of_ply.size() - 1)];
+      Relaxed<Stress> result = values[below];
+      if (below != above)
+        {
+          const double part =
+            (z - height(below)) / (height(above) - height(below));
+          result.stress += part * (values[above].stress - values[below].stress);
+        }
+      return result;
+    }
+  } // namespace
+
+
+  Relaxed<PointStrains::Vector>
+  Laminate::relaxed(const StrainsOfPlies &strains,
+                    const unsigned int    ply,
+                    const double          z) const
+  {
+    if (strains.points.empty())
+      return {};
+    const auto &all           = points->get_points();
+    const auto [inner, outer] = sides_of_ply(ply);
+    return between_points(
+      strains.points,
+      all,
+      inner,
+      outer,
+      [&](const unsigned int k) { return all[k].height; },
+      z);
+  }
+
+
+  Relaxed<double>
+  Laminate::relaxed_cords(const StrainsOfPlies &strains,
+                          const unsigned int    ply,
+                          const double          z) const
+  {
+    if (strains.cords.empty())
+      return {};
+    const auto all            = cord_points();
+    const auto [inner, outer] = sides_of_ply(ply);
+    return between_points(
+      strains.cords,
+      all,
+      inner,
+      outer,
+      [&](const unsigned int k) { return all[k].height; },
+      z);
+  }
+
+
+  std::pair<double, double>
+  Laminate::sides_of_ply(const unsigned int ply) const
+  {
+    double inner = 0;
+    for (unsigned int p = 0; p < ply; ++p)
+      inner += plies[p].thickness;
+    return {inner, inner + plies[ply].thickness};
+  }
+
+
   PointStrains::Vector
-  Laminate::point_strain(const Resultants::Vector &E,
-                         const unsigned int        ply,
-                         const double              z) const
+  Laminate::point_strain(const StrainsOfPlies &strains,
+                         const unsigned int    ply,
+                         const double          z) const
   {
     const PlyPoints::Point at       = point(ply, z);
-    PointStrains::Vector   strain   = at.strain(E);
+    PointStrains::Vector   strain   = at.strain(strains.E);
     strain[PointStrains::thickness] = thickness_strain(
-      *law_of(ply), strain, points->thickness_state({&E, 1}).stress / at.area);
+      *law_of(ply),
+      relaxed(strains, ply, z),
+      strain,
+      points->thickness_state({&strains.E, 1}, strains.points).stress /
+        at.area);
     return strain;
   }
 
@@ -323,13 +439,15 @@ namespace Biface
               {
                 const double at = z + quadrature.point(g)[0] * ply.thickness;
                 CordPoint    point;
+                point.height = at;
                 for (unsigned int ab = 0; ab < 3; ++ab)
                   for (unsigned int p = 0; p < 2; ++p)
                     point.direction[Resultants::tangential(ab, p)] =
                       functions.strain(ab, p, at) * direction[ab];
                 point.thickness =
                   quadrature.weight(g) * ply.thickness * functions.area(at);
-                point.law = ply.cords;
+                point.law        = ply.cords;
+                point.relaxation = ply.relaxation;
                 points.push_back(point);
               }
           }
@@ -406,13 +524,14 @@ namespace Biface
 
 
   SymmetricTensor<2, 3>
-  Laminate::strain(const Resultants::Vector &E,
-                   const unsigned int        ply,
-                   const double              z) const
+  Laminate::strain(const StrainsOfPlies &strains,
+                   const unsigned int    ply,
+                   const double          z) const
   {
     if (points)
-      return PointStrains::to_strain(point_strain(E, ply, z));
-    SymmetricTensor<2, 3> strain;
+      return PointStrains::to_strain(point_strain(strains, ply, z));
+    const Resultants::Vector &E = strains.E;
+    SymmetricTensor<2, 3>     strain;
     strain[0][0] = tangential_strain(E, 0, z);
     strain[1][1] = tangential_strain(E, 1, z);
     strain[0][1] = tangential_strain(E, 2, z) / 2;
@@ -434,14 +553,19 @@ namespace Biface
 
 
   SymmetricTensor<2, 3>
-  Laminate::stress(const Resultants::Vector &E,
-                   const unsigned int        ply,
-                   const double              z) const
+  Laminate::stress(const StrainsOfPlies &strains,
+                   const unsigned int    ply,
+                   const double          z) const
   {
-    SymmetricTensor<2, 3> stress;
+    const Resultants::Vector &E = strains.E;
+    SymmetricTensor<2, 3>     stress;
     if (points)
-      stress =
-        PointStrains::to_stress(law_of(ply)->stress(point_strain(E, ply, z)));
+      {
+        const auto here = relaxed(strains, ply, z);
+        stress          = PointStrains::to_stress(
+          here.factor * law_of(ply)->stress(point_strain(strains, ply, z)) +
+          here.stress);
+      }
     else
       {
         const SymmetricTensor<4, 3> &b = rotated[ply];
@@ -465,7 +589,10 @@ namespace Biface
     if (p.cords)
       {
         const auto   along = cord_direction(p.angle);
-        const double added = p.cords->response(cord_strain(E, ply, z)).stress;
+        const auto   here  = relaxed_cords(strains, ply, z);
+        const double added =
+          here.factor * p.cords->response(cord_strain(E, ply, z)).stress +
+          here.stress;
         for (unsigned int ab = 0; ab < 3; ++ab)
           stress[Resultants::tangential_pairs[ab][0]]
                 [Resultants::tangential_pairs[ab][1]] += added * along[ab];

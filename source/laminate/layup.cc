@@ -494,7 +494,8 @@ namespace Biface
           throw InputError(
             "Laminate/Plies", ply.text, "its material must be one of " + names);
         material->laws();
-        if (material->is_hyperelastic() && law != ThicknessLaw::symmetric)
+        if ((material->is_hyperelastic() || material->relaxes()) &&
+            law != ThicknessLaw::symmetric)
           throw InputError("the entry 'Laminate/Thickness law' must be "
                            "'symmetric' with the law of the material '" +
                            material->name + "', which is not linear.");
@@ -680,6 +681,7 @@ namespace Biface
         ply.has_fibers      = !material->is_isotropic();
         ply.has_slack_cords = material->has_slack_cords();
         ply.is_hyperelastic = material->is_hyperelastic();
+        ply.relaxes         = material->relaxes();
         ply.thickness       = tables.function(given.thickness);
         const auto degrees  = tables.function(given.angle);
         ply.angle           = [degrees, angle_reference](const double alpha_1) {
@@ -774,6 +776,7 @@ namespace Biface
                            ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
                            laws.cords,
                            laws.rubber,
+                           laws.relaxation,
                            ply.density,
                            ply.loss_factor});
       }
@@ -890,6 +893,14 @@ namespace Biface
     return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
       return ply.has_slack_cords;
     });
+  }
+
+
+  bool
+  Layup::relaxes() const
+  {
+    return std::any_of(
+      plies.begin(), plies.end(), [](const auto &ply) { return ply.relaxes; });
   }
 
 

@@ -192,6 +192,52 @@ namespace Biface
                       "than 0. A rolling wheel then has a rolling resistance, "
                       "in rolling.csv. No unit.",
                       Patterns::Double());
+
+    add_parsed(prm,
+               "Material " + name + "/",
+               "Relaxation times",
+               "",
+               relaxation_times,
+               parse_constants,
+               "List of the times of a Prony series by which the stresses "
+               "relax, at the reference temperature; empty: they do not. The "
+               "constants of the material are then the instantaneous ones, and "
+               "time passes in stages with a 'Duration'. Unit: time.");
+    add_parsed(
+      prm,
+      "Material " + name + "/",
+      "Relaxation moduli",
+      "",
+      relaxation_moduli,
+      parse_constants,
+      "List of the parts of the instantaneous moduli, all of them, that "
+      "relax by these times, with a sum below 1. No unit.");
+    add_choice(
+      prm,
+      "Temperature shift",
+      shift.kind,
+      {"none", "WLF", "Arrhenius"},
+      "How the temperature of a stage multiplies these times, by a: "
+      "'WLF' (Williams, Landel, Ferry): log10 a = -C1 (T - T_ref)/(C2 + "
+      "T - T_ref); 'Arrhenius': ln a = C (1/T - 1/T_ref) with absolute "
+      "temperatures.");
+    prm.add_parameter("Reference temperature",
+                      shift.reference,
+                      "T_ref. Unit: temperature.",
+                      Patterns::Double());
+    prm.add_parameter(
+      "WLF C1",
+      shift.C_1,
+      "C1; the default is the universal constant, for T_ref the "
+      "glass transition. No unit.",
+      Patterns::Double());
+    prm.add_parameter(
+      "WLF C2", shift.C_2, "C2. Unit: temperature.", Patterns::Double());
+    prm.add_parameter("Arrhenius constant",
+                      shift.activation,
+                      "C, the activation energy over the gas constant. Unit: "
+                      "temperature.",
+                      Patterns::Double());
   }
 
 
@@ -454,9 +500,90 @@ namespace Biface
   } // namespace
 
 
+  std::shared_ptr<const Relaxation>
+  MaterialParameters::relaxation() const
+  {
+    const std::string section = "Material " + name + "/";
+    if (relaxation_moduli.size() != relaxation_times.size())
+      throw InputError(section + "Relaxation moduli",
+                       text_of(relaxation_moduli),
+                       "it must have as many numbers as 'Relaxation times', "
+                       "which is '" +
+                         text_of(relaxation_times) + "'");
+    const auto only = [&](const std::string      &entry,
+                          const double            value,
+                          const double            unused,
+                          Relaxation::Shift::Kind kind,
+                          const std::string      &users) {
+      if (value != unused && shift.kind != kind)
+        throw InputError(
+          section + entry,
+          number_to_string(value),
+          "it may only be given with 'Temperature shift = " + users + "'");
+    };
+    using Kind = Relaxation::Shift::Kind;
+    const Relaxation::Shift none;
+    only("WLF C1", shift.C_1, none.C_1, Kind::WLF, "WLF");
+    only("WLF C2", shift.C_2, none.C_2, Kind::WLF, "WLF");
+    only("Arrhenius constant",
+         shift.activation,
+         none.activation,
+         Kind::Arrhenius,
+         "Arrhenius");
+    if (!relaxes())
+      {
+        if (shift.kind != Kind::none)
+          throw InputError(section + "Temperature shift",
+                           shift.kind == Kind::WLF ? "WLF" : "Arrhenius",
+                           "it may only be given with 'Relaxation times'");
+        return {};
+      }
+
+    if (loss_factor > 0)
+      throw InputError(section + "Loss factor",
+                       number_to_string(loss_factor),
+                       "it may only be given without 'Relaxation times'");
+    std::vector<Relaxation::Term> terms;
+    double                        sum = 0;
+    for (unsigned int i = 0; i < relaxation_times.size(); ++i)
+      {
+        check_positive(section + "Relaxation times", relaxation_times[i]);
+        check_positive(section + "Relaxation moduli", relaxation_moduli[i]);
+        terms.push_back({relaxation_times[i], relaxation_moduli[i]});
+        sum += relaxation_moduli[i];
+      }
+    if (!(sum < 1))
+      throw InputError(section + "Relaxation moduli",
+                       text_of(relaxation_moduli),
+                       "the sum must be below 1");
+    if (shift.kind == Kind::WLF)
+      {
+        check_positive(section + "WLF C1", shift.C_1);
+        check_positive(section + "WLF C2", shift.C_2);
+      }
+    if (shift.kind == Kind::Arrhenius)
+      {
+        check_positive(section + "Arrhenius constant", shift.activation);
+        check_positive(section + "Reference temperature", shift.reference);
+      }
+    return std::make_shared<Relaxation>(terms, shift);
+  }
+
+
   PlyLaws
   MaterialParameters::laws(const double                 cord_fraction,
                            const SymmetricTensor<2, 3> &initial_stress) const
+  {
+    PlyLaws result    = elastic_laws(cord_fraction, initial_stress);
+    result.relaxation = relaxation();
+    return result;
+  }
+
+
+  PlyLaws
+  MaterialParameters::elastic_laws(
+    const double                 cord_fraction,
+    const SymmetricTensor<2, 3> &initial_stress) const
   {
     const std::string section = "Material " + name;
     check_unused();

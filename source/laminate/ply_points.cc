@@ -13,8 +13,26 @@ namespace Biface
   namespace
   {
     constexpr unsigned int max_thickness_steps = 50;
-    /** Of Newton's method for strains, which converges quadratically. */
+    /** See relative(): of Newton's method, which converges quadratically. */
     constexpr double small_change = 1e-9;
+
+
+    void
+    relax(const Relaxed<PointStrains::Vector> &relaxed,
+          MaterialLaw::ThicknessStress        &at)
+    {
+      at.stress =
+        relaxed.factor * at.stress + relaxed.stress[PointStrains::thickness];
+      at.modulus *= relaxed.factor;
+    }
+
+
+    /** A change of a strain, relative to the square of the stretch. */
+    double
+    relative(const double by, const double strain)
+    {
+      return std::abs(by / (1 + 2 * strain));
+    }
 
 
     /** Change a strain, but not beyond its lowest value. */
@@ -79,7 +97,8 @@ namespace Biface
 
 
   PlyPoints::ThicknessState
-  PlyPoints::thickness_state(const Places &places) const
+  PlyPoints::thickness_state(const Places        &places,
+                             const RelaxedPoints &relaxed) const
   {
     const unsigned int                n = places.size() * points.size();
     std::vector<PointStrains::Vector> strains(n);
@@ -109,6 +128,8 @@ namespace Biface
           {
             const Point &point = points[k % points.size()];
             at[k]              = point.law->thickness_stress(strains[k]);
+            if (relaxed.size() > 0)
+              relax(relaxed[k], at[k]);
             lacking += point.thickness * (at[k].stress / at[k].modulus -
                                           strains[k][PointStrains::thickness]);
             compliance += point.thickness / (point.area * at[k].modulus);
@@ -125,8 +146,9 @@ namespace Biface
             const double by =
               (result.stress / points[k % points.size()].area - at[k].stress) /
               at[k].modulus;
+            largest = std::max(
+              largest, relative(by, strains[k][PointStrains::thickness]));
             change(strains[k][PointStrains::thickness], by, lowest[k]);
-            largest = std::max(largest, std::abs(by));
           }
       }
     for (unsigned int k = 0; k < n; ++k)
@@ -137,21 +159,27 @@ namespace Biface
 
   double
   PlyPoints::thickness_strain(const Resultants::Vector &E,
+                              const RelaxedPoints      &relaxed,
                               const double              stress) const
   {
     Resultants::Vector others     = E;
     others[Resultants::thickness] = 0;
     double strain                 = -director_strain(others);
-    for (const Point &point : points)
-      strain += point.thickness / thickness *
-                Biface::thickness_strain(
-                  *point.law, point.strain(E), stress / point.area);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      strain += points[k].thickness / thickness *
+                Biface::thickness_strain(*points[k].law,
+                                         relaxed.size() > 0
+                                           ? relaxed[k]
+                                           : Relaxed<PointStrains::Vector>(),
+                                         points[k].strain(E),
+                                         stress / points[k].area);
     return strain;
   }
 
 
   double
   PlyPoints::energy(const Resultants::Vector &E,
+                    const RelaxedPoints      &relaxed,
                     const ThicknessState     &state,
                     const unsigned int        number) const
   {
@@ -161,8 +189,13 @@ namespace Biface
         PointStrains::Vector strain = points[k].strain(E);
         strain[PointStrains::thickness] =
           state.strains[number * points.size() + k];
-        sum +=
-          points[k].thickness * points[k].area * points[k].law->energy(strain);
+        double energy = points[k].law->energy(strain);
+        if (relaxed.size() > 0)
+          {
+            const auto &at = relaxed[number * points.size() + k];
+            energy         = at.factor * energy + at.stress * strain;
+          }
+        sum += points[k].thickness * points[k].area * energy;
       }
     return sum;
   }
@@ -170,6 +203,7 @@ namespace Biface
 
   void
   PlyPoints::respond(const Resultants::Vector &E,
+                     const RelaxedPoints      &relaxed,
                      const ThicknessState     &state,
                      const unsigned int        number,
                      const bool                with_changes,
@@ -214,6 +248,12 @@ namespace Biface
         PointStrains::Vector S;
         PointStrains::Matrix b;
         point.law->evaluate(strain, S, b);
+        if (relaxed.size() > 0)
+          {
+            const auto &at = relaxed[number * points.size() + k];
+            S              = at.factor * S + at.stress;
+            b *= at.factor;
+          }
 
         const double weight = point.thickness * point.area;
         for (unsigned int p = 0; p < 2; ++p)
@@ -275,21 +315,24 @@ namespace Biface
 
 
   double
-  thickness_strain(const MaterialLaw   &law,
-                   PointStrains::Vector strain,
-                   const double         stress)
+  thickness_strain(const MaterialLaw                   &law,
+                   const Relaxed<PointStrains::Vector> &relaxed,
+                   PointStrains::Vector                 strain,
+                   const double                         stress)
   {
     double      &e      = strain[PointStrains::thickness];
     const double lowest = law.lowest_thickness_strain(strain);
     e                   = law.free_thickness_strain(strain);
     for (unsigned int step = 0; step < max_thickness_steps; ++step)
       {
-        const auto   at = law.thickness_stress(strain);
+        auto at = law.thickness_stress(strain);
+        relax(relaxed, at);
         const double by = (stress - at.stress) / at.modulus;
         if (!(at.modulus > 0))
           return PointStrains::none;
+        const double size = relative(by, e);
         change(e, by, lowest);
-        if (std::abs(by) <= small_change)
+        if (size <= small_change)
           return e;
       }
     return PointStrains::none;

@@ -23,9 +23,9 @@ namespace Biface
 
 
   double
-  fiber_tension(const Laminate           &laminate,
-                const unsigned int        p,
-                const Resultants::Vector &E)
+  fiber_tension(const Laminate       &laminate,
+                const unsigned int    p,
+                const StrainsOfPlies &E)
   {
     // exact unless a part of the cords in the ply is slack
     static const QGauss<1> gauss(2);
@@ -49,10 +49,10 @@ namespace Biface
 
 
   double
-  TensionMembers::tension(const Layup              &layup,
-                          const Laminate           &laminate,
-                          const unsigned int        p,
-                          const Resultants::Vector &E) const
+  TensionMembers::tension(const Layup          &layup,
+                          const Laminate       &laminate,
+                          const unsigned int    p,
+                          const StrainsOfPlies &E) const
   {
     const Ply &ply = laminate.get_plies()[p];
     if (of_cords)
@@ -86,10 +86,8 @@ namespace Biface
           {
             const Laminate &laminate =
               mesh.strips[mesh.cells[c].strip].laminate;
-            Resultants::Vector E;
-            for (const Resultants::Vector &E_v :
-                 equations.internal_forces().strains_at_vertices(state, c))
-              E += E_v / 4.;
+            const StrainsOfPlies E =
+              mean(equations.internal_forces().strains_at_vertices(state, c));
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
               of_plies[laminate.get_plies()[p].number] +=
                 members.tension(mesh.layup, laminate, p, E);

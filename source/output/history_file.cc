@@ -152,6 +152,11 @@ namespace Biface
              return values;
            }});
       }
+    if (mesh.layup.relaxes())
+      groups.push_back(
+        {{"time", "temperature"}, [](const Step &step) -> Values {
+           return {step.report.level.time, step.report.level.temperature};
+         }});
     if (mesh.layup.has_slack_cords())
       groups.push_back(
         {{"slack_cords"}, [](const Step &step) -> Values {

@@ -96,7 +96,7 @@ namespace Biface
             if (v == 4)
               continue;
             const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
-            const Resultants::Vector E =
+            const StrainsOfPlies E =
               equations.internal_forces().strains_at_vertices(state, c)[v];
 
             double height = laminate.face_heights()[0];

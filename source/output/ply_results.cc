@@ -108,12 +108,12 @@ namespace Biface
         }
     const double z = height_in_laminate(laminate(layer), ply, fraction);
     if (end == first + 1)
-      return laminate(layer).interlaminar_stress(strains[0][vertex], ply, z);
+      return laminate(layer).interlaminar_stress(strains[0][vertex].E, ply, z);
 
     std::vector<Tensor<1, 2>> shear_forces;
     for (unsigned int c = first; c < end; ++c)
       shear_forces.push_back(
-        laminate(c).shear_force(strains[c - first][vertex]));
+        laminate(c).shear_force(strains[c - first][vertex].E));
     const std::pair<unsigned int, unsigned int> key(mesh.cells[of_cell].strip,
                                                     line);
     auto                                        known = of_walls.find(key);
@@ -131,11 +131,11 @@ namespace Biface
   }
 
 
-  PlyState::PlyState(const Laminate           &laminate,
-                     const unsigned int        ply,
-                     const double              fraction,
-                     const Resultants::Vector &E,
-                     const Tensor<1, 2>       &interlaminar)
+  PlyState::PlyState(const Laminate       &laminate,
+                     const unsigned int    ply,
+                     const double          fraction,
+                     const StrainsOfPlies &E,
+                     const Tensor<1, 2>   &interlaminar)
     : interlaminar(interlaminar)
   {
     const std::vector<Ply> &plies = laminate.get_plies();
@@ -143,7 +143,7 @@ namespace Biface
     strain                        = laminate.strain(E, ply, z);
     stress                        = laminate.stress(E, ply, z) +
              rotate_about_normal(plies[ply].initial_stress, plies[ply].angle);
-    slack = laminate.is_slack(E, ply, z);
+    slack = laminate.is_slack(E.E, ply, z);
   }
 
 

@@ -173,7 +173,7 @@ namespace Biface
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     check_densities();
-    check_prestress();
+    check_laws();
     check_rolling();
   }
 
@@ -248,23 +248,66 @@ namespace Biface
 
 
   void
-  Parameters::check_prestress() const
+  Parameters::check_laws() const
   {
-    const auto stage =
-      std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
-        return stage.from_prestress;
-      });
-    if (stage == stages.end())
-      return;
     for (const PlyParameters &ply : laminate.plies)
       for (const MaterialParameters &material : materials)
-        if (material.name == ply.material && material.is_hyperelastic())
-          throw InputError(
-            "Stage " + std::to_string(stage - stages.begin() + 1) +
-              "/Start from prestress",
-            "true",
-            "it must be 'false' with the material '" + material.name +
-              "', whose law depends on the whole deformation");
+        if (material.name == ply.material)
+          {
+            double temperature = 0;
+            for (const Stage &stage : stages)
+              {
+                const std::string section =
+                  "Stage " + std::to_string(&stage - stages.data() + 1);
+                check_law(material, stage, section);
+                temperature = stage.temperature.value_or(temperature);
+                if (material.relaxes() && stage.duration > 0 &&
+                    !(material.shift.factor(temperature) > 0))
+                  throw InputError(section + "/Temperature",
+                                   number_to_string(temperature),
+                                   "the 'Temperature shift' of the material '" +
+                                     material.name + "' has no value there");
+              }
+          }
+  }
+
+
+  void
+  Parameters::check_law(const MaterialParameters &material,
+                        const Stage              &stage,
+                        const std::string        &section) const
+  {
+    const std::string of_material = "with the material '" + material.name + "'";
+    if (stage.from_prestress &&
+        (material.is_hyperelastic() || material.relaxes()))
+      throw InputError(section + "/Start from prestress",
+                       "true",
+                       "it must be 'false' " + of_material +
+                         ", whose stresses depend on all that happened");
+    if (!material.relaxes())
+      return;
+    if (stage.duration > 0 && (stage.control == ControlKind::arc_length ||
+                               stage.control == ControlKind::displacement))
+      throw InputError(section + "/Duration",
+                       number_to_string(stage.duration),
+                       "it must be 0 with 'Control = " + stage.control_name() +
+                         "', where the loads may return");
+    if (stage.duration > 0 && stage.theory == StrainTheory::linear)
+      throw InputError(section + "/Duration",
+                       number_to_string(stage.duration),
+                       "it must be 0 with 'Strain theory = linear' " +
+                         of_material + ", whose stresses relax");
+    if (stage.angular_velocity.value_or(0) != 0 ||
+        stage.ground_velocity.value_or(0) != 0)
+      throw InputError(section + (stage.angular_velocity.value_or(0) != 0
+                                    ? "/Angular velocity"
+                                    : "/Ground velocity"),
+                       number_to_string(stage.angular_velocity.value_or(0) != 0
+                                          ? *stage.angular_velocity
+                                          : *stage.ground_velocity),
+                       "it must be 0 " + of_material +
+                         ", whose stresses relax; give a 'Loss factor' "
+                         "instead of 'Relaxation times'");
   }
 
 

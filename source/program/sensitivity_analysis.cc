@@ -372,12 +372,12 @@ namespace Biface
   bool
   SensitivityAnalysis::is_read(const Step &step) const
   {
-    // the next step reads the history of friction, and the displacements if
-    // their change is controlled
+    // the next step reads the histories of friction and of stresses that relax,
+    // and the displacements if their change is controlled
     const bool buckles =
       results.have_buckling() && step.run.stage.n_buckling > 0;
     return step.run.is_complete() || model.contact.has_friction(step.loads) ||
-           step.trial.equations || buckles;
+           model.mesh->layup.relaxes() || step.trial.equations || buckles;
   }
 
 
@@ -607,8 +607,9 @@ namespace Biface
 
     for (const auto &perturbed : perturbed_runs)
       {
-        perturbed->before       = perturbed->state;
-        perturbed->level_before = perturbed->progress.reached;
+        perturbed->before          = perturbed->state;
+        perturbed->state.time_step = step.state.time_step;
+        perturbed->level_before    = perturbed->progress.reached;
       }
     Linearization tangent(model, linear_solver, step);
     if (!tangent.failure)

@@ -15,8 +15,11 @@ namespace Biface
                const std::shared_ptr<const TangentialLaw> &law)
   {
     Attempt attempt;
-    attempt.state = guess.state;
-    attempt.mu    = guess.mu;
+    attempt.state         = guess.state;
+    attempt.mu            = guess.mu;
+    const LoadLevel &from = run.progress.reached, to = trial.level(guess.mu);
+    attempt.state.time_step = {to.time - from.time,
+                               (from.temperature + to.temperature) / 2};
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     return run.loads_at(trial.level(mu), law);
                                   },

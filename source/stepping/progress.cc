@@ -9,8 +9,11 @@ namespace Biface
   Stage
   Progress::complete(const Stage &given) const
   {
-    return with_angular_velocity(
-      given, stage_begun ? control.start : reached, free_rolling_radius);
+    const LoadLevel &start = stage_begun ? control.start : reached;
+    Stage result = with_angular_velocity(given, start, free_rolling_radius);
+    if (given.duration > 0)
+      result.time = start.time + given.duration;
+    return result;
   }
 
 

@@ -94,6 +94,7 @@ namespace Biface
                                       "Contact",
                                       "Friction",
                                       "Glued",
+                                      "Duration",
                                       "Control",
                                       "Forces on bodies",
                                       "Control point",

@@ -198,6 +198,21 @@ namespace Biface
       "contact. Nodes that come into contact later have friction, as "
       "have those in contact with other bodies.",
       Patterns::Bool());
+    prm.add_parameter("Duration",
+                      duration,
+                      "The time that passes in the stage, evenly from step to "
+                      "step, in which the stresses of materials with "
+                      "'Relaxation times' relax. 0: as fast as they respond at "
+                      "once. Unit: time.",
+                      Patterns::Double());
+    add_optional_number(
+      prm,
+      "Temperature",
+      temperature,
+      unchanged,
+      "Temperature of the shell at the end of the stage, for the 'Temperature "
+      "shift' of materials; at the start of the first stage, it is that at its "
+      "end. 'unchanged': as at the start of the stage. Unit: temperature.");
     add_optional_number(
       prm,
       "Load factor",
@@ -261,6 +276,8 @@ namespace Biface
     check_load("Ground velocity", ground_velocity);
     check_load("Slip angle", slip_angle);
     check_load("Slip ratio", slip_ratio);
+    check_load("Temperature", temperature);
+    check_not_negative(section + "/Duration", duration);
     if (slide)
       check_finite(section + "/Slide", *slide);
     if (!contact)

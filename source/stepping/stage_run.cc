@@ -176,6 +176,8 @@ namespace Biface
   StageRun::start()
   {
     progress.reached = with_factors(progress.reached, stage.factors.size());
+    if (progress.stage == 0)
+      progress.reached.temperature = stage.temperature.value_or(0);
     std::optional<ShellEquations::Unbalance> unbalance;
     if (stage.from_prestress)
       unbalance = start_from_prestress();

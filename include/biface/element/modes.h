@@ -288,12 +288,6 @@ namespace Biface
     void
     release_thickness_strain(const Resultants::Matrix &softest);
 
-    /** Keep of each law only the part that a thickness strain that varies adds
-     * to those of the other strains where it is free,
-     * @f$D^m_{s3}D^m_{3t}/D^m_{33}@f$, beside NonlinearPlies. */
-    void
-    keep_varying_thickness_strain();
-
     /** The number of strains in a group. */
     unsigned int
     size(const Modes::Group &group) const

@@ -12,6 +12,15 @@
 
 namespace Biface
 {
+  /** The internal variables of an element at the last equilibrium, null for
+   * those of the undeformed shell, and the step since then. */
+  struct HistoryOfPlies
+  {
+    const double *internal = nullptr;
+    TimeStep      step     = {};
+  };
+
+
   /**
    * What plies that are not linear add to the resultants of ModeStiffness: that
    * of PlyPoints and that of cords.
@@ -19,8 +28,12 @@ namespace Biface
    * The points of PlyPoints have one thickness stress in the whole element,
    * which follows from the constant mode of the thickness strain; otherwise
    * nearly incompressible layers, which are stretched where a stack of them
-   * bends, would lock. Beside them the other modes of the thickness strain have
-   * a linear stiffness, see ModeStiffness::keep_varying_thickness_strain().
+   * bends, would lock. The modes m by which the thickness strain varies have
+   * the energy @f$\tfrac12 w_mD'_{33}\eta_m^2@f$ instead, with
+   * @f$\eta_m=\sum_s D'_{3s}/D'_{33}\,E^m_s/(1+2E^0_s)@f$ over the strains 11,
+   * 22 and 33, relative to their means, and the initial matrix
+   * @f$\mathbf D'@f$ of ModeStiffness::release_thickness_strain(): at small
+   * strains all together are its law.
    *
    * The strains of the modes are evaluated at the 2x2 Gauss points of the
    * element, each with its own law. These points integrate products of modes
@@ -43,11 +56,7 @@ namespace Biface
     /** @param sampling the set of strain modes. */
     explicit NonlinearPlies(
       const Laminate      &laminate,
-      const StrainSampling sampling = StrainSampling::vertices)
-      : points(laminate.ply_points())
-      , cords(laminate.cord_points())
-      , with_twist(sampling == StrainSampling::means)
-    {}
+      const StrainSampling sampling = StrainSampling::vertices);
 
     /** Whether all plies are linear. */
     bool
@@ -66,19 +75,21 @@ namespace Biface
     /** The energy per area.
      * @param E the modes of all strains, including initial ones. */
     double
-    energy(const Modes::Vector &E) const;
+    energy(const Modes::Vector &E, const HistoryOfPlies &history = {}) const;
 
     /** Its derivative. */
     Modes::Vector
-    resultants(const Modes::Vector &E) const;
+    resultants(const Modes::Vector  &E,
+               const HistoryOfPlies &history = {}) const;
 
     /** The second derivative.
      * @param resultants set to them, unless null.
      * @return whether it is not zero. */
     bool
-    stiffness(const Modes::Vector &E,
-              Stiffness           &result,
-              Modes::Vector       *resultants = nullptr) const;
+    stiffness(const Modes::Vector  &E,
+              Stiffness            &result,
+              Modes::Vector        *resultants = nullptr,
+              const HistoryOfPlies &history    = {}) const;
 
     /** The change of the resultants with that of the strains. */
     static Modes::Vector
@@ -86,9 +97,21 @@ namespace Biface
 
     /** The strains at the vertices, where the thickness strain is the one that
      * belongs to the thickness stress of the element, if they are the whole
-     * law. */
-    std::array<Resultants::Vector, 4>
-    strains_at_vertices(const Modes::Vector &E) const;
+     * law, and what is relaxed at the Gauss point next to each. */
+    std::array<StrainsOfPlies, 4>
+    strains_at_vertices(const Modes::Vector  &E,
+                        const HistoryOfPlies &history = {}) const;
+
+    /** The number of internal variables of an element. */
+    unsigned int
+    n_internal() const;
+
+    /** Set the internal variables after a step.
+     * @param internal those before it. */
+    void
+    commit(const Modes::Vector &E,
+           const TimeStep      &time,
+           double              *internal) const;
 
     /** The sum of the thicknesses of all points of cords. */
     double
@@ -99,9 +122,47 @@ namespace Biface
     slack_thickness(const Modes::Vector &E) const;
 
   private:
+    /** @f$\eta_m@f$ with its derivatives by the modes. */
+    struct Variation
+    {
+      double                       value = 0;
+      std::array<double, Modes::n> gradient{};
+      /** By the mode and the constant mode of a strain, and by the latter
+       * twice. */
+      std::array<double, Resultants::n> mixed{}, by_mean{};
+    };
+    Variation
+    variation(const Modes::Vector &E, const unsigned int group) const;
+
+    /** Add what the thickness strains that vary do, and its derivative unless
+     * null. */
+    void
+    add_varying(const Modes::Vector &E,
+                Modes::Vector       &resultants,
+                Stiffness           *stiffness) const;
+
+    /** How stresses relax, Gauss point by Gauss point; empty if none does. */
+    struct RelaxedStresses
+    {
+      std::vector<Relaxed<PointStrains::Vector>> points;
+      std::vector<Relaxed<double>>               cords;
+    };
+    RelaxedStresses
+    relaxed(const HistoryOfPlies &history) const;
+
+    /** The response of cords at a Gauss point. */
+    CordLaw::Response
+    response(const RelaxedStresses    &relaxed,
+             const unsigned int        g,
+             const unsigned int        cord,
+             const Resultants::Vector &strain) const;
+
     std::shared_ptr<const PlyPoints> points;
     std::vector<CordPoint>           cords;
     bool                             with_twist;
+    /** By group: @f$w_mD'_{33}@f$, and @f$D'_{3s}/D'_{33}@f$ by strain. */
+    std::array<double, Modes::groups.size()>             varying_stiffness{};
+    std::array<Resultants::Vector, Modes::groups.size()> varying_parts;
   };
 } // namespace Biface
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -127,6 +128,10 @@ namespace Biface
      * length. */
     double                         thickness;
     std::shared_ptr<const CordLaw> law;
+    /** The height above the inner face. */
+    double height;
+    /** Of their stress; null for none. */
+    std::shared_ptr<const Relaxation> relaxation;
   };
 } // namespace Biface
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <biface/laminate/cord_law.h>
@@ -67,6 +68,8 @@ namespace Biface
     /** The law of the material, which is isotropic, without cords; null for the
      * linear one with the stiffness. */
     std::shared_ptr<const MaterialLaw> rubber = {};
+    /** Of its stresses; null for none. */
+    std::shared_ptr<const Relaxation> relaxation = {};
     /** Unit: mass/volume. */
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
@@ -75,6 +78,28 @@ namespace Biface
      * thickness of that, if it is only the part that belongs to a layer. */
     double begin = 0, end = 1;
   };
+
+
+  /** Strains of the faces at a place, with what the stresses of the plies there
+   * have relaxed. */
+  struct StrainsOfPlies
+  {
+    StrainsOfPlies() = default;
+
+    /** Where nothing relaxes. */
+    StrainsOfPlies(const Resultants::Vector &E) : E(E)
+    {}
+
+    Resultants::Vector E;
+    /** Of Laminate::ply_points(), empty if none relaxes. */
+    std::vector<Relaxed<PointStrains::Vector>> points;
+    /** Of Laminate::cord_points(), likewise. */
+    std::vector<Relaxed<double>> cords;
+  };
+
+  /** The mean of those at the vertices of a cell. */
+  StrainsOfPlies
+  mean(const std::array<StrainsOfPlies, 4> &at_vertices);
 
 
   /**
@@ -204,24 +229,23 @@ namespace Biface
 
     /**
      * The strains at the height @p z above the inner face, in the frame of the
-     * shell, from the strains @p E of the faces and the thickness. If the
+     * shell, from the @p strains of the faces and the thickness. If the
      * thickness stress is eliminated, the thickness strain is the one that
      * causes it.
      *
-     * @param E in the order of Resultants.
      * @param ply position in get_plies().
      */
     dealii::SymmetricTensor<2, 3>
-    strain(const Resultants::Vector &E,
-           const unsigned int        ply,
-           const double              z) const;
+    strain(const StrainsOfPlies &strains,
+           const unsigned int    ply,
+           const double          z) const;
 
     /** The stresses due to strain(), without initial stresses. Unit:
      * force/area. */
     dealii::SymmetricTensor<2, 3>
-    stress(const Resultants::Vector &E,
-           const unsigned int        ply,
-           const double              z) const;
+    stress(const StrainsOfPlies &strains,
+           const unsigned int    ply,
+           const double          z) const;
 
     /**
      * The transverse shear stresses @f$\sigma_{13},\sigma_{23}@f$ in
@@ -258,9 +282,26 @@ namespace Biface
 
     /** The strains at a height by the laws of points. */
     PointStrains::Vector
-    point_strain(const Resultants::Vector &E,
-                 const unsigned int        ply,
-                 const double              z) const;
+    point_strain(const StrainsOfPlies &strains,
+                 const unsigned int    ply,
+                 const double          z) const;
+
+    /** The heights of both sides. */
+    std::pair<double, double>
+    sides_of_ply(const unsigned int ply) const;
+
+    /** What the stress at a height has relaxed, from the points of the ply
+     * there. */
+    Relaxed<PointStrains::Vector>
+    relaxed(const StrainsOfPlies &strains,
+            const unsigned int    ply,
+            const double          z) const;
+
+    /** Likewise that of the cords. */
+    Relaxed<double>
+    relaxed_cords(const StrainsOfPlies &strains,
+                  const unsigned int    ply,
+                  const double          z) const;
 
     /** The strain along the cords at a height. */
     double

@@ -50,6 +50,8 @@ namespace Biface
     /** Whether it has cords that can go slack. */
     bool has_slack_cords = false;
     /** See MaterialParameters. */
+    bool relaxes = false;
+    /** See MaterialParameters. */
     bool is_hyperelastic = false;
     /** The part of the meridian it covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
@@ -276,6 +278,9 @@ namespace Biface
     /** Whether any ply has a loss factor. */
     bool
     has_loss() const;
+    /** Whether the stresses of any ply relax. */
+    bool
+    relaxes() const;
     /** Whether the law of any ply is one for large strains. */
     bool
     is_hyperelastic() const;

@@ -16,6 +16,7 @@
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
 #include <biface/laminate/material_law.h>
+#include <biface/laminate/relaxation.h>
 
 namespace Biface
 {
@@ -26,6 +27,7 @@ namespace Biface
     dealii::SymmetricTensor<4, 3>      stiffness;
     std::shared_ptr<const CordLaw>     cords;
     std::shared_ptr<const MaterialLaw> rubber;
+    std::shared_ptr<const Relaxation>  relaxation;
   };
 
 
@@ -74,6 +76,9 @@ namespace Biface
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
     double loss_factor = 0;
+    /** See Relaxation::Term. */
+    std::vector<double> relaxation_times, relaxation_moduli;
+    Relaxation::Shift   shift;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -86,6 +91,13 @@ namespace Biface
      * large strains. */
     bool
     is_hyperelastic() const;
+
+    /** Whether its stresses relax. */
+    bool
+    relaxes() const
+    {
+      return !relaxation_times.empty();
+    }
 
     /** Whether cords can go slack. Throws InputError if the type of the
      * material has no cords, or if E_L_compression is no formula. */
@@ -121,6 +133,15 @@ namespace Biface
     get_strengths() const;
 
   private:
+    /** The laws without relaxation. */
+    PlyLaws
+    elastic_laws(const double                         cord_fraction,
+                 const dealii::SymmetricTensor<2, 3> &initial_stress) const;
+
+    /** Null for none. */
+    std::shared_ptr<const Relaxation>
+    relaxation() const;
+
     /** The constants of a linear law with cords or fibers. */
     Material
     linear_material(const double cord_fraction) const;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/laminate/material_law.h>
+#include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -44,6 +45,10 @@ namespace Biface
       /** `shear[p][a][c]`: the part of the strain c3 of the face p in a3. */
       std::array<dealii::Tensor<2, 2>, 2> shear;
       std::shared_ptr<const MaterialLaw>  law;
+      /** Of its stresses; null for none. */
+      std::shared_ptr<const Relaxation> relaxation;
+      /** The height above the inner face. */
+      double height;
 
       /** The strains without the thickness strain. */
       PointStrains::Vector
@@ -66,6 +71,11 @@ namespace Biface
      * thickness stress. */
     using Places = dealii::ArrayView<const Resultants::Vector>;
 
+    /** How the stresses of the points relax, place by place; empty if none
+     * does. */
+    using RelaxedPoints =
+      dealii::ArrayView<const Relaxed<PointStrains::Vector>>;
+
     /** The thickness stress @f$\sigma@f$ for the mean of @f$E_{33}@f$ over the
      * places, and the thickness strains of their points, place by place; nan
      * where there is none. */
@@ -75,17 +85,20 @@ namespace Biface
       std::vector<double> strains;
     };
     ThicknessState
-    thickness_state(const Places &places) const;
+    thickness_state(const Places &places, const RelaxedPoints &relaxed) const;
 
     /** The thickness strain @f$E_{33}@f$ of a place, by its other strains, with
      * a thickness stress. */
     double
-    thickness_strain(const Resultants::Vector &E, const double stress) const;
+    thickness_strain(const Resultants::Vector &E,
+                     const RelaxedPoints      &relaxed,
+                     const double              stress) const;
 
     /** The energy of a place per area. Unit: force/length.
      * @param number of the place. */
     double
     energy(const Resultants::Vector &E,
+           const RelaxedPoints      &relaxed,
            const ThicknessState     &state,
            const unsigned int        number) const;
 
@@ -103,6 +116,7 @@ namespace Biface
     /** @param with_changes whether to set more than H. */
     void
     respond(const Resultants::Vector &E,
+            const RelaxedPoints      &relaxed,
             const ThicknessState     &state,
             const unsigned int        number,
             const bool                with_changes,
@@ -112,6 +126,25 @@ namespace Biface
     get_thickness() const
     {
       return thickness;
+    }
+
+    const std::vector<Point> &
+    get_points() const
+    {
+      return points;
+    }
+
+    /** The strains of a point of a place. */
+    PointStrains::Vector
+    strain(const Resultants::Vector &E,
+           const ThicknessState     &state,
+           const unsigned int        number,
+           const unsigned int        point) const
+    {
+      PointStrains::Vector strain = points[point].strain(E);
+      strain[PointStrains::thickness] =
+        state.strains[number * points.size() + point];
+      return strain;
     }
 
   private:
@@ -129,9 +162,10 @@ namespace Biface
   /** The strain 33 at which a law has a thickness stress; nan if there is none.
    * @param strain the other strains. */
   double
-  thickness_strain(const MaterialLaw   &law,
-                   PointStrains::Vector strain,
-                   const double         stress);
+  thickness_strain(const MaterialLaw                   &law,
+                   const Relaxed<PointStrains::Vector> &relaxed,
+                   PointStrains::Vector                 strain,
+                   const double                         stress);
 } // namespace Biface
 
 #endif

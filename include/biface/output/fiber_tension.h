@@ -26,9 +26,9 @@ namespace Biface
    * @param ply the position of the ply in the laminate.
    * @param E the strains of the faces, see Resultants. */
   double
-  fiber_tension(const Laminate           &laminate,
-                const unsigned int        ply,
-                const Resultants::Vector &E);
+  fiber_tension(const Laminate       &laminate,
+                const unsigned int    ply,
+                const StrainsOfPlies &E);
 
 
   /** What a layup has to carry tension: the cords of the plies whose cords are
@@ -57,10 +57,10 @@ namespace Biface
     /** The tension of a cord (force), or that of the fibers per width
      * (force/length); NaN for a ply that has none. See fiber_tension(). */
     double
-    tension(const Layup              &layup,
-            const Laminate           &laminate,
-            const unsigned int        ply,
-            const Resultants::Vector &E) const;
+    tension(const Layup          &layup,
+            const Laminate       &laminate,
+            const unsigned int    ply,
+            const StrainsOfPlies &E) const;
 
   private:
     const bool of_cords, any;

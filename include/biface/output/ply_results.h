@@ -76,7 +76,7 @@ namespace Biface
     PlyState(const Laminate             &laminate,
              const unsigned int          ply,
              const double                fraction,
-             const Resultants::Vector   &E,
+             const StrainsOfPlies       &E,
              const dealii::Tensor<1, 2> &interlaminar);
 
     /** The stress in the axes of the ply that failure criteria take: with a law
@@ -114,8 +114,8 @@ namespace Biface
     std::map<std::pair<unsigned int, unsigned int>, InterlaminarShear> of_walls;
 
     /** The strains of the layers of the wall at hand. */
-    std::optional<unsigned int>                    wall;
-    std::vector<std::array<Resultants::Vector, 4>> strains;
+    std::optional<unsigned int>                wall;
+    std::vector<std::array<StrainsOfPlies, 4>> strains;
   };
 
 

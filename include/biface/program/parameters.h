@@ -112,7 +112,11 @@ namespace Biface
     void
     check_densities() const;
     void
-    check_prestress() const;
+    check_laws() const;
+    void
+    check_law(const MaterialParameters &material,
+              const Stage              &stage,
+              const std::string        &section) const;
 
     /** Whether the shell rolls in each of the stages. */
     std::vector<bool>

@@ -36,6 +36,10 @@ namespace Biface
     Value<double> angular_velocity{};
     Value<double> ground_velocity{};
     Value<double> slip_angle{};
+
+    /** The time since the start, and the temperature of the shell. */
+    Value<double> time{};
+    Value<double> temperature{};
   };
 
 
@@ -65,6 +69,8 @@ namespace Biface
     function(first.angular_velocity, levels.angular_velocity...);
     function(first.ground_velocity, levels.ground_velocity...);
     function(first.slip_angle, levels.slip_angle...);
+    function(first.time, levels.time...);
+    function(first.temperature, levels.temperature...);
   }
 
 

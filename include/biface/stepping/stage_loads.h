@@ -75,6 +75,8 @@ namespace Biface
     std::string friction;
     /** Whether the nodes in contact at the start of the stage cannot slip. */
     bool glued = false;
+    /** From which the time at the end of the stage follows. Unit: time. */
+    double duration = 0;
 
     /** Set the factors: of several names that include a load, the last one
      * counts.
@@ -114,7 +116,7 @@ namespace Biface
         [&archive](auto &load) { serialize_optional(archive, load); }, *this);
       archive &names_of_factors;
       serialize_optional(archive, slip_ratio);
-      archive &sealed &contact &bodies &friction &glued;
+      archive &sealed &contact &bodies &friction &glued &duration;
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 
 #include <biface/model/forces/internal_forces.h>
 
@@ -16,13 +17,15 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       {
         nonlinear.emplace_back(strip.laminate, mesh.sampling);
+        if (nonlinear.back().is_whole_law())
+          {
+            stiffness.emplace_back(Resultants::Matrix(), mesh.sampling);
+            continue;
+          }
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
-        const bool whole_law = nonlinear.back().is_whole_law();
-        if (whole_law || mesh.thickness_strain == ThicknessStrain::normal)
+        if (mesh.thickness_strain == ThicknessStrain::normal)
           stiffness.back().release_thickness_strain(
             strip.laminate.stiffness_of_slack_cords());
-        if (whole_law)
-          stiffness.back().keep_varying_thickness_strain();
       }
     of_laminate = resultants_of_laminate();
   }
@@ -69,7 +72,7 @@ namespace Biface
     if (plies.is_whole_law() && (forces.with_tangent || !predicted.empty()))
       {
         const Linearization law = linearize(at.state, at.index, at_strain);
-        H = stiffness_of(at.cell).resultants(E) + law.resultants(E);
+        H                       = law.resultants(E);
         if (forces.with_tangent)
           element.add_tangent(stiffness_of(at.cell),
                               total_resultants(at.state, at.index),
@@ -124,7 +127,7 @@ namespace Biface
     if (plies.empty())
       return linear;
     if (!state.prestress)
-      return linear + plies.resultants(E);
+      return linear + plies.resultants(E, history(state, c));
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.resultants(E_0 + E) - plies.resultants(E_0));
   }
@@ -139,7 +142,7 @@ namespace Biface
     const Modes::Vector   E_0   = initial_strain(state, c);
     Linearization         law;
     law.E = E;
-    plies.stiffness(E_0 + E, law.stiffness, &law.H);
+    plies.stiffness(E_0 + E, law.stiffness, &law.H, history(state, c));
     if (state.prestress)
       law.H -= plies.resultants(E_0);
     return law;
@@ -163,6 +166,56 @@ namespace Biface
   }
 
 
+  std::string
+  InternalForces::name() const
+  {
+    return mesh.layup.relaxes() ? "relaxation" : "";
+  }
+
+
+  void
+  InternalForces::start_stage(const Loads &, State &state) const
+  {
+    if (name().empty() || state.terms.count(name()) > 0)
+      return;
+    unsigned int n = 0;
+    for (const NonlinearPlies &plies : nonlinear)
+      n = std::max(n, plies.n_internal());
+    // the same on ranks without cells
+    n = Utilities::MPI::max(n, mesh.communicator);
+    state.terms[name()].at_cells.reinit(mesh.cells.size(), n);
+  }
+
+
+  void
+  InternalForces::commit_step(const State &,
+                              const Loads &,
+                              const TimeInterval &,
+                              State &after) const
+  {
+    if (!name().empty())
+      {
+        Table<2, double> &internal = after.terms.at(name()).at_cells;
+        for (const unsigned int c : mesh.layers)
+          if (internal.size(1) > 0)
+            nonlinear_plies(mesh.cells[c])
+              .commit(
+                total_strains(after, c), after.time_step, &internal(c, 0));
+      }
+    after.time_step = TimeStep();
+  }
+
+
+  HistoryOfPlies
+  InternalForces::history(const State &state, const unsigned int c) const
+  {
+    const auto found = state.terms.find("relaxation");
+    if (found == state.terms.end() || found->second.at_cells.size(1) == 0)
+      return {};
+    return {&found->second.at_cells(c, 0), state.time_step};
+  }
+
+
   bool
   InternalForces::is_nonlinear() const
   {
@@ -182,8 +235,10 @@ namespace Biface
     const NonlinearPlies     &plies = nonlinear_plies(at.cell);
     NonlinearPlies::Stiffness added;
     const bool                any =
-      !plies.empty() &&
-      plies.stiffness(initial_strain(at.state, at.index) + E, added);
+      !plies.empty() && plies.stiffness(initial_strain(at.state, at.index) + E,
+                                        added,
+                                        nullptr,
+                                        history(at.state, at.index));
     element.add_tangent(
       stiffness_of(at.cell), H, forces.tangent, any ? &added : nullptr);
   }
@@ -323,12 +378,12 @@ namespace Biface
   }
 
 
-  std::array<Resultants::Vector, 4>
+  std::array<StrainsOfPlies, 4>
   InternalForces::strains_at_vertices(const State       &state,
                                       const unsigned int c) const
   {
     return nonlinear_plies(mesh.cells[c])
-      .strains_at_vertices(total_strains(state, c));
+      .strains_at_vertices(total_strains(state, c), history(state, c));
   }
 
 
@@ -360,7 +415,6 @@ namespace Biface
           {
             const Modes::Vector &last = state.predicted_strains[c];
             state.resultants[c] =
-              stiffness_of(cell).resultants(E) +
               linearize(state, c, first ? element.strain() : last)
                 .resultants(E);
             state.predicted_strains[c] = E;
@@ -441,6 +495,8 @@ namespace Biface
   double
   InternalForces::strain_energy(const State &state) const
   {
+    if (mesh.layup.relaxes())
+      return std::numeric_limits<double>::quiet_NaN();
     double     energy = 0;
     CellForces forces;
     for (const unsigned int c : mesh.layers)

@@ -58,6 +58,20 @@ namespace Biface
       return Source::shell;
     }
 
+    /** Not empty if stresses relax: then the internal variables of
+     * NonlinearPlies are remembered at the cells. */
+    std::string
+    name() const override;
+
+    void
+    start_stage(const Loads &loads, State &state) const override;
+
+    void
+    commit_step(const State        &before,
+                const Loads        &loads,
+                const TimeInterval &time,
+                State              &after) const override;
+
     /** The constant forces on all nodes that are no part of the given loads:
      * those that are in equilibrium with the initial resultants in the
      * undeformed shape, @f$\mathbf B_0^T\mathbf H_0@f$, and
@@ -118,7 +132,7 @@ namespace Biface
 
     /** These at the vertices of a layer, as the plies have them: see
      * NonlinearPlies::strains_at_vertices(). */
-    std::array<Resultants::Vector, 4>
+    std::array<StrainsOfPlies, 4>
     strains_at_vertices(const State &state, const unsigned int cell) const;
 
     /** Resultants of a cell, including initial ones. */
@@ -143,7 +157,8 @@ namespace Biface
      * initial resultants on the nonlinear part of the strains. In linear strain
      * theory it is of second order in the displacements since the
      * linearization. With an unsymmetric law it is a work without such a
-     * derivative. Unit: force times length. */
+     * derivative, and where stresses relax it is nan. Unit: force times
+     * length. */
     double
     strain_energy(const State &state) const;
 
@@ -191,6 +206,10 @@ namespace Biface
     {
       return nonlinear[cell.strip];
     }
+
+    /** The internal variables of a cell in a state, with its step. */
+    HistoryOfPlies
+    history(const State &state, const unsigned int cell) const;
 
     /** Whether any ply of the shell is not linear. */
     bool

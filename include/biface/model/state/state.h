@@ -83,6 +83,10 @@ namespace Biface
      * states. */
     std::vector<Modes::Vector> predicted_strains;
 
+    /** What passes between the last equilibrium and this state; no time in
+     * converged states. */
+    TimeStep time_step;
+
     /** What happens between the shell and each body, by ContactPair::number;
      * the first body is the ground. */
     std::vector<ContactState> contacts;

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_laminate_relaxation_h
+#define biface_laminate_relaxation_h
+
+#include <vector>
+
+#include <biface/laminate/material_law.h>
+
+namespace Biface
+{
+  /** What happens between two equilibria beside the change of strains. */
+  struct TimeStep
+  {
+    /** Unit: time. */
+    double duration = 0;
+    /** In the middle of it. Unit: that of Relaxation. */
+    double temperature = 0;
+  };
+
+
+  /**
+   * The relaxation of stresses: a Prony series of the moduli,
+   * @f[
+   *   E(t) = E_0\Bigl[1-\sum_i g_i\bigl(1-e^{-t/a\tau_i}\bigr)\Bigr],
+   * @f]
+   * with the same parts @f$g_i@f$ of all instantaneous moduli, and a factor
+   * @f$a@f$ of the times that depends on the temperature.
+   *
+   * Each term has an internal stress, which follows that of the elastic law
+   * @f$\mathbf S_0@f$ by @f$\dot{\mathbf q}_i+\mathbf q_i/a\tau_i =
+   * g_i\dot{\mathbf S}_0@f$. Over a step in which @f$\mathbf S_0@f$ changes
+   * evenly, with @f$x=\Delta t/a\tau_i@f$,
+   * @f[
+   *   \mathbf q_i \leftarrow e^{-x}\mathbf q_i
+   *     + g_i\,\frac{1-e^{-x}}x\,\Delta\mathbf S_0 ,
+   *   \qquad
+   *   \mathbf S = \Bigl(1-\sum_i g_i\Bigr)\mathbf S_0 + \sum_i\mathbf q_i ,
+   * @f]
+   * the recursion of Taylor, Pister and Goudreau for linear laws; for others it
+   * is that of @cite Simo1987 with all of the stress.
+   */
+  class Relaxation
+  {
+  public:
+    struct Term
+    {
+      /** @f$\tau_i@f$ at the reference temperature. Unit: time. */
+      double time;
+      /** @f$g_i@f$ */
+      double part;
+    };
+
+    /** How the temperature changes the times, by
+     * @f$\log_{10}a=-C_1(T-T_r)/(C_2+T-T_r)@f$ (Williams, Landel, Ferry) or
+     * @f$\ln a=C(1/T-1/T_r)@f$ with absolute temperatures (Arrhenius). */
+    struct Shift
+    {
+      enum class Kind
+      {
+        none,
+        WLF,
+        Arrhenius
+      };
+      Kind   kind      = Kind::none;
+      double reference = 0;
+      double C_1 = 17.44, C_2 = 51.6;
+      /** Unit: temperature. */
+      double activation = 0;
+
+      /** @f$a@f$; nan where a law has none. */
+      double
+      factor(const double temperature) const;
+    };
+
+    Relaxation(const std::vector<Term> &terms, const Shift &shift)
+      : terms(terms), shift(shift)
+    {}
+
+    unsigned int
+    n_terms() const
+    {
+      return terms.size();
+    }
+
+    /** In a step the stress is @p factor times that of the elastic law plus
+     * what the internal stresses add. */
+    struct Step
+    {
+      double factor;
+      /** Of each internal stress, how much remains, and how much of the change
+       * of the elastic stress is added. */
+      std::vector<double> remains, grows;
+    };
+    Step
+    step(const TimeStep &time) const;
+
+  private:
+    std::vector<Term> terms;
+    Shift             shift;
+  };
+
+
+  /** The stress of a point where it relaxes, a factor of that of the elastic
+   * law, plus a constant. */
+  template <typename Stress>
+  struct Relaxed
+  {
+    double factor = 1;
+    Stress stress{};
+  };
+
+
+  /** The internal stresses of a point as numbers: those of the terms, and the
+   * elastic stress at the last equilibrium. */
+  template <typename Stress>
+  struct InternalStresses
+  {
+    static constexpr unsigned int n_components =
+      sizeof(Stress) / sizeof(double);
+
+    static unsigned int
+    n_numbers(const Relaxation &relaxation)
+    {
+      return n_components * (relaxation.n_terms() + 1);
+    }
+
+    /** The law of a step that starts with these @p numbers. */
+    static Relaxed<Stress>
+    relaxed(const Relaxation::Step &step, const double *numbers)
+    {
+      const unsigned int n = step.grows.size();
+      Relaxed<Stress>    result;
+      result.factor = step.factor;
+      for (unsigned int i = 0; i < n; ++i)
+        add(step.remains[i], numbers + i * n_components, result.stress);
+      double grows = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        grows += step.grows[i];
+      add(-grows, numbers + n * n_components, result.stress);
+      return result;
+    }
+
+    /** Set the numbers to those after the step.
+     * @param elastic the stress of the elastic law. */
+    static void
+    commit(const Relaxation::Step &step, const Stress &elastic, double *numbers)
+    {
+      const unsigned int n    = step.grows.size();
+      double            *last = numbers + n * n_components;
+      for (unsigned int k = 0; k < n_components; ++k)
+        {
+          const double now = component(elastic, k);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              double &q = numbers[i * n_components + k];
+              q         = step.remains[i] * q + step.grows[i] * (now - last[k]);
+            }
+          last[k] = now;
+        }
+    }
+
+  private:
+    static double
+    component(const double stress, const unsigned int)
+    {
+      return stress;
+    }
+    static double
+    component(const PointStrains::Vector &stress, const unsigned int k)
+    {
+      return stress[k];
+    }
+
+    static void
+    add(const double factor, const double *numbers, double &stress)
+    {
+      stress += factor * *numbers;
+    }
+    static void
+    add(const double          factor,
+        const double         *numbers,
+        PointStrains::Vector &stress)
+    {
+      for (unsigned int k = 0; k < n_components; ++k)
+        stress[k] += factor * numbers[k];
+    }
+  };
+} // namespace Biface
+
+#endif
