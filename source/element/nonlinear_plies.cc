@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
 #include <biface/element/nonlinear_plies.h>
@@ -57,8 +58,9 @@ namespace Biface
         const unsigned int i = index(Resultants::thickness);
         const double       D = released(m, i, i);
         varying_stiffness[m] = group.weight() * D;
-        for (unsigned int s = 0; s < Resultants::n; ++s)
-          if (Modes::mode_of[m][s] != Modes::n)
+        for (unsigned int s = 0; s <= Modes::twist; ++s)
+          if (Modes::mode_of[m][s] != Modes::n &&
+              (s != Modes::twist || with_twist))
             varying_parts[m][s] = released(m, i, index(s)) / D;
       }
   }
@@ -68,15 +70,18 @@ namespace Biface
   NonlinearPlies::variation(const Modes::Vector &E, const unsigned int m) const
   {
     Variation result;
-    for (unsigned int s = 0; s < Resultants::n; ++s)
+    for (unsigned int s = 0; s <= Modes::twist; ++s)
       if (varying_parts[m][s] != 0)
         {
           // E^m_s and the squared mean stretch
-          const unsigned int mode = Modes::mode_of[m][s];
-          const double       x = E[mode], C = 1 + 2 * E[s];
+          const bool         is_twist = (s == Modes::twist);
+          const unsigned int mode     = Modes::mode_of[m][s];
+          const double       x = E[mode], C = is_twist ? 1. : 1 + 2 * E[s];
           const double       factor = varying_parts[m][s] / C;
           result.value += factor * x;
           result.gradient[mode] += factor;
+          if (is_twist)
+            continue;
           result.gradient[s] -= 2 * factor * x / C;
           result.mixed[s]   = -2 * factor / C;
           result.by_mean[s] = 8 * factor * x / (C * C);
@@ -432,19 +437,56 @@ namespace Biface
   }
 
 
-  Modes::Vector
-  NonlinearPlies::product(const Stiffness &stiffness, const Modes::Vector &dE)
+  NonlinearPlies::Linearization
+  NonlinearPlies::linearize(const Modes::Vector  &E,
+                            const HistoryOfPlies &history) const
   {
-    Modes::Vector dH;
+    Linearization law;
+    law.E = E;
+    stiffness(E, law.stiffness, &law.resultants, history);
+    return law;
+  }
+
+
+  Modes::Vector
+  NonlinearPlies::resultants(const Linearization  &law,
+                             const Modes::Vector  &E,
+                             const HistoryOfPlies &history) const
+  {
+    const Modes::Vector dE = E - law.E;
+    Modes::Vector       H  = law.resultants;
     for (const Modes::Group &group : Modes::groups)
       for (unsigned int i = 0; i < group.size; ++i)
         {
-          const unsigned int m = group.first_mode + i;
+          const unsigned int m   = group.first_mode + i;
+          double             sum = 0;
           for (unsigned int n = 0; n < Modes::n; ++n)
-            dH[m] += stiffness[m][n] * dE[n];
-          dH[m] /= group.weight(i);
+            sum += law.stiffness[m][n] * dE[n];
+          H[m] += sum / group.weight(i);
         }
-    return dH;
+
+    const AtPoints strains = at_gauss_points(E), about = at_gauss_points(law.E);
+    AtPoints       changes;
+    bool           any = false;
+    std::optional<RelaxedStresses> stresses;
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      for (unsigned int k = 0; k < cords.size(); ++k)
+        {
+          const CordPoint &cord = cords[k];
+          const double     e    = strain_along(cord, strains[g]),
+                       e_0      = strain_along(cord, about[g]);
+          if (cord.law->is_slack(e) == cord.law->is_slack(e_0))
+            continue;
+          any = true;
+          if (!stresses)
+            stresses = relaxed(history);
+          const auto   from   = response(*stresses, g, k, about[g]);
+          const double change = response(*stresses, g, k, strains[g]).stress -
+                                (from.stress + from.modulus * (e - e_0));
+          for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+            changes[g][s] += cord.thickness * change * cord.direction[s];
+        }
+    return any ? H + Modes::from_gauss_points(changes, with_twist) : H;
   }
 
 

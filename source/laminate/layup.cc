@@ -493,7 +493,7 @@ namespace Biface
         if (material == materials.end())
           throw InputError(
             "Laminate/Plies", ply.text, "its material must be one of " + names);
-        material->laws();
+        material->check();
         if ((material->is_hyperelastic() || material->relaxes()) &&
             law != ThicknessLaw::symmetric)
           throw InputError("the entry 'Laminate/Thickness law' must be "

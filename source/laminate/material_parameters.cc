@@ -157,7 +157,8 @@ namespace Biface
                       "Young's modulus E_L where the strain along the cords is "
                       "negative, for cords that go slack: a number or a "
                       "formula of E_L such as E_L/100, above 0 and at most "
-                      "E_L. Only for 'transversely isotropic' and 'cord and "
+                      "E_L, with 'Matrix = neo-Hooke' at least that of the "
+                      "matrix. Only for 'transversely isotropic' and 'cord and "
                       "rubber'. Unit: force/area.",
                       Patterns::Anything());
 
@@ -278,6 +279,13 @@ namespace Biface
     };
     const bool has_cords =
       type == Type::transversely_isotropic || type == Type::cord_and_rubber;
+    only_number(
+      "E", E, !(is_isotropic() && is_hyperelastic()), "'Type = isotropic'");
+    only("Compression onset",
+         compression_onset,
+         compression_onset != MaterialParameters().compression_onset,
+         has_slack_cords(),
+         "'E_L compression'");
     only("Matrix",
          "neo-Hooke",
          matrix != Matrix::linear,
@@ -323,6 +331,13 @@ namespace Biface
                            number_to_string(K),
                            "it may only be given without 'nu'");
         check_finite(section + "K", K);
+        // larger ones lose too many digits
+        if (K > 1e7 * shear_modulus)
+          throw InputError(section + "K",
+                           number_to_string(K),
+                           "it must be at most ten million times the shear "
+                           "modulus, " +
+                             number_to_string(shear_modulus));
         if (!(K > 2. / 3 * shear_modulus))
           throw InputError(section + "K",
                            number_to_string(K),
@@ -352,7 +367,7 @@ namespace Biface
       if (!(modulus > 0 && std::isfinite(modulus)))
         throw InputError(section + entry,
                          value,
-                         "the shear modulus must be positive, but it is " +
+                         "the shear modulus must be positive; it is " +
                            number_to_string(modulus));
       return bulk_modulus(modulus);
     };
@@ -570,6 +585,21 @@ namespace Biface
   }
 
 
+  void
+  MaterialParameters::check() const
+  {
+    // the volume fraction of cords follows from the plies
+    if (type != Type::cord_and_rubber || matrix == Matrix::linear)
+      laws();
+    else
+      {
+        check_unused();
+        bulk_modulus(linear_material(0).G_12);
+        relaxation();
+      }
+  }
+
+
   PlyLaws
   MaterialParameters::laws(const double                 cord_fraction,
                            const SymmetricTensor<2, 3> &initial_stress) const
@@ -620,7 +650,8 @@ namespace Biface
 
     const double G = constants.G_12, K_matrix = bulk_modulus(G);
     const double E_matrix = 9 * K_matrix * G / (3 * K_matrix + G);
-    if (!(E_c >= E_matrix))
+    // round-off must not refuse plies with few cords
+    if (!(E_c >= (1 - 1e-9) * E_matrix))
       throw InputError(section + (slack ? "/E_L compression" : "/E_L"),
                        number_to_string(E_c),
                        "it must be at least Young's modulus of the matrix, " +
@@ -631,8 +662,10 @@ namespace Biface
                        "('E_L compression') may have no initial stress "
                        "('Laminate/Initial ply stresses').");
     result.rubber = rubber(G);
-    result.cords  = std::make_shared<StretchedCordLaw>(
-      constants.E_1 - E_matrix, E_c - E_matrix, onset(constants.E_1, G));
+    result.cords =
+      std::make_shared<StretchedCordLaw>(std::max(0., constants.E_1 - E_matrix),
+                                         std::max(0., E_c - E_matrix),
+                                         onset(constants.E_1, G));
     result.stiffness = result.rubber->initial_stiffness();
     result.stiffness[0][0][0][0] += constants.E_1 - E_matrix;
     return result;

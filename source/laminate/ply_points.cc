@@ -27,6 +27,22 @@ namespace Biface
     }
 
 
+    bool
+    can_approach(const PointStrains::Vector &strain, const double lowest)
+    {
+      return std::isfinite(lowest) && strain[PointStrains::thickness] > lowest;
+    }
+
+
+    /** Reduce a strain toward its lowest value. */
+    void
+    approach(PointStrains::Vector &strain, const double lowest)
+    {
+      double &e = strain[PointStrains::thickness];
+      e         = (e + lowest) / 2;
+    }
+
+
     /** A change of a strain, relative to the square of the stretch. */
     double
     relative(const double by, const double strain)
@@ -133,12 +149,23 @@ namespace Biface
             lacking += point.thickness * (at[k].stress / at[k].modulus -
                                           strains[k][PointStrains::thickness]);
             compliance += point.thickness / (point.area * at[k].modulus);
-            if (!(at[k].modulus > 0 && step < max_thickness_steps))
+            if (!(at[k].modulus > 0 || can_approach(strains[k], lowest[k])) ||
+                step == max_thickness_steps)
               {
                 result.strains.assign(n, PointStrains::none);
                 return result;
               }
           }
+        // where the stress does not rise with the strain, that is too large
+        bool rises = true;
+        for (unsigned int k = 0; k < n; ++k)
+          if (!(at[k].modulus > 0))
+            {
+              approach(strains[k], lowest[k]);
+              rises = false;
+            }
+        if (!rises)
+          continue;
         result.stress = lacking / compliance;
         largest       = 0;
         for (unsigned int k = 0; k < n; ++k)
@@ -327,9 +354,14 @@ namespace Biface
       {
         auto at = law.thickness_stress(strain);
         relax(relaxed, at);
-        const double by = (stress - at.stress) / at.modulus;
         if (!(at.modulus > 0))
-          return PointStrains::none;
+          {
+            if (!can_approach(strain, lowest))
+              return PointStrains::none;
+            approach(strain, lowest);
+            continue;
+          }
+        const double by   = (stress - at.stress) / at.modulus;
         const double size = relative(by, e);
         change(e, by, lowest);
         if (size <= small_change)

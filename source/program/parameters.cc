@@ -284,6 +284,11 @@ namespace Biface
                        "true",
                        "it must be 'false' " + of_material +
                          ", whose stresses depend on all that happened");
+    if (stage.theory == StrainTheory::linear && material.is_hyperelastic())
+      throw InputError(section + "/Strain theory",
+                       "linear",
+                       "it must be 'nonlinear' " + of_material +
+                         ", whose law is not linear");
     if (!material.relaxes())
       return;
     if (stage.duration > 0 && (stage.control == ControlKind::arc_length ||

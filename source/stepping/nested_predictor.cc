@@ -98,6 +98,7 @@ namespace Biface
       }) > 0.5);
 
     LA::Vector increment = mesh.owned_vector();
+    std::vector<std::pair<types::global_dof_index, double>> of_supports;
     for (const Node &node : mesh.nodes)
       {
         if (!node.locally_owned)
@@ -108,12 +109,21 @@ namespace Biface
               return s.displacement(node.alpha, part);
             });
             for (unsigned int i = 0; i < 3; ++i)
-              if (!mesh.constraints.is_constrained(node.dof(i, part)))
-                increment(node.dof(i, part)) = moved[i];
+              {
+                const auto dof = node.dof(i, part);
+                if (!mesh.constraints.is_constrained(dof))
+                  increment(dof) = moved[i];
+                else if (mesh.constraints.get_constraint_entries(dof)->empty())
+                  of_supports.emplace_back(dof, moved[i]);
+              }
           }
       }
     increment.compress(VectorOperation::insert);
     mesh.constraints.distribute(increment);
+    // supports that move, as on the coarser mesh
+    for (const auto &[dof, moved] : of_supports)
+      increment(dof) = moved;
+    increment.compress(VectorOperation::insert);
     LA::Vector displacement = mesh.owned_vector();
     displacement            = state.displacement;
     displacement += increment;

@@ -3,7 +3,9 @@
 // With plies that are not linear, the internal force of an element is the
 // derivative of its energy, and the tangent is that of the force, for every
 // law, with other plies, every element and every law of the transverse shear.
-// At small strains they have the resultants of the linear law.
+// At small strains they have the resultants of the linear law. So they do in a
+// step in which stresses relax, where they are constant without a change of
+// strains and time.
 
 #include <biface/element/nonlinear_plies.h>
 #include <biface/laminate/layup.h>
@@ -22,7 +24,7 @@ namespace
   using NodalVector = MixedElement::NodalVector;
 
   std::vector<MaterialParameters>
-  materials()
+  materials(const bool relaxing)
   {
     auto all                 = cord_ply();
     all[0].E_L_compression   = "E_L/50";
@@ -63,6 +65,14 @@ namespace
     cords->matrix          = MaterialParameters::Matrix::neo_Hooke;
     cords->K               = 100;
     cords->E_L_compression = "E_L/20";
+    for (MaterialParameters &material : all)
+      {
+        material.relaxation_times  = {1, 5};
+        material.relaxation_moduli = {0.3, 0.2};
+      }
+    if (!relaxing)
+      for (MaterialParameters &material : all)
+        material.relaxation_times = material.relaxation_moduli = {};
     return all;
   }
 
@@ -71,7 +81,8 @@ namespace
   layup(const std::string       &plies,
         const std::string       &shear,
         const ThicknessIntegrals integrals,
-        const bool               along_normal)
+        const bool               along_normal,
+        const bool               relaxing)
   {
     Layup::Parameters parameters;
     parameters.plies           = parse_plies("plies", plies);
@@ -82,7 +93,7 @@ namespace
     surface.curvature = [](const double) {
       return std::array<double, 2>{{0.01, 0.003}};
     };
-    Layup result(parameters, materials(), surface);
+    Layup result(parameters, materials(relaxing), surface);
     result.set_thickness_strain_along_normal(along_normal);
     return result;
   }
@@ -93,12 +104,15 @@ namespace
        const std::string       &shear,
        const ThicknessIntegrals integrals,
        const StrainSampling     sampling,
-       const ThicknessStrain    thickness_strain)
+       const ThicknessStrain    thickness_strain,
+       const bool               relaxing = false)
   {
-    const Laminate laminate =
-      layup(
-        plies, shear, integrals, thickness_strain == ThicknessStrain::normal)
-        .laminate(0);
+    const Laminate laminate = layup(plies,
+                                    shear,
+                                    integrals,
+                                    thickness_strain == ThicknessStrain::normal,
+                                    relaxing)
+                                .laminate(0);
     ElementGeometry geometry =
       make_cells(
         torus(), {{"40:45:1", "10:15:1"}}, laminate.face_heights(), sampling)[0]
@@ -110,8 +124,25 @@ namespace
     const ModeStiffness none(Resultants::Matrix(), sampling);
     check_true("  whole law", law.is_whole_law());
 
+    std::vector<double> internal(law.n_internal());
+    HistoryOfPlies      history;
+    if (relaxing)
+      {
+        const Modes::Vector last = 0.2 * some_vector<Modes::n>(0.3, 7);
+        law.commit(last, {0.5, 0}, internal.data());
+        history.internal      = internal.data();
+        const Modes::Vector H = law.resultants(last, history);
+        // the stress of a step is that at its end
+        std::vector<double> before(law.n_internal());
+        check_small(
+          "  no change",
+          (law.resultants(last, {before.data(), {0.5, 0}}) - H).norm(),
+          1e-13,
+          H.norm());
+        history.step = {2, 0};
+      }
     const auto resultants = [&](const Modes::Vector &E) {
-      return law.resultants(E);
+      return law.resultants(E, history);
     };
     const auto force_at = [&](const NodalVector &V) {
       const MixedElement element(geometry, V);
@@ -120,7 +151,7 @@ namespace
     };
     const auto energy_at = [&](const NodalVector &V) {
       const Modes::Vector E = MixedElement(geometry, V).strain();
-      return geometry.weight * law.energy(E);
+      return geometry.weight * law.energy(E, history);
     };
 
     const double       step = 1e-5;
@@ -135,7 +166,8 @@ namespace
                 force_at(V).norm() * dV.norm());
 
     NonlinearPlies::Stiffness stiffness;
-    check_true("  any", law.stiffness(element.strain(), stiffness));
+    check_true("  any",
+               law.stiffness(element.strain(), stiffness, nullptr, history));
     MixedElement::NodalMatrix K{};
     element.add_tangent(none, resultants(element.strain()), K, &stiffness);
     double deviation = 0, scale = 0, asymmetry = 0;
@@ -155,6 +187,8 @@ namespace
     check_small("  tangent", deviation, 1e-7, scale);
     check_small("  symmetry", asymmetry, 1e-13, scale);
 
+    if (relaxing)
+      return;
     const Modes::Vector small = 1e-6 * element.strain();
     check_small("  linear at small strains",
                 (resultants(small) - linear.resultants(small)).norm(),
@@ -192,4 +226,16 @@ main()
           test(
             mixed, shear, integrals, StrainSampling::means, thickness_strain);
         }
+  for (const auto thickness_strain :
+       {ThicknessStrain::vertices, ThicknessStrain::normal})
+    {
+      std::cout << "mixed, relaxing, thickness strain "
+                << static_cast<int>(thickness_strain) << std::endl;
+      test(mixed,
+           "equilibrium",
+           Integrals::shell,
+           StrainSampling::means,
+           thickness_strain,
+           true);
+    }
 }

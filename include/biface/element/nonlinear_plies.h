@@ -31,7 +31,7 @@ namespace Biface
    * bends, would lock. The modes m by which the thickness strain varies have
    * the energy @f$\tfrac12 w_mD'_{33}\eta_m^2@f$ instead, with
    * @f$\eta_m=\sum_s D'_{3s}/D'_{33}\,E^m_s/(1+2E^0_s)@f$ over the strains 11,
-   * 22 and 33, relative to their means, and the initial matrix
+   * 22 and 33, relative to their means, and the twist, and the initial matrix
    * @f$\mathbf D'@f$ of ModeStiffness::release_thickness_strain(): at small
    * strains all together are its law.
    *
@@ -91,9 +91,22 @@ namespace Biface
               Modes::Vector        *resultants = nullptr,
               const HistoryOfPlies &history    = {}) const;
 
-    /** The change of the resultants with that of the strains. */
-    static Modes::Vector
-    product(const Stiffness &stiffness, const Modes::Vector &dE);
+    /** The law about given strains. */
+    struct Linearization
+    {
+      Modes::Vector E, resultants;
+      Stiffness     stiffness;
+    };
+    Linearization
+    linearize(const Modes::Vector &E, const HistoryOfPlies &history) const;
+
+    /** The resultants of other strains by this law, where cords that are slack
+     * on one side only have their own ones: an iteration would go from one
+     * pattern to another. */
+    Modes::Vector
+    resultants(const Linearization  &law,
+               const Modes::Vector  &E,
+               const HistoryOfPlies &history) const;
 
     /** The strains at the vertices, where the thickness strain is the one that
      * belongs to the thickness stress of the element, if they are the whole
@@ -129,7 +142,7 @@ namespace Biface
       std::array<double, Modes::n> gradient{};
       /** By the mode and the constant mode of a strain, and by the latter
        * twice. */
-      std::array<double, Resultants::n> mixed{}, by_mean{};
+      std::array<double, Modes::twist + 1> mixed{}, by_mean{};
     };
     Variation
     variation(const Modes::Vector &E, const unsigned int group) const;
@@ -161,8 +174,9 @@ namespace Biface
     std::vector<CordPoint>           cords;
     bool                             with_twist;
     /** By group: @f$w_mD'_{33}@f$, and @f$D'_{3s}/D'_{33}@f$ by strain. */
-    std::array<double, Modes::groups.size()>             varying_stiffness{};
-    std::array<Resultants::Vector, Modes::groups.size()> varying_parts;
+    std::array<double, Modes::groups.size()> varying_stiffness{};
+    std::array<dealii::Tensor<1, Modes::twist + 1>, Modes::groups.size()>
+      varying_parts;
   };
 } // namespace Biface
 

@@ -104,6 +104,10 @@ namespace Biface
     bool
     has_slack_cords() const;
 
+    /** Throws InputError if a constant is not admissible. */
+    void
+    check() const;
+
     /**
      * The laws of a ply of the material. Throws InputError if a constant is not
      * admissible.

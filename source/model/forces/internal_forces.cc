@@ -71,8 +71,10 @@ namespace Biface
     Modes::Vector H;
     if (plies.is_whole_law() && (forces.with_tangent || !predicted.empty()))
       {
-        const Linearization law = linearize(at.state, at.index, at_strain);
-        H                       = law.resultants(E);
+        // such laws have no prestress
+        const HistoryOfPlies past = history(at.state, at.index);
+        const auto           law  = plies.linearize(at_strain, past);
+        H                         = plies.resultants(law, E, past);
         if (forces.with_tangent)
           element.add_tangent(stiffness_of(at.cell),
                               total_resultants(at.state, at.index),
@@ -130,22 +132,6 @@ namespace Biface
       return linear + plies.resultants(E, history(state, c));
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.resultants(E_0 + E) - plies.resultants(E_0));
-  }
-
-
-  InternalForces::Linearization
-  InternalForces::linearize(const State         &state,
-                            const unsigned int   c,
-                            const Modes::Vector &E) const
-  {
-    const NonlinearPlies &plies = nonlinear_plies(mesh.cells[c]);
-    const Modes::Vector   E_0   = initial_strain(state, c);
-    Linearization         law;
-    law.E = E;
-    plies.stiffness(E_0 + E, law.stiffness, &law.H, history(state, c));
-    if (state.prestress)
-      law.H -= plies.resultants(E_0);
-    return law;
   }
 
 
@@ -413,10 +399,13 @@ namespace Biface
         Modes::Vector      E  = element.strain() + element.strain_variation(dV);
         if (nonlinear_plies(cell).is_whole_law())
           {
-            const Modes::Vector &last = state.predicted_strains[c];
-            state.resultants[c] =
-              linearize(state, c, first ? element.strain() : last)
-                .resultants(E);
+            const NonlinearPlies &plies = nonlinear_plies(cell);
+            const HistoryOfPlies  past  = history(state, c);
+            state.resultants[c]         = plies.resultants(
+              plies.linearize(
+                first ? element.strain() : state.predicted_strains[c], past),
+              E,
+              past);
             state.predicted_strains[c] = E;
             continue;
           }

@@ -222,25 +222,6 @@ namespace Biface
                   const unsigned int   cell,
                   const Modes::Vector &E) const;
 
-    /** The law of a cell in which plies that are not linear are the whole law,
-     * about the strains E. */
-    struct Linearization
-    {
-      Modes::Vector             E, H;
-      NonlinearPlies::Stiffness stiffness;
-
-      /** The resultants of other strains. */
-      Modes::Vector
-      resultants(const Modes::Vector &other) const
-      {
-        return H + NonlinearPlies::product(stiffness, other - E);
-      }
-    };
-    Linearization
-    linearize(const State         &state,
-              const unsigned int   cell,
-              const Modes::Vector &E) const;
-
     /** The energy of these resultants, per area. */
     double
     energy_of(const State         &state,
