@@ -279,8 +279,6 @@ namespace Biface
     };
     const bool has_cords =
       type == Type::transversely_isotropic || type == Type::cord_and_rubber;
-    only_number(
-      "E", E, !(is_isotropic() && is_hyperelastic()), "'Type = isotropic'");
     only("Compression onset",
          compression_onset,
          compression_onset != MaterialParameters().compression_onset,
@@ -291,6 +289,8 @@ namespace Biface
          matrix != Matrix::linear,
          has_cords,
          "'Type = transversely isotropic' or 'cord and rubber'");
+    only_number(
+      "E", E, !(is_isotropic() && is_hyperelastic()), "'Type = isotropic'");
     const bool polynomial = type == Type::Mooney_Rivlin || type == Type::Yeoh;
     only_number("mu", mu, type == Type::neo_Hooke, "'Type = neo-Hooke'");
     only_number("c10", c10, polynomial, "'Type = Mooney-Rivlin' or 'Yeoh'");
