@@ -62,7 +62,7 @@ namespace
             const double v =
               numbers::PI / 4 * 0.36 / (ply.cord_pitch * ply.thickness);
             stiffness = std::max(
-              stiffness, (material.stiffness(v) - ply.stiffness).norm());
+              stiffness, (material.laws(v).stiffness - ply.stiffness).norm());
             thickness = std::max(
               thickness, std::abs(ply.thickness * ply.cord_pitch - 1.1));
             modulus = std::max(modulus, std::abs(ply.thickness - 1.1));
@@ -85,12 +85,12 @@ main()
   MaterialParameters material = nylon();
   CordAndRubber     &cords    = material.cord_and_rubber;
 
-  check_small(
-    "no cords",
-    (material.stiffness(0) - Material::isotropic(6, 0.49).stiffness("rubber"))
-      .norm(),
-    1e-12,
-    100);
+  check_small("no cords",
+              (material.laws(0).stiffness -
+               Material::isotropic(6, 0.49).stiffness("rubber"))
+                .norm(),
+              1e-12,
+              100);
 
   // v = pi 0.36/4/1.1, eta = 399/402, eta_G = 1 - 2/(1 + G_c/G_r)
   const double   v           = numbers::PI * 0.09 / 1.1;
@@ -125,7 +125,7 @@ main()
       check_small("nu_TT of incompressible rubber", rigid.nu_23 - 1, 1e-5);
       check_small(
         "G_TT is a quarter of E_T", 4 * rigid.G_23 / rigid.E_2 - 1, 1e-5);
-      material.stiffness(v); // positive definite
+      material.laws(v); // positive definite
     }
 
   std::cout << "constant volume" << std::endl;

@@ -35,7 +35,7 @@ namespace
     strain[0]         = (stretch * stretch - 1) / 2;
     const auto stress = [&](const double e_22) {
       strain[1]                       = e_22;
-      strain[PointStrains::thickness] = thickness_strain(law, strain, 0);
+      strain[PointStrains::thickness] = thickness_strain(law, {}, strain, 0);
       return law.stress(strain);
     };
     if (tension == Tension::equibiaxial)

@@ -4,6 +4,7 @@
 // symmetric and positive definite, and for equal strains of both faces never
 // above that of constant strain.
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include "random_laminate.h"
