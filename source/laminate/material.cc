@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+// the library has its eigenvectors() under the names of one compiler only
+#include <deal.II/base/symmetric_tensor.templates.h>
 #include <deal.II/physics/transformations.h>
 
 #include <algorithm>
