@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// the library has its eigenvectors() under the names of one compiler only
-#include <deal.II/base/symmetric_tensor.templates.h>
 #include <deal.II/physics/transformations.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/material.h>
+#include <biface/laminate/principal_axes.h>
 
 namespace Biface
 {
@@ -116,11 +115,9 @@ namespace Biface
   cauchy_stress(const SymmetricTensor<2, 3> &stress,
                 const SymmetricTensor<2, 3> &strain)
   {
-    const auto principal =
-      eigenvectors(strain, SymmetricTensorEigenvectorMethod::jacobi);
     Tensor<2, 3> U;
     double       det = 1;
-    for (const auto &[value, axis] : principal)
+    for (const auto &[value, axis] : principal_axes(strain))
       {
         const double stretch = std::sqrt(1 + 2 * value);
         U += stretch * outer_product(axis, axis);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// the library has its eigenvectors() under the names of one compiler only
-#include <deal.II/base/symmetric_tensor.templates.h>
-
 #include <array>
 #include <cmath>
 
+#include <biface/laminate/principal_axes.h>
 #include <biface/laminate/rubber.h>
 
 namespace Biface
@@ -270,15 +268,14 @@ namespace Biface
             valid = false;
             return;
           }
-        const auto pairs =
-          eigenvectors(E, SymmetricTensorEigenvectorMethod::jacobi);
-        log_J = 0;
+        const auto principal = principal_axes(E);
+        log_J                = 0;
         for (unsigned int A = 0; A < 3; ++A)
           {
-            axes[A] = pairs[A].second;
-            valid   = valid && pairs[A].first > -0.5;
-            log[A] =
-              valid ? std::log1p(2 * pairs[A].first) / 2 : PointStrains::none;
+            axes[A] = principal[A].direction;
+            valid   = valid && principal[A].value > -0.5;
+            log[A]  = valid ? std::log1p(2 * principal[A].value) / 2
+                            : PointStrains::none;
             log_J += log[A];
           }
       }
