@@ -21,6 +21,6 @@ for words in (["--shore", "60"], ["--shore", "60", "--K", "1000"],
                            example, flags=re.DOTALL), encoding="utf-8")
     done = subprocess.run(
         [os.environ["BIFACE_PROGRAM"], "--check", "--output", directory / "results",
-         file],
+         "--set", "Stage 1/Strain theory=nonlinear", file],
         capture_output=True, text=True, check=False)
     check(done.returncode == 0, f"{words}: {done.stderr}")
