@@ -21,11 +21,8 @@ namespace Biface
         e += cord.direction[s] * E[s];
       return e;
     }
-  } // namespace
 
 
-  namespace
-  {
     using AtPoints = std::array<Resultants::Vector, n_gauss_points>;
 
     AtPoints
@@ -154,47 +151,16 @@ namespace Biface
   }
 
 
-  Modes::Vector
-  NonlinearPlies::resultants(const Modes::Vector  &E,
-                             const HistoryOfPlies &history) const
-  {
-    const RelaxedStresses stresses = relaxed(history);
-    const AtPoints        strains  = at_gauss_points(E);
-    AtPoints              at_points;
-    if (points)
-      {
-        const auto state = points->thickness_state(strains, stresses.points);
-        PlyPoints::Response response;
-        for (unsigned int g = 0; g < n_gauss_points; ++g)
-          {
-            points->respond(
-              strains[g], stresses.points, state, g, false, response);
-            at_points[g] = response.H;
-          }
-      }
-    for (unsigned int g = 0; g < n_gauss_points; ++g)
-      for (unsigned int k = 0; k < cords.size(); ++k)
-        {
-          const CordPoint &cord   = cords[k];
-          const double     stress = response(stresses, g, k, strains[g]).stress;
-          for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-            at_points[g][s] += cord.thickness * stress * cord.direction[s];
-        }
-    Modes::Vector H = Modes::from_gauss_points(at_points, with_twist);
-    add_varying(E, H, nullptr);
-    return H;
-  }
-
-
   bool
-  NonlinearPlies::stiffness(const Modes::Vector  &E,
-                            Stiffness            &result,
-                            Modes::Vector        *resultants,
-                            const HistoryOfPlies &history) const
+  NonlinearPlies::evaluate(const Modes::Vector  &E,
+                           const HistoryOfPlies &history,
+                           Modes::Vector        &resultants,
+                           Stiffness            *stiffness) const
   {
     const RelaxedStresses stresses = relaxed(history);
-    for (auto &row : result)
-      row.fill(0);
+    if (stiffness)
+      for (auto &row : *stiffness)
+        row.fill(0);
     const AtPoints                                 strains = at_gauss_points(E);
     AtPoints                                       at_points;
     std::array<Resultants::Matrix, n_gauss_points> C;
@@ -209,11 +175,17 @@ namespace Biface
         PlyPoints::Response response;
         for (unsigned int g = 0; g < n_gauss_points; ++g)
           {
-            points->respond(
-              strains[g], stresses.points, state, g, true, response);
+            points->respond(strains[g],
+                            stresses.points,
+                            state,
+                            g,
+                            stiffness != nullptr,
+                            response);
             at_points[g] = response.H;
-            C[g]         = response.C;
             any[g]       = true;
+            if (!stiffness)
+              continue;
+            C[g] = response.C;
             Modes::for_parts_at_gauss_point(g,
                                             with_twist,
                                             [&](const unsigned int m,
@@ -224,9 +196,10 @@ namespace Biface
                                             });
             compliance += response.compliance / n_gauss_points;
           }
-        for (unsigned int m = 0; m < Modes::n; ++m)
-          for (unsigned int n = 0; n < Modes::n; ++n)
-            result[m][n] += f[m] * f[n] / compliance;
+        if (stiffness)
+          for (unsigned int m = 0; m < Modes::n; ++m)
+            for (unsigned int n = 0; n < Modes::n; ++n)
+              (*stiffness)[m][n] += f[m] * f[n] / compliance;
       }
 
     for (unsigned int g = 0; g < n_gauss_points; ++g)
@@ -240,12 +213,13 @@ namespace Biface
             if (at.modulus == 0)
               continue;
             any[g] = true;
-            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-              for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-                C[g][s][t] += cord.thickness * at.modulus * cord.direction[s] *
-                              cord.direction[t];
+            if (stiffness)
+              for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+                for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
+                  C[g][s][t] += cord.thickness * at.modulus *
+                                cord.direction[s] * cord.direction[t];
           }
-        if (!any[g])
+        if (!stiffness || !any[g])
           continue;
 
         // C times the modes, then the modes times that
@@ -262,15 +236,33 @@ namespace Biface
           with_twist,
           [&](const unsigned int m, const unsigned int s, const double value) {
             for (unsigned int n = 0; n < Modes::n; ++n)
-              result[m][n] += value * by_mode[s][n];
+              (*stiffness)[m][n] += value * by_mode[s][n];
           });
       }
-    Modes::Vector H = Modes::from_gauss_points(at_points, with_twist);
-    add_varying(E, H, &result);
-    if (resultants)
-      *resultants = H;
+    resultants = Modes::from_gauss_points(at_points, with_twist);
+    add_varying(E, resultants, stiffness);
     return std::any_of(
       any.begin(), any.end(), [](const bool here) { return here; });
+  }
+
+
+  Modes::Vector
+  NonlinearPlies::resultants(const Modes::Vector  &E,
+                             const HistoryOfPlies &history) const
+  {
+    Modes::Vector H;
+    evaluate(E, history, H, nullptr);
+    return H;
+  }
+
+
+  bool
+  NonlinearPlies::stiffness(const Modes::Vector  &E,
+                            Stiffness            &result,
+                            const HistoryOfPlies &history) const
+  {
+    Modes::Vector H;
+    return evaluate(E, history, H, &result);
   }
 
 
@@ -311,16 +303,29 @@ namespace Biface
     using OfCords = InternalStresses<double>;
 
 
-    /** Call functions with each point and each cord of each Gauss point, its
-     * number among all of its kind, and the position of its internal variables.
+    /** Call functions with the step of each point and each cord of each Gauss
+     * point that relaxes, its number, and the position of its internal
+     * variables.
      * @return the number of these. */
     template <typename OnPoint, typename OnCord>
     unsigned int
     for_internal(const PlyPoints              *points,
                  const std::vector<CordPoint> &cords,
+                 const TimeStep               &time,
                  const OnPoint                &on_point,
                  const OnCord                 &on_cord)
     {
+      // the points of a ply follow each other
+      const Relaxation *last = nullptr;
+      Relaxation::Step  step;
+      const auto        step_of =
+        [&](const Relaxation &relaxation) -> const Relaxation::Step & {
+        if (&relaxation != last)
+          step = relaxation.step(time);
+        last = &relaxation;
+        return step;
+      };
+
       unsigned int       position = 0;
       const unsigned int n_points = points ? points->get_points().size() : 0;
       for (unsigned int g = 0; g < n_gauss_points; ++g)
@@ -328,13 +333,13 @@ namespace Biface
           for (unsigned int k = 0; k < n_points; ++k)
             if (const auto &relaxation = points->get_points()[k].relaxation)
               {
-                on_point(*relaxation, g, k, position);
+                on_point(step_of(*relaxation), g, k, position);
                 position += OfPoint::n_numbers(*relaxation);
               }
           for (unsigned int k = 0; k < cords.size(); ++k)
             if (const auto &relaxation = cords[k].relaxation)
               {
-                on_cord(*relaxation, g, k, position);
+                on_cord(step_of(*relaxation), g, k, position);
                 position += OfCords::n_numbers(*relaxation);
               }
         }
@@ -346,11 +351,11 @@ namespace Biface
   unsigned int
   NonlinearPlies::n_internal() const
   {
-    const auto nothing = [](const Relaxation &,
+    const auto nothing = [](const Relaxation::Step &,
                             const unsigned int,
                             const unsigned int,
                             const unsigned int) {};
-    return for_internal(points.get(), cords, nothing, nothing);
+    return for_internal(points.get(), cords, {}, nothing, nothing);
   }
 
 
@@ -366,19 +371,20 @@ namespace Biface
     for_internal(
       points.get(),
       cords,
-      [&](const Relaxation  &relaxation,
-          const unsigned int g,
-          const unsigned int k,
-          const unsigned int position) {
-        result.points[g * n_points + k] = OfPoint::relaxed(
-          relaxation.step(history.step), history.internal + position);
+      history.step,
+      [&](const Relaxation::Step &step,
+          const unsigned int      g,
+          const unsigned int      k,
+          const unsigned int      position) {
+        result.points[g * n_points + k] =
+          OfPoint::relaxed(step, history.internal + position);
       },
-      [&](const Relaxation  &relaxation,
-          const unsigned int g,
-          const unsigned int k,
-          const unsigned int position) {
-        result.cords[g * cords.size() + k] = OfCords::relaxed(
-          relaxation.step(history.step), history.internal + position);
+      [&](const Relaxation::Step &step,
+          const unsigned int      g,
+          const unsigned int      k,
+          const unsigned int      position) {
+        result.cords[g * cords.size() + k] =
+          OfCords::relaxed(step, history.internal + position);
       });
     return result;
   }
@@ -416,21 +422,22 @@ namespace Biface
     for_internal(
       points.get(),
       cords,
-      [&](const Relaxation  &relaxation,
-          const unsigned int g,
-          const unsigned int k,
-          const unsigned int position) {
-        OfPoint::commit(relaxation.step(time),
+      time,
+      [&](const Relaxation::Step &step,
+          const unsigned int      g,
+          const unsigned int      k,
+          const unsigned int      position) {
+        OfPoint::commit(step,
                         points->get_points()[k].law->stress(
                           points->strain(strains[g], state, g, k)),
                         internal + position);
       },
-      [&](const Relaxation  &relaxation,
-          const unsigned int g,
-          const unsigned int k,
-          const unsigned int position) {
+      [&](const Relaxation::Step &step,
+          const unsigned int      g,
+          const unsigned int      k,
+          const unsigned int      position) {
         OfCords::commit(
-          relaxation.step(time),
+          step,
           cords[k].law->response(strain_along(cords[k], strains[g])).stress,
           internal + position);
       });
@@ -443,7 +450,7 @@ namespace Biface
   {
     Linearization law;
     law.E = E;
-    stiffness(E, law.stiffness, &law.resultants, history);
+    evaluate(E, history, law.resultants, &law.stiffness);
     return law;
   }
 

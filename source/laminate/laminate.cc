@@ -303,28 +303,27 @@ namespace Biface
 
   namespace
   {
-    /** A value at a height, linear between the points of a ply.
+    /** A value at a height, linear between the points of a ply; nothing relaxed
+     * if there are no values.
      * @param points those of all plies.
-     * @param is_of_ply whether a point belongs to the ply.
-     * @param height of a point. */
-    template <typename Stress, typename Point, typename Height>
+     * @param sides of the ply. */
+    template <typename Stress, typename Point>
     Relaxed<Stress>
     between_points(const std::vector<Relaxed<Stress>> &values,
                    const std::vector<Point>           &points,
-                   const double                        inner,
-                   const double                        outer,
-                   const Height                       &height,
+                   const std::pair<double, double>    &sides,
                    const double                        z)
     {
       // the last points of the ply around z, or its two closest ones
       std::vector<unsigned int> of_ply;
-      for (unsigned int k = 0; k < points.size(); ++k)
-        if (inner < height(k) && height(k) < outer)
-          of_ply.push_back(k);
+      if (!values.empty())
+        for (unsigned int k = 0; k < points.size(); ++k)
+          if (sides.first < points[k].height && points[k].height < sides.second)
+            of_ply.push_back(k);
       if (of_ply.empty())
         return {};
       unsigned int i = 0;
-      while (i + 2 < of_ply.size() && height(of_ply[i + 1]) < z)
+      while (i + 2 < of_ply.size() && points[of_ply[i + 1]].height < z)
         ++i;
       const unsigned int
         below = of_ply[i],
@@ -332,8 +331,8 @@ namespace Biface
       Relaxed<Stress> result = values[below];
       if (below != above)
         {
-          const double part =
-            (z - height(below)) / (height(above) - height(below));
+          const double part = (z - points[below].height) /
+                              (points[above].height - points[below].height);
           result.stress += part * (values[above].stress - values[below].stress);
         }
       return result;
@@ -346,17 +345,8 @@ namespace Biface
                     const unsigned int    ply,
                     const double          z) const
   {
-    if (strains.points.empty())
-      return {};
-    const auto &all           = points->get_points();
-    const auto [inner, outer] = sides_of_ply(ply);
     return between_points(
-      strains.points,
-      all,
-      inner,
-      outer,
-      [&](const unsigned int k) { return all[k].height; },
-      z);
+      strains.points, points->get_points(), sides_of_ply(ply), z);
   }
 
 
@@ -367,15 +357,7 @@ namespace Biface
   {
     if (strains.cords.empty())
       return {};
-    const auto all            = cord_points();
-    const auto [inner, outer] = sides_of_ply(ply);
-    return between_points(
-      strains.cords,
-      all,
-      inner,
-      outer,
-      [&](const unsigned int k) { return all[k].height; },
-      z);
+    return between_points(strains.cords, cord_points(), sides_of_ply(ply), z);
   }
 
 

@@ -213,14 +213,12 @@ namespace Biface
     double sum = E * (remainder * E) / 2;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        PointStrains::Vector strain = points[k].strain(E);
-        strain[PointStrains::thickness] =
-          state.strains[number * points.size() + k];
-        double energy = points[k].law->energy(strain);
+        const PointStrains::Vector at_point = strain(E, state, number, k);
+        double                     energy   = points[k].law->energy(at_point);
         if (relaxed.size() > 0)
           {
             const auto &at = relaxed[number * points.size() + k];
-            energy         = at.factor * energy + at.stress * strain;
+            energy         = at.factor * energy + at.stress * at_point;
           }
         sum += points[k].thickness * points[k].area * energy;
       }
@@ -268,13 +266,10 @@ namespace Biface
 
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const Point         &point  = points[k];
-        PointStrains::Vector strain = point.strain(E);
-        strain[PointStrains::thickness] =
-          state.strains[number * points.size() + k];
+        const Point         &point = points[k];
         PointStrains::Vector S;
         PointStrains::Matrix b;
-        point.law->evaluate(strain, S, b);
+        point.law->evaluate(strain(E, state, number, k), S, b);
         if (relaxed.size() > 0)
           {
             const auto &at = relaxed[number * points.size() + k];

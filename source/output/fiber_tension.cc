@@ -38,11 +38,12 @@ namespace Biface
     double             tension = ply.initial_stress[0][0] * ply.thickness;
     for (unsigned int g = 0; g < gauss.size(); ++g)
       {
-        const double z = below + gauss.point(g)[0] * ply.thickness;
-        tension +=
-          gauss.weight(g) * ply.thickness *
-          (along * (laminate.stress(E, p, z) * along)) *
-          force_per_stress(ply, along * (laminate.strain(E, p, z) * along));
+        const double z      = below + gauss.point(g)[0] * ply.thickness;
+        double       stress = along * (laminate.stress(E, p, z) * along);
+        if (ply.rubber)
+          stress *=
+            force_per_stress(ply, along * (laminate.strain(E, p, z) * along));
+        tension += gauss.weight(g) * ply.thickness * stress;
       }
     return tension;
   }

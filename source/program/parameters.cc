@@ -302,17 +302,17 @@ namespace Biface
                        number_to_string(stage.duration),
                        "it must be 0 with 'Strain theory = linear' " +
                          of_material + ", whose stresses relax");
-    if (stage.angular_velocity.value_or(0) != 0 ||
-        stage.ground_velocity.value_or(0) != 0)
-      throw InputError(section + (stage.angular_velocity.value_or(0) != 0
-                                    ? "/Angular velocity"
-                                    : "/Ground velocity"),
-                       number_to_string(stage.angular_velocity.value_or(0) != 0
-                                          ? *stage.angular_velocity
-                                          : *stage.ground_velocity),
-                       "it must be 0 " + of_material +
-                         ", whose stresses relax; give a 'Loss factor' "
-                         "instead of 'Relaxation times'");
+    const auto refuse_rolling = [&](const std::string           &entry,
+                                    const std::optional<double> &velocity) {
+      if (velocity.value_or(0) != 0)
+        throw InputError(section + "/" + entry,
+                         number_to_string(*velocity),
+                         "it must be 0 " + of_material +
+                           ", whose stresses relax; give a 'Loss factor' "
+                           "instead of 'Relaxation times'");
+    };
+    refuse_rolling("Angular velocity", stage.angular_velocity);
+    refuse_rolling("Ground velocity", stage.ground_velocity);
   }
 
 

@@ -85,21 +85,9 @@ namespace
     MixedElement::NodalMatrix K{};
     element.add_tangent(
       stiffness, stiffness.resultants(element.strain()) + H_0, K);
-    double deviation = 0, scale = 0;
-    for (unsigned int j = 0; j < 24; ++j)
-      {
-        NodalVector unit;
-        unit[j] = step;
-        const NodalVector difference =
-          (force_at(V + unit) - force_at(V - unit)) / (2 * step);
-        for (unsigned int i = 0; i < 24; ++i)
-          {
-            deviation =
-              std::hypot(deviation, std::abs(K[i][j] - difference[i]));
-            scale = std::max(scale, std::abs(K[i][j]));
-          }
-      }
-    check_small("  tangent", deviation, 1e-8, scale);
+    const double scale = maximum_entry(K);
+    check_small(
+      "  tangent", deviation_of_tangent(K, force_at, V, step), 1e-8, scale);
 
     NodalVector product = element.tangent_product(
       stiffness, stiffness.resultants(element.strain()) + H_0, dV);

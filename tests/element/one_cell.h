@@ -5,7 +5,9 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -139,6 +141,41 @@ make_cells(
                     FaceHeights([heights](const double) { return heights; }),
                     sampling,
                     interpolation);
+}
+
+
+/** The norm of what a tangent differs by from central differences of the
+ * forces. */
+template <typename Force>
+double
+deviation_of_tangent(const Biface::MixedElement::NodalMatrix &K,
+                     const Force                             &force_at,
+                     const Biface::MixedElement::NodalVector &V,
+                     const double                             step)
+{
+  double deviation = 0;
+  for (unsigned int j = 0; j < Biface::MixedElement::n_dofs; ++j)
+    {
+      Biface::MixedElement::NodalVector unit;
+      unit[j] = step;
+      const Biface::MixedElement::NodalVector difference =
+        (force_at(V + unit) - force_at(V - unit)) / (2 * step);
+      for (unsigned int i = 0; i < Biface::MixedElement::n_dofs; ++i)
+        deviation = std::hypot(deviation, std::abs(K[i][j] - difference[i]));
+    }
+  return deviation;
+}
+
+
+/** The maximum of the entries of a tangent. */
+inline double
+maximum_entry(const Biface::MixedElement::NodalMatrix &K)
+{
+  double maximum = 0;
+  for (const auto &row : K)
+    for (const double entry : row)
+      maximum = std::max(maximum, std::abs(entry));
+  return maximum;
 }
 
 

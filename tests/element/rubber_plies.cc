@@ -166,25 +166,16 @@ namespace
                 force_at(V).norm() * dV.norm());
 
     NonlinearPlies::Stiffness stiffness;
-    check_true("  any",
-               law.stiffness(element.strain(), stiffness, nullptr, history));
+    check_true("  any", law.stiffness(element.strain(), stiffness, history));
     MixedElement::NodalMatrix K{};
     element.add_tangent(none, resultants(element.strain()), K, &stiffness);
-    double deviation = 0, scale = 0, asymmetry = 0;
+    const double scale     = maximum_entry(K);
+    double       asymmetry = 0;
     for (unsigned int j = 0; j < 24; ++j)
-      {
-        NodalVector unit;
-        unit[j] = step;
-        const NodalVector by_force =
-          (force_at(V + unit) - force_at(V - unit)) / (2 * step);
-        for (unsigned int i = 0; i < 24; ++i)
-          {
-            deviation = std::max(deviation, std::abs(K[i][j] - by_force[i]));
-            scale     = std::max(scale, std::abs(K[i][j]));
-            asymmetry = std::max(asymmetry, std::abs(K[i][j] - K[j][i]));
-          }
-      }
-    check_small("  tangent", deviation, 1e-7, scale);
+      for (unsigned int i = 0; i < 24; ++i)
+        asymmetry = std::max(asymmetry, std::abs(K[i][j] - K[j][i]));
+    check_small(
+      "  tangent", deviation_of_tangent(K, force_at, V, step), 1e-7, scale);
     check_small("  symmetry", asymmetry, 1e-13, scale);
 
     if (relaxing)

@@ -83,13 +83,11 @@ namespace Biface
                const HistoryOfPlies &history = {}) const;
 
     /** The second derivative.
-     * @param resultants set to them, unless null.
      * @return whether it is not zero. */
     bool
     stiffness(const Modes::Vector  &E,
               Stiffness            &result,
-              Modes::Vector        *resultants = nullptr,
-              const HistoryOfPlies &history    = {}) const;
+              const HistoryOfPlies &history = {}) const;
 
     /** The law about given strains. */
     struct Linearization
@@ -162,6 +160,14 @@ namespace Biface
     };
     RelaxedStresses
     relaxed(const HistoryOfPlies &history) const;
+
+    /** Set the resultants, and unless it is null the stiffness.
+     * @return whether that is not zero. */
+    bool
+    evaluate(const Modes::Vector  &E,
+             const HistoryOfPlies &history,
+             Modes::Vector        &resultants,
+             Stiffness            *stiffness) const;
 
     /** The response of cords at a Gauss point. */
     CordLaw::Response

@@ -223,7 +223,6 @@ namespace Biface
     const bool                any =
       !plies.empty() && plies.stiffness(initial_strain(at.state, at.index) + E,
                                         added,
-                                        nullptr,
                                         history(at.state, at.index));
     element.add_tangent(
       stiffness_of(at.cell), H, forces.tangent, any ? &added : nullptr);
