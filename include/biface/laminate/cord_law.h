@@ -43,7 +43,7 @@ namespace Biface
 
   /**
    * Cords that go slack in a ply whose linear law contains them, in the manner
-   * of @cite Bert1977: below the strain @f$-e_c@f$ the stress along the cords
+   * of @cite Bert1977 . Below the strain @f$-e_c@f$ the stress along the cords
    * is smaller by @f$\kappa(e+e_c)@f$, with @f$\kappa=E_L-E_{L,c}@f$ and the
    * modulus @f$E_{L,c}@f$ in compression. The stiffness of the ply is then
    * @f$\mathbf b-\kappa\,\mathbf a\mathbf a^T@f$, where @f$\mathbf a@f$ are the
@@ -91,9 +91,12 @@ namespace Biface
   class StretchedCordLaw : public CordLaw
   {
   public:
-    /** @param modulus, @param compression of the cords alone, the second one in
-     * compression beyond the @p onset @f$e_c@f$. Unit: force/area of the
-     * ply. */
+    /**
+     * @param modulus of the cords alone. Unit: force/area of the ply.
+     * @param compression The modulus in compression beyond the onset. Unit:
+     * force/area of the ply.
+     * @param onset @f$e_c@f$ of CordLaw.
+     */
     StretchedCordLaw(const double modulus,
                      const double compression,
                      const double onset)
