@@ -23,6 +23,18 @@ namespace Biface
     }
 
 
+    /** Of all modes, see Modes::Group::weight(). */
+    Modes::Vector
+    weights_of_modes()
+    {
+      Modes::Vector weights;
+      for (const Modes::Group &group : Modes::groups)
+        for (unsigned int i = 0; i < group.size; ++i)
+          weights[group.first_mode + i] = group.weight(i);
+      return weights;
+    }
+
+
     using AtPoints = std::array<Resultants::Vector, n_gauss_points>;
 
     AtPoints
@@ -42,8 +54,27 @@ namespace Biface
     , cords(laminate.cord_points())
     , with_twist(sampling == StrainSampling::means)
   {
+    if (points)
+      for (const PlyPoints::Point &point : points->get_points())
+        if (point.relaxation)
+          relaxing.push_back({point.relaxation,
+                              PointStrains::n,
+                              point.ply,
+                              point.thickness * point.area});
+    for (const CordPoint &cord : cords)
+      if (cord.relaxation)
+        relaxing.push_back({cord.relaxation, 1, cord.ply, cord.thickness});
     if (!points)
       return;
+    const std::vector<Ply> &plies = laminate.get_plies();
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      if (plies[k].relaxation)
+        {
+          relaxing_plies.push_back(
+            {plies[k].relaxation, plies[k].thickness / laminate.thickness()});
+          relaxing.push_back(
+            {plies[k].relaxation, OfGroups::n_independent_components, k, 1.});
+        }
     ModeStiffness released(laminate.stiffness(), sampling);
     released.release_thickness_strain(laminate.stiffness_of_slack_cords());
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
@@ -115,28 +146,35 @@ namespace Biface
 
 
   void
-  NonlinearPlies::add_varying(const Modes::Vector &E,
-                              Modes::Vector       &resultants,
-                              Stiffness           *stiffness) const
+  NonlinearPlies::add_varying(const Modes::Vector   &E,
+                              const RelaxedStresses &relaxed,
+                              Modes::Vector         &resultants,
+                              Stiffness             *stiffness) const
   {
     if (!points)
       return;
-    Modes::Vector weights;
-    for (const Modes::Group &group : Modes::groups)
-      for (unsigned int i = 0; i < group.size; ++i)
-        weights[group.first_mode + i] = group.weight(i);
+    const Modes::Vector weights = weights_of_modes();
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
-        const Variation eta = variation(E, m);
-        const double    H   = varying_stiffness[m] * eta.value;
+        const Variation eta  = variation(E, m);
+        double          left = 1, added = 0;
+        for (unsigned int i = 0; i < relaxed.varying.size(); ++i)
+          {
+            const unsigned int g = i / relaxing_plies.size();
+            left -= relaxing_plies[i % relaxing_plies.size()].part *
+                    (1 - relaxed.varying[i].factor) / n_gauss_points;
+            added += Modes::value_at_gauss_point(Modes::groups[m], g) *
+                     relaxed.varying[i].stress[m - 1] / n_gauss_points;
+          }
+        const double D = left * varying_stiffness[m];
+        const double H = D * eta.value + added;
         for (unsigned int i = 0; i < Modes::n; ++i)
           if (eta.gradient[i] != 0)
             {
               resultants[i] += H * eta.gradient[i] / weights[i];
               if (stiffness)
                 for (unsigned int j = 0; j < Modes::n; ++j)
-                  (*stiffness)[i][j] +=
-                    varying_stiffness[m] * eta.gradient[i] * eta.gradient[j];
+                  (*stiffness)[i][j] += D * eta.gradient[i] * eta.gradient[j];
             }
         if (stiffness)
           for (unsigned int s = 0; s < Resultants::n; ++s)
@@ -240,7 +278,7 @@ namespace Biface
           });
       }
     resultants = Modes::from_gauss_points(at_points, with_twist);
-    add_varying(E, resultants, stiffness);
+    add_varying(E, stresses, resultants, stiffness);
     return std::any_of(
       any.begin(), any.end(), [](const bool here) { return here; });
   }
@@ -303,59 +341,105 @@ namespace Biface
     using OfCords = InternalStresses<double>;
 
 
-    /** Call functions with the step of each point and each cord of each Gauss
-     * point that relaxes, its number, and the position of its internal
-     * variables.
-     * @return the number of these. */
-    template <typename OnPoint, typename OnCord>
-    unsigned int
-    for_internal(const PlyPoints              *points,
-                 const std::vector<CordPoint> &cords,
-                 const TimeStep               &time,
-                 const OnPoint                &on_point,
-                 const OnCord                 &on_cord)
+    /** What relaxes at a Gauss point, in the order of
+     * NonlinearPlies::relaxing_stresses(). */
+    enum class Kind
     {
-      // the points of a ply follow each other
-      const Relaxation *last = nullptr;
-      Relaxation::Step  step;
-      const auto        step_of =
-        [&](const Relaxation &relaxation) -> const Relaxation::Step & {
-        if (&relaxation != last)
-          step = relaxation.step(time);
-        last = &relaxation;
-        return step;
-      };
+      point,
+      cords,
+      varying
+    };
 
+    /** Call a function with the Gauss point, the kind, the number of its kind,
+     * and the position of the components, for each stress that relaxes. */
+    template <typename Function>
+    void
+    for_relaxing(const PlyPoints              *points,
+                 const std::vector<CordPoint> &cords,
+                 const unsigned int            n_plies,
+                 const Function               &function)
+    {
       unsigned int       position = 0;
       const unsigned int n_points = points ? points->get_points().size() : 0;
       for (unsigned int g = 0; g < n_gauss_points; ++g)
         {
           for (unsigned int k = 0; k < n_points; ++k)
-            if (const auto &relaxation = points->get_points()[k].relaxation)
+            if (points->get_points()[k].relaxation)
               {
-                on_point(step_of(*relaxation), g, k, position);
-                position += OfPoint::n_numbers(*relaxation);
+                function(g, Kind::point, k, position);
+                position += PointStrains::n;
               }
           for (unsigned int k = 0; k < cords.size(); ++k)
-            if (const auto &relaxation = cords[k].relaxation)
-              {
-                on_cord(step_of(*relaxation), g, k, position);
-                position += OfCords::n_numbers(*relaxation);
-              }
+            if (cords[k].relaxation)
+              function(g, Kind::cords, k, position++);
+          for (unsigned int k = 0; k < n_plies; ++k)
+            {
+              function(g, Kind::varying, k, position);
+              position += Modes::groups.size() - 1;
+            }
         }
-      return position;
+    }
+
+
+    template <typename Stress>
+    Stress
+    components(const double *numbers)
+    {
+      Stress stress;
+      std::copy_n(
+        numbers, Stress::n_independent_components, stress.begin_raw());
+      return stress;
     }
   } // namespace
 
 
   unsigned int
+  NonlinearPlies::n_relaxing_components() const
+  {
+    unsigned int n = 0;
+    for (const RelaxingStress &stress : relaxing)
+      n += stress.n_components;
+    return n;
+  }
+
+
+  unsigned int
   NonlinearPlies::n_internal() const
   {
-    const auto nothing = [](const Relaxation::Step &,
-                            const unsigned int,
-                            const unsigned int,
-                            const unsigned int) {};
-    return for_internal(points.get(), cords, {}, nothing, nothing);
+    unsigned int n = 0;
+    for (const RelaxingStress &stress : relaxing)
+      n += stress.n_components * (stress.relaxation->n_terms() + 1);
+    return n * n_gauss_points;
+  }
+
+
+  template <typename Function>
+  void
+  NonlinearPlies::for_internal(
+    const std::array<TimeStep, n_gauss_points> &steps,
+    const Function                             &function) const
+  {
+    // the points of a ply follow each other
+    const Relaxation *last      = nullptr;
+    unsigned int      last_step = 0, internal = 0, number = 0;
+    Relaxation::Step  step;
+    for_relaxing(points.get(),
+                 cords,
+                 relaxing_plies.size(),
+                 [&](const unsigned int g,
+                     const Kind         kind,
+                     const unsigned int k,
+                     const unsigned int position) {
+                   const RelaxingStress &stress =
+                     relaxing[number++ % relaxing.size()];
+                   if (stress.relaxation.get() != last || g != last_step)
+                     step = stress.relaxation->step(steps[g]);
+                   last      = stress.relaxation.get();
+                   last_step = g;
+                   function(step, g, kind, k, position, internal);
+                   internal +=
+                     stress.n_components * (stress.relaxation->n_terms() + 1);
+                 });
   }
 
 
@@ -368,24 +452,25 @@ namespace Biface
     const unsigned int n_points = points ? points->get_points().size() : 0;
     result.points.resize(n_gauss_points * n_points);
     result.cords.resize(n_gauss_points * cords.size());
-    for_internal(
-      points.get(),
-      cords,
-      history.step,
-      [&](const Relaxation::Step &step,
-          const unsigned int      g,
-          const unsigned int      k,
-          const unsigned int      position) {
-        result.points[g * n_points + k] =
-          OfPoint::relaxed(step, history.internal + position);
-      },
-      [&](const Relaxation::Step &step,
-          const unsigned int      g,
-          const unsigned int      k,
-          const unsigned int      position) {
-        result.cords[g * cords.size() + k] =
-          OfCords::relaxed(step, history.internal + position);
-      });
+    result.varying.resize(n_gauss_points * relaxing_plies.size());
+    for_internal(history.steps,
+                 [&](const Relaxation::Step &step,
+                     const unsigned int      g,
+                     const Kind              kind,
+                     const unsigned int      k,
+                     const unsigned int,
+                     const unsigned int internal) {
+                   const double *numbers = history.internal + internal;
+                   if (kind == Kind::point)
+                     result.points[g * n_points + k] =
+                       OfPoint::relaxed(step, numbers);
+                   else if (kind == Kind::cords)
+                     result.cords[g * cords.size() + k] =
+                       OfCords::relaxed(step, numbers);
+                   else
+                     result.varying[g * relaxing_plies.size() + k] =
+                       InternalStresses<OfGroups>::relaxed(step, numbers);
+                 });
     return result;
   }
 
@@ -409,38 +494,234 @@ namespace Biface
   }
 
 
-  void
-  NonlinearPlies::commit(const Modes::Vector &E,
-                         const TimeStep      &time,
-                         double              *internal) const
+  double
+  NonlinearPlies::varying_modulus(const unsigned int m) const
   {
-    const AtPoints            strains  = at_gauss_points(E);
-    const RelaxedStresses     stresses = relaxed({internal, time});
+    return varying_stiffness[m] / Modes::groups[m].weight();
+  }
+
+
+  void
+  NonlinearPlies::elastic_stresses(const Modes::Vector  &E,
+                                   const HistoryOfPlies &history,
+                                   std::vector<double>  &stresses,
+                                   std::vector<double>  *strains) const
+  {
+    stresses.resize(n_gauss_points * n_relaxing_components());
+    if (strains)
+      strains->resize(stresses.size());
+    const AtPoints            places = at_gauss_points(E);
     PlyPoints::ThicknessState state;
+    OfGroups                  eta;
     if (points)
-      state = points->thickness_state(strains, stresses.points);
-    for_internal(
+      {
+        state = points->thickness_state(places, relaxed(history).points);
+        for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+          eta[m - 1] = variation(E, m).value;
+      }
+    const auto set =
+      [&](const unsigned int position, const auto &stress, const auto &strain) {
+        std::copy(
+          stress.begin_raw(), stress.end_raw(), stresses.begin() + position);
+        if (strains)
+          std::copy(
+            strain.begin_raw(), strain.end_raw(), strains->begin() + position);
+      };
+    for_relaxing(
       points.get(),
       cords,
-      time,
-      [&](const Relaxation::Step &step,
-          const unsigned int      g,
-          const unsigned int      k,
-          const unsigned int      position) {
-        OfPoint::commit(step,
-                        points->get_points()[k].law->stress(
-                          points->strain(strains[g], state, g, k)),
-                        internal + position);
-      },
-      [&](const Relaxation::Step &step,
-          const unsigned int      g,
-          const unsigned int      k,
-          const unsigned int      position) {
-        OfCords::commit(
-          step,
-          cords[k].law->response(strain_along(cords[k], strains[g])).stress,
-          internal + position);
+      relaxing_plies.size(),
+      [&](const unsigned int g,
+          const Kind         kind,
+          const unsigned int k,
+          const unsigned int position) {
+        if (kind == Kind::point)
+          {
+            const PointStrains::Vector strain =
+              points->strain(places[g], state, g, k);
+            set(position, points->get_points()[k].law->stress(strain), strain);
+          }
+        else if (kind == Kind::cords)
+          {
+            const Tensor<1, 1> strain({strain_along(cords[k], places[g])});
+            set(position,
+                Tensor<1, 1>({cords[k].law->response(strain[0]).stress}),
+                strain);
+          }
+        else
+          {
+            OfGroups stress, strain;
+            for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+              {
+                strain[m - 1] =
+                  Modes::value_at_gauss_point(Modes::groups[m], g) * eta[m - 1];
+                stress[m - 1] =
+                  relaxing_plies[k].part * varying_modulus(m) * strain[m - 1];
+              }
+            set(position, stress, strain);
+          }
       });
+  }
+
+
+  std::vector<double>
+  NonlinearPlies::added_stresses(const HistoryOfPlies &history) const
+  {
+    std::vector<double> stresses;
+    const auto          append = [&](const auto &stress) {
+      stresses.insert(stresses.end(), stress.begin_raw(), stress.end_raw());
+    };
+    for_internal(
+      history.steps,
+      [&](const Relaxation::Step &step,
+          const unsigned int,
+          const Kind kind,
+          const unsigned int,
+          const unsigned int,
+          const unsigned int internal) {
+        const double *numbers = history.internal + internal;
+        if (kind == Kind::point)
+          append(OfPoint::relaxed(step, numbers).stress);
+        else if (kind == Kind::cords)
+          stresses.push_back(OfCords::relaxed(step, numbers).stress);
+        else
+          append(InternalStresses<OfGroups>::relaxed(step, numbers).stress);
+      });
+    return stresses;
+  }
+
+
+  void
+  NonlinearPlies::commit(const Modes::Vector  &E,
+                         const HistoryOfPlies &history,
+                         double               *internal) const
+  {
+    std::vector<double> stresses;
+    elastic_stresses(E, history, stresses);
+    if (internal != history.internal)
+      std::copy(history.internal, history.internal + n_internal(), internal);
+    for_internal(history.steps,
+                 [&](const Relaxation::Step &step,
+                     const unsigned int,
+                     const Kind kind,
+                     const unsigned int,
+                     const unsigned int position,
+                     const unsigned int numbers) {
+                   const double *stress = stresses.data() + position;
+                   if (kind == Kind::point)
+                     OfPoint::commit(step,
+                                     components<PointStrains::Vector>(stress),
+                                     internal + numbers);
+                   else if (kind == Kind::cords)
+                     OfCords::commit(step, *stress, internal + numbers);
+                   else
+                     InternalStresses<OfGroups>::commit(
+                       step, components<OfGroups>(stress), internal + numbers);
+                 });
+  }
+
+
+  NonlinearPlies::Changes::Changes(const NonlinearPlies &plies,
+                                   const Modes::Vector  &E,
+                                   const HistoryOfPlies &history)
+    : plies(plies)
+  {
+    const AtPoints        places   = at_gauss_points(E);
+    const RelaxedStresses stresses = plies.relaxed(history);
+    if (plies.points)
+      {
+        points.emplace(*plies.points,
+                       places,
+                       stresses.points,
+                       plies.points->thickness_state(places, stresses.points));
+        for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+          varying.push_back(plies.variation(E, m).gradient);
+      }
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      for (const CordPoint &cord : plies.cords)
+        cords.push_back(
+          cord.law->response(strain_along(cord, places[g])).modulus);
+  }
+
+
+  void
+  NonlinearPlies::Changes::elastic_stresses(const Modes::Vector &dE,
+                                            std::vector<double> &stresses) const
+  {
+    const AtPoints                    strains = at_gauss_points(dE);
+    std::vector<PointStrains::Vector> at_points;
+    if (points)
+      points->elastic_stresses(strains, at_points);
+    OfGroups d_eta;
+    for (unsigned int m = 0; m < varying.size(); ++m)
+      for (unsigned int i = 0; i < Modes::n; ++i)
+        d_eta[m] += varying[m][i] * dE[i];
+    for_relaxing(
+      plies.points.get(),
+      plies.cords,
+      plies.relaxing_plies.size(),
+      [&](const unsigned int g,
+          const Kind         kind,
+          const unsigned int k,
+          const unsigned int position) {
+        double *stress = stresses.data() + position;
+        if (kind == Kind::point)
+          {
+            const PointStrains::Vector &of_point =
+              at_points[g * plies.points->get_points().size() + k];
+            std::copy(of_point.begin_raw(), of_point.end_raw(), stress);
+          }
+        else if (kind == Kind::cords)
+          *stress = cords[g * plies.cords.size() + k] *
+                    strain_along(plies.cords[k], strains[g]);
+        else
+          for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+            stress[m - 1] =
+              plies.relaxing_plies[k].part * plies.varying_modulus(m) *
+              Modes::value_at_gauss_point(Modes::groups[m], g) * d_eta[m - 1];
+      });
+  }
+
+
+  Modes::Vector
+  NonlinearPlies::Changes::resultants(const std::vector<double> &added) const
+  {
+    const unsigned int n_points =
+      points ? plies.points->get_points().size() : 0;
+    std::vector<PointStrains::Vector> at_points(n_gauss_points * n_points);
+    AtPoints                          of_cords, sums;
+    OfGroups                          of_groups;
+    for_relaxing(plies.points.get(),
+                 plies.cords,
+                 plies.relaxing_plies.size(),
+                 [&](const unsigned int g,
+                     const Kind         kind,
+                     const unsigned int k,
+                     const unsigned int position) {
+                   const double *stress = added.data() + position;
+                   if (kind == Kind::point)
+                     at_points[g * n_points + k] =
+                       components<PointStrains::Vector>(stress);
+                   else if (kind == Kind::cords)
+                     for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+                       of_cords[g][s] += plies.cords[k].thickness * *stress *
+                                         plies.cords[k].direction[s];
+                   else
+                     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
+                       of_groups[m - 1] +=
+                         Modes::value_at_gauss_point(Modes::groups[m], g) *
+                         stress[m - 1] / n_gauss_points;
+                 });
+    if (points)
+      points->resultants(at_points, make_array_view(sums.begin(), sums.end()));
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      sums[g] += of_cords[g];
+    Modes::Vector       H = Modes::from_gauss_points(sums, plies.with_twist);
+    const Modes::Vector weights = weights_of_modes();
+    for (unsigned int m = 0; m < varying.size(); ++m)
+      for (unsigned int i = 0; i < Modes::n; ++i)
+        H[i] += of_groups[m] * varying[m][i] / weights[i];
+    return H;
   }
 
 

@@ -282,6 +282,7 @@ namespace Biface
             next.law              = law;
             next.relaxation       = plies[k].relaxation;
             next.height           = at;
+            next.ply              = k;
             for (unsigned int p = 0; p < 2; ++p)
               for (unsigned int q = 0; q < 2; ++q)
                 for (unsigned int a = 0; a < 2; ++a)
@@ -422,6 +423,7 @@ namespace Biface
                 const double at = z + quadrature.point(g)[0] * ply.thickness;
                 CordPoint    point;
                 point.height = at;
+                point.ply    = k;
                 for (unsigned int ab = 0; ab < 3; ++ab)
                   for (unsigned int p = 0; p < 2; ++p)
                     point.direction[Resultants::tangential(ab, p)] =

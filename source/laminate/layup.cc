@@ -917,7 +917,7 @@ namespace Biface
   Layup::has_loss() const
   {
     return std::any_of(plies.begin(), plies.end(), [](const auto &ply) {
-      return ply.loss_factor > 0;
+      return ply.loss_factor > 0 || ply.relaxes;
     });
   }
 } // namespace Biface

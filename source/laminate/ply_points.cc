@@ -77,6 +77,24 @@ namespace Biface
   }
 
 
+  void
+  PlyPoints::Point::add_resultants(const PointStrains::Vector &S,
+                                   Resultants::Vector         &H) const
+  {
+    const double weight = thickness * area;
+    for (unsigned int p = 0; p < 2; ++p)
+      {
+        for (unsigned int ab = 0; ab < 3; ++ab)
+          H[Resultants::tangential(ab, p)] +=
+            weight * tangential[ab][p] * S[ab];
+        for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int a = 0; a < 2; ++a)
+            H[Resultants::transverse(c, p)] +=
+              weight * shear[p][a][c] * S[PointStrains::transverse(a)];
+      }
+  }
+
+
   PlyPoints::PlyPoints(std::vector<Point>        points,
                        const double              thickness,
                        const Resultants::Matrix &remainder,
@@ -278,16 +296,7 @@ namespace Biface
           }
 
         const double weight = point.thickness * point.area;
-        for (unsigned int p = 0; p < 2; ++p)
-          {
-            for (unsigned int ab = 0; ab < 3; ++ab)
-              H[Resultants::tangential(ab, p)] +=
-                weight * point.tangential[ab][p] * S[ab];
-            for (unsigned int c = 0; c < 2; ++c)
-              for (unsigned int a = 0; a < 2; ++a)
-                H[Resultants::transverse(c, p)] +=
-                  weight * point.shear[p][a][c] * S[transverse(a)];
-          }
+        point.add_resultants(S, H);
         if (!with_changes)
           continue;
 
@@ -331,6 +340,104 @@ namespace Biface
                           by_stress[transverse(a)];
                   response.C[s] += point.shear[p][a][c] * qL[transverse(a)];
                 }
+          }
+      }
+  }
+
+
+  PlyPoints::Changes::Changes(const PlyPoints      &plies,
+                              const Places         &places,
+                              const RelaxedPoints  &relaxed,
+                              const ThicknessState &state)
+    : plies(plies)
+  {
+    for (unsigned int i = 0; i < places.size(); ++i)
+      {
+        lean.emplace_back();
+        if (plies.along_normal)
+          for (unsigned int a = 0; a < 2; ++a)
+            lean.back()[a] = mean_shear(places[i], a);
+        for (unsigned int k = 0; k < plies.points.size(); ++k)
+          {
+            const Point         &point = plies.points[k];
+            PointStrains::Vector S;
+            moduli.emplace_back();
+            point.law->evaluate(
+              plies.strain(places[i], state, i, k), S, moduli.back());
+            factors.push_back(
+              relaxed.size() > 0 ? relaxed[factors.size()].factor : 1.);
+            compliance +=
+              point.thickness / (point.area * modulus_33(moduli.size() - 1));
+          }
+      }
+  }
+
+
+  void
+  PlyPoints::Changes::elastic_stresses(
+    const Places &strains, std::vector<PointStrains::Vector> &stresses) const
+  {
+    const unsigned int                n_points = plies.points.size();
+    std::vector<PointStrains::Vector> e(moduli.size());
+    double                            lacking = 0;
+    for (unsigned int i = 0; i < strains.size(); ++i)
+      {
+        double director = strains[i][Resultants::thickness];
+        for (unsigned int a = 0; a < 2; ++a)
+          director += lean[i][a] * mean_shear(strains[i], a);
+        lacking += plies.thickness * director;
+        for (unsigned int k = i * n_points; k < (i + 1) * n_points; ++k)
+          {
+            const Point &point = plies.points[k - i * n_points];
+            e[k]               = point.strain(strains[i]);
+            e[k][PointStrains::thickness] =
+              -(moduli[k][PointStrains::thickness] * e[k]) /
+              moduli[k][PointStrains::thickness][PointStrains::thickness];
+            lacking -= point.thickness * e[k][PointStrains::thickness];
+          }
+      }
+    const double by_stress = lacking / compliance;
+    stresses.resize(moduli.size());
+    for (unsigned int k = 0; k < moduli.size(); ++k)
+      {
+        e[k][PointStrains::thickness] +=
+          by_stress / (plies.points[k % n_points].area * modulus_33(k));
+        stresses[k] = moduli[k] * e[k];
+      }
+  }
+
+
+  void
+  PlyPoints::Changes::resultants(
+    const std::vector<PointStrains::Vector> &added,
+    const ArrayView<Resultants::Vector>     &resultants) const
+  {
+    const unsigned int n_points = plies.points.size();
+    double             sum      = 0;
+    for (unsigned int k = 0; k < moduli.size(); ++k)
+      sum += plies.points[k % n_points].thickness *
+             added[k][PointStrains::thickness] / modulus_33(k);
+    const double by_stress = sum / compliance;
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      {
+        Resultants::Vector &H    = resultants[i];
+        H                        = Resultants::Vector();
+        H[Resultants::thickness] = plies.thickness * by_stress;
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int p = 0; p < 2; ++p)
+            H[Resultants::transverse(a, p)] +=
+              lean[i][a] / 2 * plies.thickness * by_stress;
+        for (unsigned int k = i * n_points; k < (i + 1) * n_points; ++k)
+          {
+            const Point &point = plies.points[k - i * n_points];
+            // of the thickness strain
+            const double change =
+              (by_stress / point.area - added[k][PointStrains::thickness]) /
+              modulus_33(k);
+            const PointStrains::Vector S =
+              added[k] +
+              factors[k] * change * moduli[k][PointStrains::thickness];
+            point.add_resultants(S, H);
           }
       }
   }

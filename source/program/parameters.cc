@@ -254,14 +254,17 @@ namespace Biface
       for (const MaterialParameters &material : materials)
         if (material.name == ply.material)
           {
-            double temperature = 0;
-            for (const Stage &stage : stages)
+            const std::vector<bool> rolling     = rolling_stages();
+            double                  temperature = 0;
+            for (unsigned int i = 0; i < stages.size(); ++i)
               {
-                const std::string section =
-                  "Stage " + std::to_string(&stage - stages.data() + 1);
+                const Stage      &stage   = stages[i];
+                const std::string section = "Stage " + std::to_string(i + 1);
                 check_law(material, stage, section);
+                if (material.relaxes() && rolling[i])
+                  check_rolling_relaxation(material, stage, section);
                 temperature = stage.temperature.value_or(temperature);
-                if (material.relaxes() && stage.duration > 0 &&
+                if (material.relaxes() && (stage.duration > 0 || rolling[i]) &&
                     !(material.shift.factor(temperature) > 0))
                   throw InputError(section + "/Temperature",
                                    number_to_string(temperature),
@@ -302,17 +305,33 @@ namespace Biface
                        number_to_string(stage.duration),
                        "it must be 0 with 'Strain theory = linear' " +
                          of_material + ", whose stresses relax");
-    const auto refuse_rolling = [&](const std::string           &entry,
-                                    const std::optional<double> &velocity) {
-      if (velocity.value_or(0) != 0)
-        throw InputError(section + "/" + entry,
-                         number_to_string(*velocity),
-                         "it must be 0 " + of_material +
-                           ", whose stresses relax; give a 'Loss factor' "
-                           "instead of 'Relaxation times'");
-    };
-    refuse_rolling("Angular velocity", stage.angular_velocity);
-    refuse_rolling("Ground velocity", stage.ground_velocity);
+  }
+
+
+  void
+  Parameters::check_rolling_relaxation(const MaterialParameters &material,
+                                       const Stage              &stage,
+                                       const std::string        &section) const
+  {
+    const std::string why =
+      "where the wheel rolls or spins with the material '" + material.name +
+      "', whose stresses relax";
+    if (stage.duration > 0)
+      throw InputError(section + "/Duration",
+                       number_to_string(stage.duration),
+                       "it must be 0 " + why +
+                         ": that is the same at all times");
+    if (stage.theory == StrainTheory::linear)
+      throw InputError(
+        section + "/Strain theory", "linear", "it must be 'nonlinear' " + why);
+    if (stage.n_modes > 0)
+      throw InputError(section + "/Modes",
+                       std::to_string(stage.n_modes),
+                       "it must be 0 " + why);
+    if (!sensitivities.entries.empty())
+      throw InputError("Sensitivities/Entries",
+                       sensitivities.entries,
+                       "it must be empty " + why);
   }
 
 

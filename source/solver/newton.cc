@@ -10,6 +10,7 @@
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/newton.h>
+#include <biface/solver/nonlocal_correction.h>
 
 namespace Biface
 {
@@ -179,6 +180,7 @@ namespace Biface
   {
     Iterate iterate(
       state, loads, mu, iteration, zone_given, equations, contact, out);
+    equations.prepare(iterate.loads, state);
     NewtonResult &result = iterate.result;
     Increment     increment;
     increment.displacement = equations.mesh.owned_vector();
@@ -389,6 +391,15 @@ namespace Biface
     if (!linear.success)
       return Failure{linear.cause, linear.message};
     equations.distribute(increment.displacement);
+    const NonlocalCorrection nonlocal(
+      equations,
+      iterate.state,
+      [&](LA::Vector &solution, const LA::Vector &forces) {
+        linear = linear_solver.solve(solution, forces, exactness);
+        return linear;
+      });
+    if (const auto failure = nonlocal.correct(increment.displacement))
+      return Failure{failure->cause, failure->message};
     increment.mu.clear();
     iterate.last_error = linear.error * increment.displacement.linfty_norm();
 
@@ -397,6 +408,9 @@ namespace Biface
       linear = linear_solver.solve(solution, forces, exactness);
       count_pivots();
       equations.mesh.constraints.distribute(solution);
+      if (linear.success)
+        if (const auto failure = nonlocal.correct(solution))
+          linear = *failure;
       return linear.success;
     };
 
@@ -453,6 +467,7 @@ namespace Biface
     equations.update(iterate.state, increment.displacement, iterate.iteration);
     iterate.loads = equations.with_dependent_loads(
       iterate.state, iterate.parametrized.at(iterate.mu));
+    equations.prepare(iterate.loads, iterate.state);
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
     const double update = increment.displacement.linfty_norm();

@@ -19,7 +19,9 @@ namespace Biface
     attempt.mu            = guess.mu;
     const LoadLevel &from = run.progress.reached, to = trial.level(guess.mu);
     attempt.state.time_step = {to.time - from.time,
-                               (from.temperature + to.temperature) / 2};
+                               run.loads_at(to, law).rolling
+                                 ? to.temperature
+                                 : (from.temperature + to.temperature) / 2};
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     return run.loads_at(trial.level(mu), law);
                                   },

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <biface/element/modes.h>
@@ -17,7 +18,23 @@ namespace Biface
   struct HistoryOfPlies
   {
     const double *internal = nullptr;
-    TimeStep      step     = {};
+    /** By Gauss point. */
+    std::array<TimeStep, Modes::n_gauss_points> steps{};
+  };
+
+
+  /** A stress of plies that relaxes, at each Gauss point of an element: the
+   * stresses of a point, that of cords, or the part of a ply in those of the
+   * thickness strains that vary. */
+  struct RelaxingStress
+  {
+    std::shared_ptr<const Relaxation> relaxation;
+    unsigned int                      n_components;
+    /** The position of the ply in Laminate::get_plies(). */
+    unsigned int ply;
+    /** The thickness of which the stresses do work; 1 if they are resultants.
+     */
+    double thickness;
   };
 
 
@@ -33,7 +50,10 @@ namespace Biface
    * @f$\eta_m=\sum_s D'_{3s}/D'_{33}\,E^m_s/(1+2E^0_s)@f$ over the strains 11,
    * 22 and 33, relative to their means, and the twist, and the initial matrix
    * @f$\mathbf D'@f$ of ModeStiffness::release_thickness_strain(): at small
-   * strains all together are its law.
+   * strains all together are its law. A ply that relaxes has the part of this
+   * stiffness that it has of the thickness: at the Gauss points, where the
+   * function of the mode is @f$f_m@f$, the stress
+   * @f$D'_{33}f_m\eta_m@f$ on the strain @f$f_m\eta_m@f$.
    *
    * The strains of the modes are evaluated at the 2x2 Gauss points of the
    * element, each with its own law. These points integrate products of modes
@@ -113,16 +133,68 @@ namespace Biface
     strains_at_vertices(const Modes::Vector  &E,
                         const HistoryOfPlies &history = {}) const;
 
-    /** The number of internal variables of an element. */
+    /** Those of a Gauss point. */
+    const std::vector<RelaxingStress> &
+    relaxing_stresses() const
+    {
+      return relaxing;
+    }
+
+    /** Their components. */
+    unsigned int
+    n_relaxing_components() const;
+
+    /** The number of internal variables of an element: at each Gauss point
+     * those of InternalStresses of each RelaxingStress. */
     unsigned int
     n_internal() const;
 
-    /** Set the internal variables after a step.
-     * @param internal those before it. */
+    /** The components of the stresses that relax, without relaxation, at each
+     * Gauss point, and likewise the strains on which they do work.
+     * @param strains unless it is null. */
     void
-    commit(const Modes::Vector &E,
-           const TimeStep      &time,
-           double              *internal) const;
+    elastic_stresses(const Modes::Vector  &E,
+                     const HistoryOfPlies &history,
+                     std::vector<double>  &stresses,
+                     std::vector<double>  *strains = nullptr) const;
+
+    /** What the internal variables add to these stresses in a step. */
+    std::vector<double>
+    added_stresses(const HistoryOfPlies &history) const;
+
+    /** Set the internal variables after a step.
+     * @param history with those before it.
+     * @param internal may be the same. */
+    void
+    commit(const Modes::Vector  &E,
+           const HistoryOfPlies &history,
+           double               *internal) const;
+
+    /** How elastic_stresses() change with strains, and resultants with what is
+     * added to the stresses that relax, about given strains. */
+    class Changes
+    {
+    public:
+      /** @param plies kept by reference. */
+      Changes(const NonlinearPlies &plies,
+              const Modes::Vector  &E,
+              const HistoryOfPlies &history);
+
+      void
+      elastic_stresses(const Modes::Vector &dE,
+                       std::vector<double> &stresses) const;
+
+      Modes::Vector
+      resultants(const std::vector<double> &added) const;
+
+    private:
+      const NonlinearPlies             &plies;
+      std::optional<PlyPoints::Changes> points;
+      /** The moduli of cords, Gauss point by Gauss point. */
+      std::vector<double> cords;
+      /** The derivatives of @f$\eta_m@f$, without the first group. */
+      std::vector<std::array<double, Modes::n>> varying;
+    };
 
     /** The sum of the thicknesses of all points of cords. */
     double
@@ -145,21 +217,38 @@ namespace Biface
     Variation
     variation(const Modes::Vector &E, const unsigned int group) const;
 
-    /** Add what the thickness strains that vary do, and its derivative unless
-     * null. */
-    void
-    add_varying(const Modes::Vector &E,
-                Modes::Vector       &resultants,
-                Stiffness           *stiffness) const;
+    /** Stresses of the groups by which the thickness strain varies. */
+    using OfGroups = dealii::Tensor<1, Modes::groups.size() - 1>;
 
     /** How stresses relax, Gauss point by Gauss point; empty if none does. */
     struct RelaxedStresses
     {
       std::vector<Relaxed<PointStrains::Vector>> points;
       std::vector<Relaxed<double>>               cords;
+      /** By RelaxingPly. */
+      std::vector<Relaxed<OfGroups>> varying;
     };
+
+    /** Add what the thickness strains that vary do, and its derivative unless
+     * null. */
+    void
+    add_varying(const Modes::Vector   &E,
+                const RelaxedStresses &relaxed,
+                Modes::Vector         &resultants,
+                Stiffness             *stiffness) const;
     RelaxedStresses
     relaxed(const HistoryOfPlies &history) const;
+
+    /** Call a function with the step of each RelaxingStress at each Gauss point
+     * and the position of its internal variables. */
+    template <typename Function>
+    void
+    for_internal(const std::array<TimeStep, Modes::n_gauss_points> &steps,
+                 const Function &function) const;
+
+    /** @f$D'_{33}@f$ of a group. */
+    double
+    varying_modulus(const unsigned int group) const;
 
     /** Set the resultants, and unless it is null the stiffness.
      * @return whether that is not zero. */
@@ -178,7 +267,15 @@ namespace Biface
 
     std::shared_ptr<const PlyPoints> points;
     std::vector<CordPoint>           cords;
-    bool                             with_twist;
+    std::vector<RelaxingStress>      relaxing;
+    /** The plies that relax, with their parts of the thickness. */
+    struct RelaxingPly
+    {
+      std::shared_ptr<const Relaxation> relaxation;
+      double                            part;
+    };
+    std::vector<RelaxingPly> relaxing_plies;
+    bool                     with_twist;
     /** By group: @f$w_mD'_{33}@f$, and @f$D'_{3s}/D'_{33}@f$ by strain. */
     std::array<double, Modes::groups.size()> varying_stiffness{};
     std::array<dealii::Tensor<1, Modes::twist + 1>, Modes::groups.size()>

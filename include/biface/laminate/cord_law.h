@@ -133,6 +133,8 @@ namespace Biface
     std::shared_ptr<const CordLaw> law;
     /** The height above the inner face. */
     double height;
+    /** The position of its ply in Laminate::get_plies(). */
+    unsigned int ply;
     /** Of their stress; null for none. */
     std::shared_ptr<const Relaxation> relaxation;
   };

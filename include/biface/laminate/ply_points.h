@@ -49,10 +49,17 @@ namespace Biface
       std::shared_ptr<const Relaxation> relaxation;
       /** The height above the inner face. */
       double height;
+      /** The position of its ply in Laminate::get_plies(). */
+      unsigned int ply;
 
       /** The strains without the thickness strain. */
       PointStrains::Vector
       strain(const Resultants::Vector &E) const;
+
+      /** Add those of its stresses, but for the thickness stress. */
+      void
+      add_resultants(const PointStrains::Vector &stress,
+                     Resultants::Vector         &resultants) const;
     };
 
     /** @param points all of a laminate.
@@ -121,6 +128,49 @@ namespace Biface
             const unsigned int        number,
             const bool                with_changes,
             Response                 &response) const;
+
+    /** How the elastic stresses of the points change with the strains, and the
+     * resultants with what is added to the stresses: the derivatives of the
+     * strains of all points by those of the faces, and their transpose. */
+    class Changes
+    {
+    public:
+      /** @param plies kept by reference. */
+      Changes(const PlyPoints      &plies,
+              const Places         &places,
+              const RelaxedPoints  &relaxed,
+              const ThicknessState &state);
+
+      /** @param strains their changes, by place.
+       * @param stresses those of all points, place by place, without
+       * relaxation. */
+      void
+      elastic_stresses(const Places                      &strains,
+                       std::vector<PointStrains::Vector> &stresses) const;
+
+      /** @param added to the stresses of all points, place by place.
+       * @param resultants of each place. */
+      void
+      resultants(const std::vector<PointStrains::Vector>     &added,
+                 const dealii::ArrayView<Resultants::Vector> &resultants) const;
+
+    private:
+      const PlyPoints &plies;
+      /** Of the elastic law, and how much of them is left in the step, place
+       * by place. */
+      std::vector<PointStrains::Matrix> moduli;
+      std::vector<double>               factors;
+      /** The derivative of the thickness strain by the shear strains. */
+      std::vector<std::array<double, 2>> lean;
+      double                             compliance = 0;
+
+      double
+      modulus_33(const unsigned int k) const
+      {
+        return factors[k] *
+               moduli[k][PointStrains::thickness][PointStrains::thickness];
+      }
+    };
 
     double
     get_thickness() const

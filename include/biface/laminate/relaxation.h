@@ -83,6 +83,16 @@ namespace Biface
       return terms.size();
     }
 
+    /** @f$\sum_i g_i@f$ */
+    double
+    relaxing_part() const
+    {
+      double sum = 0;
+      for (const Term &term : terms)
+        sum += term.part;
+      return sum;
+    }
+
     /** In a step the stress is @p factor times that of the elastic law plus
      * what the internal stresses add. */
     struct Step
@@ -94,6 +104,29 @@ namespace Biface
     };
     Step
     step(const TimeStep &time) const;
+
+    /**
+     * The internal stresses of a material that flows steadily around a closed
+     * line, where those of the elastic law are given at points. With
+     * @f$\mathbf v_i=\mathbf S_0-\mathbf q_i/g_i@f$, the recursion of step()
+     * is
+     * @f[
+     *   \mathbf v_i \leftarrow e^{-x}\mathbf v_i
+     *     + (1-w)\,\mathbf S_0 + (w-e^{-x})\,\mathbf S_0^-,
+     *   \qquad w=\frac{1-e^{-x}}x ,
+     * @f]
+     * which has no differences of large numbers at any speed. It is closed
+     * around the line by dividing what one turn adds to zero by
+     * @f$1-e^{-\sum x}@f$.
+     *
+     * @param steps to each point from the one before it, the last one for the
+     * first point.
+     * @param elastic the components of @f$\mathbf S_0@f$, point by point.
+     * @return the numbers of InternalStresses, point by point.
+     */
+    std::vector<double>
+    around_closed_line(const std::vector<TimeStep> &steps,
+                       const std::vector<double>   &elastic) const;
 
   private:
     std::vector<Term> terms;
@@ -166,8 +199,9 @@ namespace Biface
     {
       return stress;
     }
+    template <int n>
     static double
-    component(const PointStrains::Vector &stress, const unsigned int k)
+    component(const dealii::Tensor<1, n> &stress, const unsigned int k)
     {
       return stress[k];
     }
@@ -177,10 +211,11 @@ namespace Biface
     {
       stress += factor * *numbers;
     }
+    template <int n>
     static void
     add(const double          factor,
         const double         *numbers,
-        PointStrains::Vector &stress)
+        dealii::Tensor<1, n> &stress)
     {
       for (unsigned int k = 0; k < n_components; ++k)
         stress[k] += factor * numbers[k];

@@ -118,6 +118,14 @@ namespace Biface
               const Stage              &stage,
               const std::string        &section) const;
 
+    /** Throws InputError if a stage in which the wheel rolls is not possible
+     * with a material that relaxes. */
+    void
+    check_rolling_relaxation(const MaterialParameters &material,
+                             const Stage              &stage,
+                             const std::string        &section) const;
+
+
     /** Whether the shell rolls in each of the stages. */
     std::vector<bool>
     rolling_stages() const;

@@ -316,6 +316,14 @@ namespace Biface
   }
 
 
+  void
+  ShellEquations::prepare(const Loads &loads, State &state) const
+  {
+    for (const ForceTerm *term : terms)
+      term->prepare(loads, state);
+  }
+
+
   Loads
   ShellEquations::with_dependent_loads(const State &state,
                                        const Loads &loads) const

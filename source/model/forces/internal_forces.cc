@@ -12,7 +12,9 @@ namespace Biface
   using namespace dealii;
 
   InternalForces::InternalForces(const ShellMesh &mesh)
-    : mesh(mesh), symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
+    : mesh(mesh)
+    , flow(mesh, nonlinear)
+    , symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
   {
     for (const Strip &strip : mesh.strips)
       {
@@ -186,9 +188,50 @@ namespace Biface
           if (internal.size(1) > 0)
             nonlinear_plies(mesh.cells[c])
               .commit(
-                total_strains(after, c), after.time_step, &internal(c, 0));
+                total_strains(after, c), history(after, c), &internal(c, 0));
       }
     after.time_step = TimeStep();
+    after.flow.reset();
+  }
+
+
+  void
+  InternalForces::prepare(const Loads &loads, State &state) const
+  {
+    const auto found = state.terms.find("relaxation");
+    if (!loads.rolling || found == state.terms.end())
+      return;
+    state.flow                = loads.rolling->angular_velocity;
+    Table<2, double> internal = found->second.at_cells;
+    flow.set_internal_variables(
+      [&](const unsigned int c) { return total_strains(state, c); },
+      state,
+      internal);
+    found->second.at_cells = internal;
+  }
+
+
+  std::unique_ptr<const NonlocalStiffness>
+  InternalForces::nonlocal_stiffness(const State &state) const
+  {
+    if (!state.flow)
+      return nullptr;
+    return flow.stiffness(
+      [&](const unsigned int c) { return total_strains(state, c); },
+      state,
+      state.terms.at("relaxation").at_cells);
+  }
+
+
+  std::vector<std::vector<double>>
+  InternalForces::losses(const State &state,
+                         const double angular_velocity) const
+  {
+    Assert(!state.flow, ExcInternalError());
+    return flow.losses(
+      [&](const unsigned int c) { return total_strains(state, c); },
+      state.terms.at("relaxation").at_cells,
+      angular_velocity);
   }
 
 
@@ -198,7 +241,7 @@ namespace Biface
     const auto found = state.terms.find("relaxation");
     if (found == state.terms.end() || found->second.at_cells.size(1) == 0)
       return {};
-    return {&found->second.at_cells(c, 0), state.time_step};
+    return {&found->second.at_cells(c, 0), flow.steps(state, mesh.cells[c])};
   }
 
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <biface/model/quantities/cyclic_loss.h>
 #include <biface/model/quantities/hysteresis.h>
@@ -80,6 +81,38 @@ namespace Biface
         }
       return plies[p].loss_factor * work;
     }
+
+
+    void
+    add_relaxation(const ShellEquations &equations,
+                   const State          &state,
+                   const double          angular_velocity,
+                   Hysteresis           &hysteresis)
+    {
+      const ShellMesh &mesh  = equations.mesh;
+      const auto       plies = mesh.layup.get_plies();
+      const auto       of_cells =
+        equations.internal_forces().losses(state, angular_velocity);
+      std::vector<double> energies(plies.size());
+      for (const unsigned int c : mesh.layers)
+        {
+          const Cell             &cell = mesh.cells[c];
+          const std::vector<Ply> &of_strip =
+            mesh.strips[cell.strip].laminate.get_plies();
+          for (unsigned int p = 0; p < of_strip.size(); ++p)
+            energies[of_strip[p].number] +=
+              cell.geometry.weight * of_cells[c][p];
+        }
+      Utilities::MPI::sum(energies, mesh.communicator, energies);
+      for (unsigned int p = 0; p < plies.size(); ++p)
+        if (plies[p].relaxes)
+          {
+            hysteresis.of_relaxation += energies[p];
+            hysteresis.plies[p].energy += energies[p];
+            hysteresis.plies[p].of_first_harmonics =
+              std::numeric_limits<double>::quiet_NaN();
+          }
+    }
   } // namespace
 
 
@@ -94,7 +127,9 @@ namespace Biface
 
 
   Hysteresis
-  find_hysteresis(const ShellEquations &equations, const State &state)
+  find_hysteresis(const ShellEquations &equations,
+                  const State          &state,
+                  const double          angular_velocity)
   {
     const ShellMesh &mesh = equations.mesh;
     const ChartGrid &grid = mesh.grid;
@@ -163,6 +198,8 @@ namespace Biface
     Hysteresis result;
     for (unsigned int p = 0; p < energies.size() / 2; ++p)
       result.plies.push_back({energies[2 * p], energies[2 * p + 1]});
+    if (mesh.layup.relaxes())
+      add_relaxation(equations, state, angular_velocity, result);
     return result;
   }
 } // namespace Biface

@@ -155,7 +155,10 @@ namespace Biface
       result.axle_power + result.ground_power - result.friction_power;
     if (mesh.layup.has_loss())
       {
-        result.hysteresis       = find_hysteresis(equations, state);
+        result.hysteresis =
+          find_hysteresis(equations, state, rolling.angular_velocity);
+        result.mismatch -= Hysteresis::power(result.hysteresis->of_relaxation,
+                                             rolling.angular_velocity);
         result.hysteresis_power = Hysteresis::power(result.hysteresis->energy(),
                                                     rolling.angular_velocity);
         const double speed      = motion.velocity.norm();

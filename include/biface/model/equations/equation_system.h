@@ -3,9 +3,11 @@
 #ifndef biface_model_equations_equation_system_h
 #define biface_model_equations_equation_system_h
 
+#include <memory>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 
@@ -61,6 +63,21 @@ namespace Biface
 
     virtual std::vector<RankOne>
     low_rank_part(const State &state, const Loads &loads) const = 0;
+
+    /** Another part of the derivative that tangent() does not contain; null for
+     * nothing. Must be called on all ranks. */
+    virtual std::unique_ptr<const NonlocalStiffness>
+    nonlocal_part(const State & /*state*/) const
+    {
+      return nullptr;
+    }
+
+    /** Set what follows from the displacements of the whole shell in a state:
+     * before the first assembly, and after each change of the displacements.
+     * Must be called on all ranks. */
+    virtual void
+    prepare(const Loads & /*loads*/, State & /*state*/) const
+    {}
 
     /** The given loads, with those that follow from the displacements of the
      * whole shell. */

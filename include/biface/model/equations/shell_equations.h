@@ -108,6 +108,16 @@ namespace Biface
     std::vector<RankOne>
     low_rank_part(const State &state, const Loads &loads) const override;
 
+    std::unique_ptr<const NonlocalStiffness>
+    nonlocal_part(const State &state) const override
+    {
+      return internal.nonlocal_stiffness(state);
+    }
+
+    /** See ForceTerm::prepare(). */
+    void
+    prepare(const Loads &loads, State &state) const override;
+
     /** The same as residual() for any state. The displacements at the supports
      * are those of the state. */
     LA::Vector

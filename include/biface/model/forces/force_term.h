@@ -177,6 +177,13 @@ namespace Biface
     start_stage(const Loads & /*loads*/, State & /*state*/) const
     {}
 
+    /** Set what follows from the displacements of the whole shell and is not
+     * part of the loads. Called on all ranks after each change of the
+     * displacements in an iteration. */
+    virtual void
+    prepare(const Loads & /*loads*/, State & /*state*/) const
+    {}
+
     /** Set what the term remembers at the end of a step, given the equilibria
      * before and after the step, the loads after it and its interval of time.
      * The state after it still contains what the term remembered before. */

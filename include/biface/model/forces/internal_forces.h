@@ -9,6 +9,7 @@
 #include <biface/element/modes.h>
 #include <biface/element/nonlinear_plies.h>
 #include <biface/model/forces/force_term.h>
+#include <biface/model/forces/relaxation_in_flow.h>
 
 namespace Biface
 {
@@ -47,9 +48,9 @@ namespace Biface
                    CellForces                      &forces) const;
 
     bool
-    is_symmetric(const Loads &) const override
+    is_symmetric(const Loads &loads) const override
     {
-      return symmetric_stiffness;
+      return symmetric_stiffness && !(loads.rolling && mesh.layup.relaxes());
     }
 
     Source
@@ -65,6 +66,19 @@ namespace Biface
 
     void
     start_stage(const Loads &loads, State &state) const override;
+
+    void
+    prepare(const Loads &loads, State &state) const override;
+
+    /** See RelaxationInFlow::losses(); in a state that is committed, of a wheel
+     * that rolls. */
+    std::vector<std::vector<double>>
+    losses(const State &state, const double angular_velocity) const;
+
+    /** What tangent() lacks where stresses relax in a wheel that rolls; null
+     * for nothing. Must be called on all ranks. */
+    std::unique_ptr<const NonlocalStiffness>
+    nonlocal_stiffness(const State &state) const;
 
     void
     commit_step(const State        &before,
@@ -246,6 +260,7 @@ namespace Biface
     /** By ShellMesh::strips. */
     std::vector<ModeStiffness>  stiffness;
     std::vector<NonlinearPlies> nonlinear;
+    RelaxationInFlow            flow;
     bool                        symmetric_stiffness;
     /** The initial resultants of the laminate, by cell. */
     std::vector<Modes::Vector> of_laminate;

@@ -14,10 +14,12 @@
 namespace Biface
 {
   /**
-   * The energy that the plies of a rolling wheel dissipate in a turn, by their
-   * loss factors, see CyclicLoss. A cell stands for the particles in it: while
-   * they flow around the axle, they pass through the strains and stresses of
-   * all cells of their line. Nothing of this acts back on the deformation.
+   * The energy that the plies of a rolling wheel dissipate in a turn: by the
+   * relaxation of their stresses, see RelaxationInFlow, or by their loss
+   * factors, see CyclicLoss. A cell stands for the particles in it: while they
+   * flow around the axle, they pass through the strains and stresses of all
+   * cells of their line. Nothing of the loss factors acts back on the
+   * deformation.
    */
   struct Hysteresis
   {
@@ -29,9 +31,13 @@ namespace Biface
     struct OfPly
     {
       double energy = 0;
-      /** The part of @p energy that belongs to the first harmonics. */
+      /** The part of @p energy that belongs to the first harmonics; not a
+       * number with relaxation. */
       double of_first_harmonics = 0;
     };
+
+    /** The part of the energy() that stresses lose by relaxation. */
+    double of_relaxation = 0;
 
     /** By the plies of the layup. */
     std::vector<OfPly> plies;
@@ -50,9 +56,12 @@ namespace Biface
 
 
   /** The hysteresis of a converged state on a mesh closed around the axle. Must
-   * be called on all ranks. */
+   * be called on all ranks.
+   * @param angular_velocity of which only the sign matters. */
   Hysteresis
-  find_hysteresis(const ShellEquations &equations, const State &state);
+  find_hysteresis(const ShellEquations &equations,
+                  const State          &state,
+                  const double          angular_velocity = 1);
 } // namespace Biface
 
 #endif

@@ -32,10 +32,11 @@ namespace Biface
 
     /** Powers: of the axle on the wheel, of the ground on the wheel, and what
      * friction turns into heat. Their balance is @p mismatch, axle + ground -
-     * friction: the error of the mesh, which is zero in the limit. Most of it
-     * is @p normal, the power of the contact pressure on particles that cross
-     * the surface of the ground at the edge of contact, where a segment of the
-     * mesh is half in contact; @p mismatch plus @p normal is the rest. */
+     * friction - what relaxes: the error of the mesh, which is zero in the
+     * limit. Most of it is @p normal, the power of the contact pressure on
+     * particles that cross the surface of the ground at the edge of contact,
+     * where a segment of the mesh is half in contact; @p mismatch plus @p
+     * normal is the rest. */
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
 
@@ -44,12 +45,12 @@ namespace Biface
      * are all of it. Without bristles all is sliding. */
     double sliding_power = 0, release_power = 0;
 
-    /** If any ply has a loss factor. */
+    /** If any ply has a loss factor, or relaxes. */
     std::optional<Hysteresis> hysteresis;
 
     /** The power of the hysteresis, and the drag that has this power at the
-     * speed over the ground, which is no part of @p force; not a number
-     * without a speed. */
+     * speed over the ground, of which what loss factors cause is no part of
+     * @p force; not a number without a speed. */
     double hysteresis_power = 0, rolling_resistance = 0;
   };
 

@@ -87,6 +87,11 @@ namespace Biface
      * converged states. */
     TimeStep time_step;
 
+    /** In that, the angular velocity at which the material flows through the
+     * mesh around the axle, so that each point has the past of the one behind
+     * it; none where the material stays in its cells. Unit: radians/time. */
+    std::optional<double> flow;
+
     /** What happens between the shell and each body, by ContactPair::number;
      * the first body is the ground. */
     std::vector<ContactState> contacts;

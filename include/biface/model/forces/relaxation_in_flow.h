@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_forces_relaxation_in_flow_h
+#define biface_model_forces_relaxation_in_flow_h
+
+#include <deal.II/base/table.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <biface/element/nonlinear_plies.h>
+#include <biface/model/forces/nonlocal_stiffness.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The relaxation of stresses in a wheel that rolls steadily: the material
+   * flows through the mesh around the axle, and what a Gauss point remembers is
+   * what the one behind it has, a moment ago; see
+   * Relaxation::around_closed_line().
+   *
+   * So the stresses at a point depend on the strains of all cells around the
+   * axle, but by the internal variables alone: with these a cell has the law of
+   * a step in time, see HistoryOfPlies.
+   *
+   * All functions but steps() must be called on all ranks.
+   */
+  class RelaxationInFlow
+  {
+  public:
+    /** The objects are kept by reference.
+     * @param plies by ShellMesh::strips. */
+    RelaxationInFlow(const ShellMesh                   &mesh,
+                     const std::vector<NonlinearPlies> &plies);
+
+    /** What passes while the material flows to each Gauss point of a cell from
+     * the one behind it. */
+    std::array<TimeStep, Modes::n_gauss_points>
+    steps(const State &state, const Cell &cell) const;
+
+    /** The strains of a locally owned cell. */
+    using Strains = std::function<Modes::Vector(unsigned int cell)>;
+
+    /** Set the internal variables of the cells to those of the Gauss points
+     * behind their own, which follow from the strains of all cells. The
+     * thickness strains of plies of different materials depend on what is
+     * relaxed, so that this is an iteration; they become nan if it fails.
+     * @param internal by locally owned cell. */
+    void
+    set_internal_variables(const Strains            &strains,
+                           const State              &state,
+                           dealii::Table<2, double> &internal) const;
+
+    /** The energy per area of the middle surface that the plies lose in a turn:
+     * the integral of what their stresses have relaxed over their strains. By
+     * locally owned cell, and by the plies of its laminate. Unit: force/length.
+     * @param internal the variables of the cells' own points in equilibrium.
+     */
+    std::vector<std::vector<double>>
+    losses(const Strains                  &strains,
+           const dealii::Table<2, double> &internal,
+           const double                    angular_velocity) const;
+
+    /** The derivative of the forces by the displacements of other cells, at a
+     * state with set_internal_variables(). */
+    std::unique_ptr<const NonlocalStiffness>
+    stiffness(const Strains                  &strains,
+              const State                    &state,
+              const dealii::Table<2, double> &internal) const;
+
+  private:
+    class Stiffness;
+
+    /** Values at the Gauss points of a strip, closed around the axle: the same
+     * number at each, in the order of its RelaxingStress. */
+    class Ring;
+
+    /** Sets the values of a locally owned cell. */
+    using Fill =
+      std::function<void(unsigned int cell, std::vector<double> &values)>;
+    Ring
+    gather(const unsigned int strip,
+           const unsigned int n_per_point,
+           const Fill        &fill) const;
+
+    /** The internal variables of all points for the components of their elastic
+     * stresses. */
+    Ring
+    internal_variables(const State       &state,
+                       const unsigned int strip,
+                       const Ring        &elastic) const;
+
+    /** From the Gauss point behind to each of a row of cells. */
+    TimeStep
+    step_to(const State       &state,
+            const unsigned int around,
+            const unsigned int second) const;
+
+    unsigned int
+    around(const unsigned int cell) const
+    {
+      return mesh.grid.cell_index(mesh.cells[cell].column)[1];
+    }
+
+    const std::vector<RelaxingStress> &
+    relaxing(const unsigned int strip) const
+    {
+      return plies[strip].relaxing_stresses();
+    }
+
+    HistoryOfPlies
+    history(const State                    &state,
+            const dealii::Table<2, double> &internal,
+            const unsigned int              cell) const
+    {
+      return {&internal(cell, 0), steps(state, mesh.cells[cell])};
+    }
+
+    const ShellMesh                   &mesh;
+    const std::vector<NonlinearPlies> &plies;
+    /** By strip. */
+    std::vector<std::vector<unsigned int>> own_cells;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_solver_nonlocal_correction_h
+#define biface_solver_nonlocal_correction_h
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <biface/model/equations/equation_system.h>
+#include <biface/model/state/state.h>
+#include <biface/solver/linear/linear_solver.h>
+
+namespace Biface
+{
+  /**
+   * Turns solutions of systems with a tangent @f$\mathbf K@f$ into those with
+   * the whole derivative @f$\mathbf K+\mathbf N@f$, where @f$\mathbf N@f$ is
+   * EquationSystem::nonlocal_part(): GMRES on
+   * @f$(\mathbf I+\mathbf K^{-1}\mathbf N)\mathbf x=\mathbf K^{-1}\mathbf
+   * b@f$. Mostly there is no such part, and nothing is done.
+   */
+  class NonlocalCorrection
+  {
+  public:
+    /** Solves a system with the tangent. */
+    using Solve =
+      std::function<LinearSolverResult(LA::Vector &x, const LA::Vector &b)>;
+
+    /** @param equations kept by reference. */
+    NonlocalCorrection(const EquationSystem &equations,
+                       const State          &state,
+                       const Solve          &solve);
+
+    /** @param x with the displacements that supports prescribe.
+     * @return the failure, if any. Must be called on all ranks. */
+    std::optional<LinearSolverResult>
+    correct(LA::Vector &x) const;
+
+  private:
+    const EquationSystem                    &equations;
+    std::unique_ptr<const NonlocalStiffness> nonlocal;
+    const Solve                              solve;
+  };
+} // namespace Biface
+
+#endif

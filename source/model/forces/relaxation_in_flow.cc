@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/element/mixed_element.h>
+#include <biface/model/forces/relaxation_in_flow.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Across a strip there are two rows of Gauss points, and in each row two
+     * points in a cell. */
+    constexpr unsigned int n_rows = 2;
+
+    /** The Gauss point of a cell in a row, see Modes::n_gauss_points. */
+    constexpr unsigned int
+    gauss_point(const unsigned int row, const unsigned int second)
+    {
+      return row + 2 * second;
+    }
+
+    /** Particles move against alpha_2 if the wheel rolls forward. */
+    bool
+    flows_against_chart(const double angular_velocity)
+    {
+      return angular_velocity >= 0;
+    }
+
+    unsigned int
+    n_internal(const RelaxingStress &stress)
+    {
+      return stress.n_components * (stress.relaxation->n_terms() + 1);
+    }
+  } // namespace
+
+
+  class RelaxationInFlow::Ring
+  {
+  public:
+    Ring(const unsigned int n_cells, const unsigned int n_per_point)
+      : values(n_cells * Modes::n_gauss_points * n_per_point)
+      , n_per_point(n_per_point)
+    {}
+
+    unsigned int
+    n_points() const
+    {
+      return values.size() / (n_per_point * n_rows);
+    }
+
+    /** Those of a point of a row. */
+    double *
+    at(const unsigned int row, const unsigned int point)
+    {
+      return &values[position(row, point)];
+    }
+    const double *
+    at(const unsigned int row, const unsigned int point) const
+    {
+      return &values[position(row, point)];
+    }
+
+    /** Those of a cell, Gauss point by Gauss point, or those of the points
+     * before its own in the direction @p by = -1, or behind. */
+    std::vector<double>
+    of_cell(const unsigned int around, const int by = 0) const
+    {
+      std::vector<double> result;
+      const unsigned int  n = n_points();
+      for (unsigned int second = 0; second < 2; ++second)
+        for (unsigned int row = 0; row < n_rows; ++row)
+          {
+            const double *from = at(row, (2 * around + second + n + by) % n);
+            result.insert(result.end(), from, from + n_per_point);
+          }
+      return result;
+    }
+
+    void
+    set_cell(const unsigned int around, const std::vector<double> &of_cell)
+    {
+      for (unsigned int second = 0; second < 2; ++second)
+        for (unsigned int row = 0; row < n_rows; ++row)
+          std::copy_n(of_cell.begin() + gauss_point(row, second) * n_per_point,
+                      n_per_point,
+                      at(row, 2 * around + second));
+    }
+
+    void
+    sum(const MPI_Comm communicator)
+    {
+      Utilities::MPI::sum(values, communicator, values);
+    }
+
+  private:
+    unsigned int
+    position(const unsigned int row, const unsigned int point) const
+    {
+      return (row * n_points() + point) * n_per_point;
+    }
+
+    std::vector<double> values;
+    unsigned int        n_per_point;
+  };
+
+
+  RelaxationInFlow::RelaxationInFlow(const ShellMesh                   &mesh,
+                                     const std::vector<NonlinearPlies> &plies)
+    : mesh(mesh), plies(plies), own_cells(mesh.strips.size())
+  {
+    for (const unsigned int c : mesh.layers)
+      own_cells[mesh.cells[c].strip].push_back(c);
+  }
+
+
+  TimeStep
+  RelaxationInFlow::step_to(const State       &state,
+                            const unsigned int around,
+                            const unsigned int second) const
+  {
+    // of a cell, between a Gauss point and the next edge
+    static const double part = (1 - 1 / std::sqrt(3.)) / 2;
+
+    const std::vector<double> &lines = mesh.grid.lines[1];
+    const unsigned int         n     = mesh.grid.n_cells(1);
+    const auto                 size  = [&](const unsigned int j) {
+      return lines[j % n + 1] - lines[j % n];
+    };
+    const bool   descends = flows_against_chart(*state.flow);
+    const double angle =
+      (second == 1) != descends
+        ? (1 - 2 * part) * size(around)
+        : part * (size(around) + size(around + (descends ? 1 : n - 1)));
+    return {angle / std::abs(*state.flow), state.time_step.temperature};
+  }
+
+
+  std::array<TimeStep, Modes::n_gauss_points>
+  RelaxationInFlow::steps(const State &state, const Cell &cell) const
+  {
+    std::array<TimeStep, Modes::n_gauss_points> result;
+    if (!state.flow)
+      {
+        result.fill(state.time_step);
+        return result;
+      }
+    for (unsigned int second = 0; second < 2; ++second)
+      for (unsigned int row = 0; row < n_rows; ++row)
+        result[gauss_point(row, second)] =
+          step_to(state, mesh.grid.cell_index(cell.column)[1], second);
+    return result;
+  }
+
+
+  RelaxationInFlow::Ring
+  RelaxationInFlow::gather(const unsigned int strip,
+                           const unsigned int n_per_point,
+                           const Fill        &fill) const
+  {
+    Ring                ring(mesh.grid.n_cells(1), n_per_point);
+    std::vector<double> values(n_per_point * Modes::n_gauss_points);
+    for (const unsigned int c : own_cells[strip])
+      {
+        fill(c, values);
+        ring.set_cell(around(c), values);
+      }
+    ring.sum(mesh.communicator);
+    return ring;
+  }
+
+
+  RelaxationInFlow::Ring
+  RelaxationInFlow::internal_variables(const State       &state,
+                                       const unsigned int strip,
+                                       const Ring        &elastic) const
+  {
+    unsigned int n_per_point = 0;
+    for (const RelaxingStress &stress : relaxing(strip))
+      n_per_point += n_internal(stress);
+    Ring                  internal(mesh.grid.n_cells(1), n_per_point);
+    const unsigned int    n        = elastic.n_points();
+    const bool            descends = flows_against_chart(*state.flow);
+    std::vector<TimeStep> steps;
+    // the points in the order in which the material passes them
+    const auto place = [&](const unsigned int k) {
+      return descends ? n - 1 - k : k;
+    };
+    for (unsigned int k = 0; k < n; ++k)
+      steps.push_back(step_to(state, place(k) / 2, place(k) % 2));
+
+    unsigned int position = 0, result_position = 0;
+    for (const RelaxingStress &stress : relaxing(strip))
+      {
+        const unsigned int n_numbers = n_internal(stress);
+        for (unsigned int row = 0; row < n_rows; ++row)
+          {
+            std::vector<double> components;
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const double *at = elastic.at(row, place(k)) + position;
+                components.insert(
+                  components.end(), at, at + stress.n_components);
+              }
+            const std::vector<double> numbers =
+              stress.relaxation->around_closed_line(steps, components);
+            for (unsigned int k = 0; k < n; ++k)
+              std::copy_n(numbers.begin() + k * n_numbers,
+                          n_numbers,
+                          internal.at(row, place(k)) + result_position);
+          }
+        position += stress.n_components;
+        result_position += n_numbers;
+      }
+    return internal;
+  }
+
+
+  void
+  RelaxationInFlow::set_internal_variables(const Strains    &strains,
+                                           const State      &state,
+                                           Table<2, double> &internal) const
+  {
+    // change of the stresses in the last round, which shrink by a fraction of
+    // what relaxes in each
+    constexpr double       small_change = 1e-12;
+    constexpr unsigned int max_rounds   = 100;
+
+    const int behind = flows_against_chart(*state.flow) ? 1 : -1;
+    std::vector<std::vector<double>> last(mesh.cells.size());
+    for (unsigned int round = 0; round < max_rounds; ++round)
+      {
+        double change = 0, largest = 0;
+        bool   finite = true;
+        for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
+          {
+            if (relaxing(strip).empty())
+              continue;
+            const Ring elastic = gather(
+              strip,
+              plies[strip].n_relaxing_components(),
+              [&](const unsigned int c, std::vector<double> &values) {
+                plies[strip].elastic_stresses(
+                  strains(c), history(state, internal, c), values);
+                for (unsigned int i = 0; i < values.size(); ++i)
+                  {
+                    const double before = last[c].empty() ? 0. : last[c][i];
+                    finite              = finite && std::isfinite(values[i]);
+                    largest = std::max(largest, std::abs(values[i]));
+                    change  = std::max(change, std::abs(values[i] - before));
+                  }
+                last[c] = values;
+              });
+            const Ring variables = internal_variables(state, strip, elastic);
+            for (const unsigned int c : own_cells[strip])
+              {
+                const std::vector<double> of_cell =
+                  variables.of_cell(around(c), behind);
+                std::copy(of_cell.begin(), of_cell.end(), &internal(c, 0));
+              }
+          }
+        finite  = Utilities::MPI::min(finite ? 1 : 0, mesh.communicator) == 1;
+        change  = Utilities::MPI::max(change, mesh.communicator);
+        largest = Utilities::MPI::max(largest, mesh.communicator);
+        if (!finite)
+          break;
+        if (change <= small_change * largest)
+          return;
+      }
+    internal.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+
+
+  std::vector<std::vector<double>>
+  RelaxationInFlow::losses(const Strains          &strains,
+                           const Table<2, double> &internal,
+                           const double            angular_velocity) const
+  {
+    std::vector<std::vector<double>> result(mesh.cells.size());
+    for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
+      {
+        const unsigned int n_plies =
+          mesh.strips[strip].laminate.get_plies().size();
+        for (const unsigned int c : own_cells[strip])
+          result[c].resize(n_plies);
+        if (relaxing(strip).empty())
+          continue;
+
+        // what is relaxed of the stresses, and the strains, of each point
+        const unsigned int n    = plies[strip].n_relaxing_components();
+        const Ring         ring = gather(
+          strip, 2 * n, [&](const unsigned int c, std::vector<double> &values) {
+            std::vector<double> stresses, of_strains;
+            plies[strip].elastic_stresses(
+              strains(c), {&internal(c, 0), {}}, stresses, &of_strains);
+            const double *numbers = &internal(c, 0);
+            for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+              {
+                unsigned int position = g * n;
+                for (const RelaxingStress &stress : relaxing(strip))
+                  {
+                    const unsigned int m     = stress.n_components,
+                                       terms = stress.relaxation->n_terms();
+                    for (unsigned int i = 0; i < m; ++i, ++position)
+                      {
+                        double relaxed = 0;
+                        for (unsigned int t = 0; t < terms; ++t)
+                          relaxed += numbers[t * m + i];
+                        relaxed -= stress.relaxation->relaxing_part() *
+                                   numbers[terms * m + i];
+                        values[g * 2 * n + position - g * n] = relaxed;
+                        values[g * 2 * n + n + position - g * n] =
+                          of_strains[position];
+                      }
+                    numbers += n_internal(stress);
+                  }
+              }
+          });
+
+        std::vector<double> of_plies(n_plies);
+        unsigned int        position = 0;
+        for (const RelaxingStress &stress : relaxing(strip))
+          {
+            for (unsigned int row = 0; row < n_rows; ++row)
+              {
+                double energy = 0;
+                for (unsigned int k = 0; k < ring.n_points(); ++k)
+                  {
+                    const double *here = ring.at(row, k) + position;
+                    const double *next =
+                      ring.at(row, (k + 1) % ring.n_points()) + position;
+                    for (unsigned int i = 0; i < stress.n_components; ++i)
+                      energy +=
+                        (here[i] + next[i]) / 2 * (next[n + i] - here[n + i]);
+                  }
+                of_plies[stress.ply] +=
+                  (flows_against_chart(angular_velocity) ? -1 : 1) *
+                  stress.thickness * energy / n_rows;
+              }
+            position += stress.n_components;
+          }
+        for (const unsigned int c : own_cells[strip])
+          result[c] = of_plies;
+      }
+    return result;
+  }
+
+
+  /** See RelaxationInFlow::stiffness(). */
+  class RelaxationInFlow::Stiffness : public NonlocalStiffness
+  {
+  public:
+    Stiffness(const RelaxationInFlow &flow,
+              const Strains          &strains,
+              const State            &state,
+              const Table<2, double> &internal)
+      : flow(flow), state(state), changes(flow.mesh.cells.size())
+    {
+      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
+        if (!flow.relaxing(strip).empty())
+          for (const unsigned int c : flow.own_cells[strip])
+            changes[c] = std::make_unique<NonlinearPlies::Changes>(
+              flow.plies[strip], strains(c), flow.history(state, internal, c));
+    }
+
+
+    void
+    vmult(LA::Vector &product, const LA::Vector &x) const override
+    {
+      const ShellMesh &mesh = flow.mesh;
+      LA::Vector       dV   = mesh.ghosted_vector();
+      dV                    = x;
+      LA::Vector forces     = mesh.owned_vector();
+      const int  behind     = flows_against_chart(*state.flow) ? 1 : -1;
+      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
+        {
+          if (flow.relaxing(strip).empty())
+            continue;
+          const auto element = [&](const unsigned int c) {
+            return MixedElement(
+              mesh.cells[c].geometry,
+              mesh.cell_values(state.displacement, mesh.cells[c]));
+          };
+          const Ring elastic =
+            flow.gather(strip,
+                        flow.plies[strip].n_relaxing_components(),
+                        [&](const unsigned int c, std::vector<double> &values) {
+                          changes[c]->elastic_stresses(
+                            element(c).strain_variation(
+                              mesh.cell_values(dV, mesh.cells[c])),
+                            values);
+                        });
+          const Ring variables = flow.internal_variables(state, strip, elastic);
+          for (const unsigned int c : flow.own_cells[strip])
+            {
+              const std::vector<double> internal =
+                variables.of_cell(flow.around(c), behind);
+              mesh.add_nodal_forces(
+                mesh.cells[c],
+                element(c).internal_force(
+                  changes[c]->resultants(flow.plies[strip].added_stresses(
+                    {internal.data(), flow.steps(state, mesh.cells[c])})),
+                  Modes::Vector()),
+                forces);
+            }
+        }
+      forces.compress(VectorOperation::add);
+      mesh.condense(forces);
+      product = forces;
+    }
+
+  private:
+    const RelaxationInFlow &flow;
+    const State             state;
+    /** By cell; null for those of other ranks and without relaxation. */
+    std::vector<std::unique_ptr<const NonlinearPlies::Changes>> changes;
+  };
+
+
+  std::unique_ptr<const NonlocalStiffness>
+  RelaxationInFlow::stiffness(const Strains          &strains,
+                              const State            &state,
+                              const Table<2, double> &internal) const
+  {
+    return std::make_unique<Stiffness>(*this, strains, state, internal);
+  }
+} // namespace Biface

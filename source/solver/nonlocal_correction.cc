@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <biface/solver/nonlocal_correction.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  NonlocalCorrection::NonlocalCorrection(const EquationSystem &equations,
+                                         const State          &state,
+                                         const Solve          &solve)
+    : equations(equations)
+    , nonlocal(equations.nonlocal_part(state))
+    , solve(solve)
+  {}
+
+
+  namespace
+  {
+    /** @f$\mathbf I+\mathbf K^{-1}\mathbf N@f$ */
+    struct Operator
+    {
+      const std::function<void(LA::Vector &, const LA::Vector &)> vmult;
+    };
+  } // namespace
+
+
+  std::optional<LinearSolverResult>
+  NonlocalCorrection::correct(LA::Vector &x) const
+  {
+    // far below what an iteration of Newton's method leaves
+    constexpr double       reduction      = 1e-9;
+    constexpr unsigned int max_iterations = 200;
+
+    if (!nonlocal)
+      return {};
+    std::optional<LinearSolverResult> failure;
+    LA::Vector                        forces = equations.mesh.owned_vector();
+    const Operator matrix{[&](LA::Vector &product, const LA::Vector &of) {
+      product = of;
+      if (failure)
+        return;
+      nonlocal->vmult(forces, of);
+      LA::Vector               answer = equations.mesh.owned_vector();
+      const LinearSolverResult result = solve(answer, forces);
+      if (!result.success)
+        failure = result;
+      equations.mesh.constraints.distribute(answer);
+      product += answer;
+    }};
+
+    const LA::Vector b = x;
+    ReductionControl control(
+      max_iterations, reduction * b.l2_norm(), reduction);
+    SolverGMRES<LA::Vector> gmres(
+      control, SolverGMRES<LA::Vector>::AdditionalData(max_iterations + 2));
+    try
+      {
+        gmres.solve(matrix, x, b, PreconditionIdentity());
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        if (!failure)
+          {
+            failure.emplace();
+            failure->cause   = FailureCause::linear_iterations;
+            failure->message = "the stresses that relax around the axle were "
+                               "not solved for in " +
+                               std::to_string(max_iterations) + " iterations";
+          }
+      }
+    return failure;
+  }
+} // namespace Biface
