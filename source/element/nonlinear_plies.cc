@@ -415,14 +415,13 @@ namespace Biface
 
   template <typename Function>
   void
-  NonlinearPlies::for_internal(
-    const std::array<TimeStep, n_gauss_points> &steps,
-    const Function                             &function) const
+  NonlinearPlies::for_internal(const HistoryOfPlies &history,
+                               const Function       &function) const
   {
     // the points of a ply follow each other
-    const Relaxation *last      = nullptr;
-    unsigned int      last_step = 0, internal = 0, number = 0;
-    Relaxation::Step  step;
+    unsigned int     last       = numbers::invalid_unsigned_int;
+    unsigned int     last_point = 0, internal = 0, number = 0;
+    Relaxation::Step step;
     for_relaxing(points.get(),
                  cords,
                  relaxing_plies.size(),
@@ -432,10 +431,15 @@ namespace Biface
                      const unsigned int position) {
                    const RelaxingStress &stress =
                      relaxing[number++ % relaxing.size()];
-                   if (stress.relaxation.get() != last || g != last_step)
-                     step = stress.relaxation->step(steps[g]);
-                   last      = stress.relaxation.get();
-                   last_step = g;
+                   if (stress.ply != last || g != last_point)
+                     {
+                       TimeStep time = history.steps[g];
+                       if (!history.temperatures.empty())
+                         time.temperature = history.temperatures[stress.ply];
+                       step = stress.relaxation->step(time);
+                     }
+                   last       = stress.ply;
+                   last_point = g;
                    function(step, g, kind, k, position, internal);
                    internal +=
                      stress.n_components * (stress.relaxation->n_terms() + 1);
@@ -453,7 +457,7 @@ namespace Biface
     result.points.resize(n_gauss_points * n_points);
     result.cords.resize(n_gauss_points * cords.size());
     result.varying.resize(n_gauss_points * relaxing_plies.size());
-    for_internal(history.steps,
+    for_internal(history,
                  [&](const Relaxation::Step &step,
                      const unsigned int      g,
                      const Kind              kind,
@@ -572,7 +576,7 @@ namespace Biface
       stresses.insert(stresses.end(), stress.begin_raw(), stress.end_raw());
     };
     for_internal(
-      history.steps,
+      history,
       [&](const Relaxation::Step &step,
           const unsigned int,
           const Kind kind,
@@ -600,7 +604,7 @@ namespace Biface
     elastic_stresses(E, history, stresses);
     if (internal != history.internal)
       std::copy(history.internal, history.internal + n_internal(), internal);
-    for_internal(history.steps,
+    for_internal(history,
                  [&](const Relaxation::Step &step,
                      const unsigned int,
                      const Kind kind,

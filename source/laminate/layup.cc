@@ -678,6 +678,7 @@ namespace Biface
         ply.strengths       = material->get_strengths();
         ply.density         = material->get_density();
         ply.loss_factor     = material->get_loss_factor();
+        ply.conductivity    = material->get_thermal_conductivity();
         ply.has_fibers      = !material->is_isotropic();
         ply.has_slack_cords = material->has_slack_cords();
         ply.is_hyperelastic = material->is_hyperelastic();

@@ -194,6 +194,13 @@ namespace Biface
                       "in rolling.csv. No unit.",
                       Patterns::Double());
 
+    prm.add_parameter("Thermal conductivity",
+                      thermal_conductivity,
+                      "Conductivity of heat, in all directions: a number not "
+                      "less than 0. Only 'Heat/Temperatures' needs it. Unit: "
+                      "power/(length * temperature).",
+                      Patterns::Double());
+
     add_parsed(prm,
                "Material " + name + "/",
                "Relaxation times",
@@ -677,6 +684,15 @@ namespace Biface
   {
     check_not_negative("Material " + name + "/Density", density);
     return density;
+  }
+
+
+  double
+  MaterialParameters::get_thermal_conductivity() const
+  {
+    check_not_negative("Material " + name + "/Thermal conductivity",
+                       thermal_conductivity);
+    return thermal_conductivity;
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <biface/laminate/relaxation.h>
 
@@ -55,63 +56,82 @@ namespace Biface
   } // namespace
 
 
-  std::vector<double>
-  Relaxation::around_closed_line(const std::vector<TimeStep> &steps,
-                                 const std::vector<double>   &elastic) const
+  RelaxationAroundLine::RelaxationAroundLine(const Relaxation &relaxation,
+                                             const std::vector<TimeStep> &steps)
   {
-    // slower by far than a turn, what relaxes is the mean
-    constexpr double slow = 1e-12;
-
-    const unsigned int  n = steps.size(), n_components = elastic.size() / n;
-    const unsigned int  n_numbers = n_components * (n_terms() + 1);
-    std::vector<double> numbers(n * n_numbers);
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int c = 0; c < n_components; ++c)
-        numbers[k * n_numbers + n_terms() * n_components + c] =
-          elastic[k * n_components + c];
+    // faster by far than any relaxation
+    constexpr double fast = 1e-12;
 
     double turn = 0;
     for (const TimeStep &step : steps)
       turn += step.duration;
-    for (unsigned int i = 0; i < n_terms(); ++i)
+    for (const TimeStep &step : steps)
+      parts.push_back(step.duration / turn);
+    for (const Relaxation::Term &term : relaxation.get_terms())
       {
-        std::vector<double> remains(n), of_point(n), of_last(n);
-        double              sum = 0;
-        for (unsigned int k = 0; k < n; ++k)
+        Factors factors{term.part, {}, {}, {}, 0};
+        double  sum = 0;
+        for (const TimeStep &step : steps)
           {
             const double x =
-              steps[k].duration /
-              (shift.factor(steps[k].temperature) * terms[i].time);
+              step.duration /
+              (relaxation.factor_of_times(step.temperature) * term.time);
             sum += x;
-            remains[k]  = std::exp(-x);
-            of_point[k] = lag(x);
-            of_last[k]  = -std::expm1(-x) - of_point[k];
+            factors.remains.push_back(std::exp(-x));
+            factors.of_point.push_back(lag(x));
+            factors.of_last.push_back(-std::expm1(-x) -
+                                      factors.of_point.back());
           }
+        // also if it is not a number
+        if (!(sum < fast))
+          factors.turn = -std::expm1(-sum);
+        terms.push_back(std::move(factors));
+      }
+  }
+
+
+  std::vector<double>
+  RelaxationAroundLine::internal_stresses(
+    const std::vector<double> &elastic) const
+  {
+    const unsigned int  n = parts.size(), n_components = elastic.size() / n;
+    const unsigned int  n_numbers = n_components * (terms.size() + 1);
+    std::vector<double> numbers(n * n_numbers);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        numbers[k * n_numbers + terms.size() * n_components + c] =
+          elastic[k * n_components + c];
+
+    const auto before = [n](const unsigned int k) {
+      return k > 0 ? k - 1 : n - 1;
+    };
+    for (unsigned int i = 0; i < terms.size(); ++i)
+      {
+        const Factors &factors = terms[i];
         for (unsigned int c = 0; c < n_components; ++c)
           {
             const auto at = [&](const unsigned int k) {
               return elastic[k * n_components + c];
             };
-            const auto go = [&](double &v, const unsigned int k) {
-              v = remains[k] * v + of_point[k] * at(k) +
-                  of_last[k] * at((k + n - 1) % n);
+            double     v  = 0;
+            const auto go = [&](const unsigned int k) {
+              v = factors.remains[k] * v + factors.of_point[k] * at(k) +
+                  factors.of_last[k] * at(before(k));
             };
-            double v = 0;
-            if (sum < slow)
+            if (factors.turn == 0)
               for (unsigned int k = 0; k < n; ++k)
-                v +=
-                  steps[k].duration / turn * (at(k) + at((k + n - 1) % n)) / 2;
+                v += parts[k] * (at(k) + at(before(k))) / 2;
             else
               {
                 for (unsigned int k = 0; k < n; ++k)
-                  go(v, k);
-                v /= -std::expm1(-sum);
+                  go(k);
+                v /= factors.turn;
               }
             for (unsigned int k = 0; k < n; ++k)
               {
-                go(v, k);
+                go(k);
                 numbers[k * n_numbers + i * n_components + c] =
-                  terms[i].part * (at(k) - v);
+                  factors.part * (at(k) - v);
               }
           }
       }

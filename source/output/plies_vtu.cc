@@ -23,6 +23,8 @@ namespace Biface
                                      "ply"};
       const std::vector<std::string> values = ply_value_names(criteria, layup);
       names.insert(names.end(), values.begin(), values.end());
+      if (layup.has_loss())
+        names.insert(names.end(), {"heat_source", "temperature"});
       return names;
     }
 
@@ -58,9 +60,11 @@ namespace Biface
   } // namespace
 
 
-  PlyPatches::PlyPatches(const ShellEquations  &equations,
-                         const State           &state,
-                         const FailureCriteria &criteria)
+  PlyPatches::PlyPatches(const ShellEquations     &equations,
+                         const State              &state,
+                         const FailureCriteria    &criteria,
+                         const RollingHeat::Field *heat,
+                         const double              temperature)
     : VertexPatches<3>(patch_data_names(criteria, equations.mesh.layup))
   {
     const ShellMesh &mesh = equations.mesh;
@@ -115,6 +119,17 @@ namespace Biface
                                     criteria,
                                     mesh.layup))
                       patch.data(d++, i) = value;
+                    if (mesh.layup.has_loss())
+                      {
+                        const unsigned int s =
+                          mesh.grid.cell_index(cell.column)[0];
+                        patch.data(d++, i) =
+                          heat ? heat->source(s, ply.number) : 0.;
+                        patch.data(d++, i) =
+                          heat && !heat->temperature.empty()
+                            ? heat->temperature(s, ply.number)
+                            : temperature;
+                      }
                   }
                 height[v] += ply.thickness;
               }
@@ -155,7 +170,11 @@ namespace Biface
   void
   PliesVtu::write(const StepReport &report, const State &state)
   {
-    PlyPatches patches(equations, state, criteria);
+    PlyPatches patches(equations,
+                       state,
+                       criteria,
+                       report.heat ? &*report.heat : nullptr,
+                       report.level.temperature);
     write_patches(patches, report.step);
   }
 } // namespace Biface

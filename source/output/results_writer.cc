@@ -8,6 +8,7 @@
 #include <biface/output/contact_file.h>
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
+#include <biface/output/heat_file.h>
 #include <biface/output/hysteresis_file.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/output/modes_file.h>
@@ -55,6 +56,7 @@ namespace Biface
     add(std::make_unique<StiffnessFile>(stages, directory, equations));
     add(std::make_unique<RollingFile>(stages, directory, equations));
     add(std::make_unique<HysteresisFile>(stages, directory, equations));
+    add(std::make_unique<HeatFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
     add(std::make_unique<CriticalPointsFile>(stages, directory, equations));

@@ -77,6 +77,10 @@ namespace Biface
     contact.add_parameters(prm);
     prm.leave_subsection();
 
+    prm.enter_subsection("Heat");
+    heat.add_parameters(prm);
+    prm.leave_subsection();
+
     prm.declare_entry("Bodies",
                       listed(body_names),
                       Patterns::Anything(),
@@ -147,6 +151,7 @@ namespace Biface
 
     supports.check();
     contact.check();
+    heat.check();
     newton.check();
     checkpoint.check();
     sensitivities.check(stages.size());
@@ -174,6 +179,7 @@ namespace Biface
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     check_densities();
     check_laws();
+    check_heat();
     check_rolling();
   }
 
@@ -272,6 +278,48 @@ namespace Biface
                                      material.name + "' has no value there");
               }
           }
+  }
+
+
+  void
+  Parameters::check_heat() const
+  {
+    using Temperatures = RollingHeat::Parameters::Temperatures;
+    if (heat.temperatures == Temperatures::given)
+      return;
+    const bool        coupled = heat.temperatures == Temperatures::coupled;
+    const std::string value   = coupled ? "coupled" : "computed";
+    const std::vector<bool> rolling = rolling_stages();
+    if (std::none_of(
+          rolling.begin(), rolling.end(), [](const bool i) { return i; }))
+      throw InputError("Heat/Temperatures",
+                       value,
+                       "it must be 'given' without a stage in which the wheel "
+                       "rolls");
+    bool loses = false, shifts = false;
+    for (const PlyParameters &ply : laminate.plies)
+      for (const MaterialParameters &material : materials)
+        if (material.name == ply.material)
+          {
+            if (!(material.get_thermal_conductivity() > 0))
+              throw InputError(
+                "Material " + material.name + "/Thermal conductivity",
+                number_to_string(material.thermal_conductivity),
+                "it must be positive with 'Heat/Temperatures = " + value + "'");
+            loses = loses || material.relaxes() || material.loss_factor > 0;
+            shifts =
+              shifts || (material.relaxes() &&
+                         material.shift.kind != Relaxation::Shift::Kind::none);
+          }
+    if (!loses)
+      throw InputError("Heat/Temperatures",
+                       value,
+                       "it needs a material with 'Relaxation times' or a "
+                       "'Loss factor'");
+    if (coupled && !shifts)
+      throw InputError("Heat/Temperatures",
+                       value,
+                       "it needs a material with a 'Temperature shift'");
   }
 
 

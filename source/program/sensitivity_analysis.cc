@@ -196,6 +196,7 @@ namespace Biface
                                        parameters->load_stepping.control,
                                        model.equations,
                                        model.contact,
+                                       model.heat.get(),
                                        progress,
                                        state);
     }

@@ -140,5 +140,8 @@ namespace Biface
     , contact(*mesh, parameters.contact, parameters.bodies)
     , cavity(make_cavity(parameters, *mesh))
     , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
+    , heat(mesh->grid.closed && mesh->layup.has_loss()
+             ? std::make_unique<const RollingHeat>(parameters.heat, *mesh)
+             : nullptr)
   {}
 } // namespace Biface

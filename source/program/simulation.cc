@@ -285,6 +285,7 @@ namespace Biface
     LoadStepping load_stepping(parameters.load_stepping,
                                equations,
                                contact,
+                               model.heat.get(),
                                newton,
                                predictor ? *predictor
                                : nested  ? *nested

@@ -397,7 +397,8 @@ namespace Biface
       [&](LA::Vector &solution, const LA::Vector &forces) {
         linear = linear_solver.solve(solution, forces, exactness);
         return linear;
-      });
+      },
+      exactness);
     if (const auto failure = nonlocal.correct(increment.displacement))
       return Failure{failure->cause, failure->message};
     increment.mu.clear();

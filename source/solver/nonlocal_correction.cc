@@ -12,10 +12,12 @@ namespace Biface
 
   NonlocalCorrection::NonlocalCorrection(const EquationSystem &equations,
                                          const State          &state,
-                                         const Solve          &solve)
+                                         const Solve          &solve,
+                                         const double          tolerance)
     : equations(equations)
     , nonlocal(equations.nonlocal_part(state))
     , solve(solve)
+    , tolerance(tolerance)
   {}
 
 
@@ -32,8 +34,6 @@ namespace Biface
   std::optional<LinearSolverResult>
   NonlocalCorrection::correct(LA::Vector &x) const
   {
-    // far below what an iteration of Newton's method leaves
-    constexpr double       reduction      = 1e-9;
     constexpr unsigned int max_iterations = 200;
 
     if (!nonlocal)
@@ -55,7 +55,7 @@ namespace Biface
 
     const LA::Vector b = x;
     ReductionControl control(
-      max_iterations, reduction * b.l2_norm(), reduction);
+      max_iterations, tolerance * b.l2_norm(), tolerance);
     SolverGMRES<LA::Vector> gmres(
       control, SolverGMRES<LA::Vector>::AdditionalData(max_iterations + 2));
     try

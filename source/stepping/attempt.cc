@@ -2,10 +2,58 @@
 
 #include <string>
 
+#include <biface/model/quantities/hysteresis.h>
 #include <biface/stepping/attempt.h>
 
 namespace Biface
 {
+  namespace
+  {
+    /** After rolling with given temperatures, compute these and rolling in
+     * turn, until they settle. */
+    void
+    settle_heat(Newton                  &newton,
+                const StageRun          &run,
+                const RollingHeat       &heat,
+                const ParametrizedLoads &loads,
+                const NewtonIteration    iteration,
+                Attempt                 &attempt)
+    {
+      constexpr double       tolerance  = 1e-6;
+      constexpr unsigned int max_rounds = 50;
+
+      RollingHeat::Iteration temperatures(heat);
+      NewtonResult          &result = attempt.result;
+      while (result.converged)
+        {
+          const Loads now = loads.at(attempt.mu);
+          ++attempt.n_heat_rounds;
+          if (temperatures.advance(
+                heat.field(find_hysteresis(run.equations,
+                                           attempt.state,
+                                           now.rolling->angular_velocity),
+                           attempt.state,
+                           now),
+                tolerance,
+                attempt.state))
+            return;
+          if (attempt.n_heat_rounds == max_rounds)
+            {
+              result.converged = false;
+              result.failure   = {FailureCause::too_many_iterations,
+                                  "the temperatures of the plies have not "
+                                    "settled in " +
+                                    std::to_string(max_rounds) + " rounds"};
+              return;
+            }
+          const unsigned int spent = result.iterations;
+          result = newton.solve(attempt.state, loads, attempt.mu, iteration);
+          result.iterations += spent;
+        }
+    }
+  } // namespace
+
+
   Attempt
   attempt_step(Newton                                     &newton,
                const StageRun                             &run,
@@ -28,6 +76,8 @@ namespace Biface
                                   trial.equations.get()};
     attempt.result = newton.solve(
       attempt.state, loads, attempt.mu, iteration, guess.zone_given);
+    if (run.rolls && run.stage.contact && run.heat && run.heat->is_coupled())
+      settle_heat(newton, run, *run.heat, loads, iteration, attempt);
     attempt.level = trial.level(attempt.mu);
     if (!attempt.result.converged)
       return attempt;

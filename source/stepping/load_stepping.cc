@@ -40,6 +40,7 @@ namespace Biface
   LoadStepping::LoadStepping(const Parameters         &parameters,
                              const ShellEquations     &equations,
                              const ContactInteraction &contact,
+                             const RollingHeat        *heat,
                              Newton                   &newton,
                              const NestedPredictor    &nested,
                              BucklingAnalysis         &buckling_analysis,
@@ -48,6 +49,7 @@ namespace Biface
     : parameters(parameters)
     , equations(equations)
     , contact(contact)
+    , heat(heat)
     , newton(newton)
     , nested(nested)
     , analyses(analyses)
@@ -65,8 +67,13 @@ namespace Biface
   {
     while (true)
       {
-        StageRun run(
-          stages, parameters.control, equations, contact, progress, state);
+        StageRun run(stages,
+                     parameters.control,
+                     equations,
+                     contact,
+                     heat,
+                     progress,
+                     state);
         forces.reset();
         if (!progress.stage_begun)
           start_stage(run, stage_before(stages, progress.stage));
@@ -408,6 +415,7 @@ namespace Biface
     report.iterations        = result.iterations;
     report.residuals         = result.residuals;
     report.n_negative_pivots = result.exact_pivots();
+    report.n_heat_rounds     = attempt.n_heat_rounds;
     for (const auto &analysis : analyses)
       analysis->end_step(run, report);
     return report;

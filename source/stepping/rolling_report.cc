@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/rolling_report.h>
@@ -26,10 +27,34 @@ namespace Biface
                                        run.state,
                                        report.loads,
                                        *report.forces);
+    if (run.heat)
+      add_heat(run, report);
     report.slip_velocities =
       slip_velocities(run.contact.ground(), run.state, report.loads);
     if (const auto &free_radius = run.progress.free_rolling_radius)
       report.slip_ratio = slip_ratio(report.level, *free_radius);
+  }
+
+
+  void
+  RollingReport::add_heat(const StageRun &run, StepReport &report)
+  {
+    report.heat =
+      run.heat->field(*report.rolling->hysteresis, run.state, report.loads);
+    if (!run.heat->is_computed())
+      return;
+    double lowest  = std::numeric_limits<double>::infinity(),
+           highest = -std::numeric_limits<double>::infinity();
+    for (const double T : report.heat->temperature)
+      {
+        // not a number where there is no ply
+        lowest  = std::fmin(lowest, T);
+        highest = std::fmax(highest, T);
+      }
+    out << "  temperatures of the plies: " << lowest << " to " << highest;
+    if (report.n_heat_rounds > 0)
+      out << ", settled in " << report.n_heat_rounds << " rounds";
+    out << std::endl;
   }
 
 

@@ -35,10 +35,12 @@ namespace Biface
                      const Control::Parameters &parameters,
                      const ShellEquations      &equations,
                      const ContactInteraction  &contact,
+                     const RollingHeat         *heat,
                      Progress                  &progress,
                      State                     &state)
     : equations(equations)
     , contact(contact)
+    , heat(heat)
     , progress(progress)
     , state(state)
     , stage(progress.complete(stages[progress.stage]))

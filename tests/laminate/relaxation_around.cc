@@ -32,7 +32,8 @@ namespace
         strains.push_back(std::abs(std::sin(k * angle)));
         elastic.push_back(E_0 * strains.back());
       }
-    const auto numbers = relaxation.around_closed_line(steps, elastic);
+    const auto numbers =
+      RelaxationAroundLine(relaxation, steps).internal_stresses(elastic);
     // what is relaxed of the stress
     const auto relaxed = [&](const unsigned int k) {
       return numbers[2 * k] - part * numbers[2 * k + 1];
@@ -67,7 +68,8 @@ main()
     {
       const Relaxation relaxation({{1, part}, {100, part}}, {});
       const auto       numbers =
-        relaxation.around_closed_line({{1 / speed, 0}, {2 / speed, 0}}, {5, 5});
+        RelaxationAroundLine(relaxation, {{1 / speed, 0}, {2 / speed, 0}})
+          .internal_stresses({5, 5});
       for (const unsigned int i : {0, 1, 3, 4})
         check_small("internal stress", numbers[i], 1e-14, 5);
     }

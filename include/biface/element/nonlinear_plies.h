@@ -20,6 +20,8 @@ namespace Biface
     const double *internal = nullptr;
     /** By Gauss point. */
     std::array<TimeStep, Modes::n_gauss_points> steps{};
+    /** By ply, instead of that of the steps, unless it is empty. */
+    std::vector<double> temperatures{};
   };
 
 
@@ -243,8 +245,7 @@ namespace Biface
      * and the position of its internal variables. */
     template <typename Function>
     void
-    for_internal(const std::array<TimeStep, Modes::n_gauss_points> &steps,
-                 const Function &function) const;
+    for_internal(const HistoryOfPlies &history, const Function &function) const;
 
     /** @f$D'_{33}@f$ of a group. */
     double

@@ -37,6 +37,8 @@ namespace Biface
     double density = 0;
     /** See Ply. */
     double loss_factor = 0;
+    /** Of heat; 0 if it is not given. Unit: power/(length * temperature). */
+    double conductivity = 0;
     /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
      * the user's unit. */
     std::function<double(const double)> thickness, angle;

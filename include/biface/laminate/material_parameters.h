@@ -76,6 +76,8 @@ namespace Biface
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
     double loss_factor = 0;
+    /** Unit: power/(length * temperature). */
+    double thermal_conductivity = 0;
     /** See Relaxation::Term. */
     std::vector<double> relaxation_times, relaxation_moduli;
     Relaxation::Shift   shift;
@@ -130,6 +132,11 @@ namespace Biface
      * negative. */
     double
     get_loss_factor() const;
+
+    /** The conductivity of heat, 0 if not given. Throws InputError if it is
+     * negative. */
+    double
+    get_thermal_conductivity() const;
 
     /** The strengths, if given. Throws InputError if only some of them are
      * given. */

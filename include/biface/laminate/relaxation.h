@@ -105,32 +105,64 @@ namespace Biface
     Step
     step(const TimeStep &time) const;
 
-    /**
-     * The internal stresses of a material that flows steadily around a closed
-     * line, where those of the elastic law are given at points. With
-     * @f$\mathbf v_i=\mathbf S_0-\mathbf q_i/g_i@f$, the recursion of step()
-     * is
-     * @f[
-     *   \mathbf v_i \leftarrow e^{-x}\mathbf v_i
-     *     + (1-w)\,\mathbf S_0 + (w-e^{-x})\,\mathbf S_0^-,
-     *   \qquad w=\frac{1-e^{-x}}x ,
-     * @f]
-     * which has no differences of large numbers at any speed. It is closed
-     * around the line by dividing what one turn adds to zero by
-     * @f$1-e^{-\sum x}@f$.
-     *
-     * @param steps to each point from the one before it, the last one for the
-     * first point.
-     * @param elastic the components of @f$\mathbf S_0@f$, point by point.
-     * @return the numbers of InternalStresses, point by point.
-     */
-    std::vector<double>
-    around_closed_line(const std::vector<TimeStep> &steps,
-                       const std::vector<double>   &elastic) const;
+    const std::vector<Term> &
+    get_terms() const
+    {
+      return terms;
+    }
+
+    /** The factor @f$a@f$ of the times. */
+    double
+    factor_of_times(const double temperature) const
+    {
+      return shift.factor(temperature);
+    }
 
   private:
     std::vector<Term> terms;
     Shift             shift;
+  };
+
+
+  /**
+   * The relaxation of a material that flows steadily around a closed line,
+   * where the stresses of the elastic law are given at points. With
+   * @f$\mathbf v_i=\mathbf S_0-\mathbf q_i/g_i@f$, the recursion of
+   * Relaxation is
+   * @f[
+   *   \mathbf v_i \leftarrow e^{-x}\mathbf v_i
+   *     + (1-w)\,\mathbf S_0 + (w-e^{-x})\,\mathbf S_0^-,
+   *   \qquad w=\frac{1-e^{-x}}x ,
+   * @f]
+   * which has no differences of large numbers at any speed. It is closed around
+   * the line by dividing what one turn adds to zero by @f$1-e^{-\sum x}@f$.
+   */
+  class RelaxationAroundLine
+  {
+  public:
+    /** @param steps to each point from the one before it, the last one for the
+     * first point. */
+    RelaxationAroundLine(const Relaxation            &relaxation,
+                         const std::vector<TimeStep> &steps);
+
+    /** @param elastic the components of @f$\mathbf S_0@f$, point by point.
+     * @return the numbers of InternalStresses, point by point. */
+    std::vector<double>
+    internal_stresses(const std::vector<double> &elastic) const;
+
+  private:
+    /** Of a term, the factors of the recursion at each point. */
+    struct Factors
+    {
+      double              part;
+      std::vector<double> remains, of_point, of_last;
+      /** What the first turn is divided by; 0 if it takes so little time that
+       * the mean relaxes. */
+      double turn;
+    };
+    std::vector<Factors> terms;
+    /** The part of a turn from the point before to each. */
+    std::vector<double> parts;
   };
 
 

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/vtu_series.h>
 
@@ -14,14 +15,19 @@ namespace Biface
    * The plies of the deformed shell: one hexahedron per ply of every locally
    * owned cell, between the two sides of the ply. Data: the displacement, the
    * unit vector along the deformed fibers, the number of the ply (from 1 at the
-   * inner face), and ply_values().
+   * inner face), ply_values(), and in a laminate that loses energy in rolling
+   * the RollingHeat::Field.
    */
   class PlyPatches : public VertexPatches<3>
   {
   public:
-    PlyPatches(const ShellEquations  &equations,
-               const State           &state,
-               const FailureCriteria &criteria);
+    /** @param heat null for none.
+     * @param temperature of all plies, where it is not computed. */
+    PlyPatches(const ShellEquations     &equations,
+               const State              &state,
+               const FailureCriteria    &criteria,
+               const RollingHeat::Field *heat        = nullptr,
+               const double              temperature = 0);
   };
 
 

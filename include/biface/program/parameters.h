@@ -17,6 +17,7 @@
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/gas.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/output/results_writer.h>
@@ -51,6 +52,7 @@ namespace Biface
     PressureLoad                    pressure;
     Gas::Parameters                 gas;
     ContactPair::Parameters         contact;
+    RollingHeat::Parameters         heat;
     std::vector<BodyParameters>     bodies;
     std::vector<Stage>              stages;
     LinearSolver::Parameters        linear_solver;
@@ -113,6 +115,10 @@ namespace Biface
     check_densities() const;
     void
     check_laws() const;
+
+    /** Throws InputError if the temperatures of plies cannot be computed. */
+    void
+    check_heat() const;
     void
     check_law(const MaterialParameters &material,
               const Stage              &stage,

@@ -10,6 +10,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/cavity.h>
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/program/parameters.h>
 #include <biface/surface/chart_grid.h>
@@ -44,6 +45,9 @@ namespace Biface
     /** The space that the gas fills; null if it cannot be sealed in. */
     const std::unique_ptr<const Cavity> cavity;
     ShellEquations                      equations;
+    /** Of the plies of a rolling wheel; null if it cannot roll, or if none
+     * loses energy. */
+    const std::unique_ptr<const RollingHeat> heat;
   };
 } // namespace Biface
 

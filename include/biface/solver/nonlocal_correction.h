@@ -27,10 +27,12 @@ namespace Biface
     using Solve =
       std::function<LinearSolverResult(LA::Vector &x, const LA::Vector &b)>;
 
-    /** @param equations kept by reference. */
+    /** @param equations kept by reference.
+     * @param tolerance the relative reduction of the residual. */
     NonlocalCorrection(const EquationSystem &equations,
                        const State          &state,
-                       const Solve          &solve);
+                       const Solve          &solve,
+                       const double          tolerance);
 
     /** @param x with the displacements that supports prescribe.
      * @return the failure, if any. Must be called on all ranks. */
@@ -41,6 +43,7 @@ namespace Biface
     const EquationSystem                    &equations;
     std::unique_ptr<const NonlocalStiffness> nonlocal;
     const Solve                              solve;
+    const double                             tolerance;
   };
 } // namespace Biface
 

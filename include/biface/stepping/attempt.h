@@ -21,6 +21,9 @@ namespace Biface
     LoadParameters mu;
     /** The loads at the final load parameters. */
     LoadLevel level;
+    /** How often rolling and the conduction of heat were computed in turn, see
+     * RollingHeat::Iteration. */
+    unsigned int n_heat_rounds = 0;
     /** Whether it has left the path for another branch. */
     bool to_branch = false;
   };

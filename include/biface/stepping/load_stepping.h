@@ -79,12 +79,14 @@ namespace Biface
     using Observer = std::function<void(const StepReport &, const State &)>;
 
     /** All objects are kept by reference.
+     * @param heat see StageRun.
      * @param nested the states of a coarser mesh from which steps start.
      * @param buckling_analysis for critical points.
      * @param analyses what accompanies the stages. */
     LoadStepping(const Parameters           &parameters,
                  const ShellEquations       &equations,
                  const ContactInteraction   &contact,
+                 const RollingHeat          *heat,
                  Newton                     &newton,
                  const NestedPredictor      &nested,
                  BucklingAnalysis           &buckling_analysis,
@@ -171,6 +173,7 @@ namespace Biface
     const Parameters            parameters;
     const ShellEquations       &equations;
     const ContactInteraction   &contact;
+    const RollingHeat          *heat;
     Newton                     &newton;
     const NestedPredictor      &nested;
     const StageAnalyses         analyses;

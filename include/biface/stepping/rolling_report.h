@@ -22,6 +22,10 @@ namespace Biface
     end_step(const StageRun &run, StepReport &report) override;
 
   private:
+    /** Add the heat of the plies, and print their temperatures. */
+    void
+    add_heat(const StageRun &run, StepReport &report);
+
     /** Warn of negative pivots of a wheel with inertia, and of its largest
      * cells. */
     void

@@ -10,6 +10,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/model/state/state.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/progress.h>
@@ -33,6 +34,7 @@ namespace Biface
              const Control::Parameters &parameters,
              const ShellEquations      &equations,
              const ContactInteraction  &contact,
+             const RollingHeat         *heat,
              Progress                  &progress,
              State                     &state);
 
@@ -77,8 +79,10 @@ namespace Biface
 
     const ShellEquations     &equations;
     const ContactInteraction &contact;
-    Progress                 &progress;
-    State                    &state;
+    /** Null if no ply loses energy in rolling. */
+    const RollingHeat *heat;
+    Progress          &progress;
+    State             &state;
 
     /** The description, see Progress::complete(). */
     const Stage                    stage;

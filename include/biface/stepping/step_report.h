@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <biface/model/forces/nodal_forces.h>
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
@@ -55,6 +56,10 @@ namespace Biface
     LoadLevel level;
     /** If the wheel rolls over the ground. */
     std::optional<RollingSummary> rolling;
+    /** Then, if its plies lose energy, their heat; and how often rolling and
+     * conduction were computed in turn. */
+    std::optional<RollingHeat::Field> heat;
+    unsigned int                      n_heat_rounds = 0;
     /** Then, by node, see Biface::slip_velocities(); otherwise empty. */
     std::vector<dealii::Tensor<1, 3>> slip_velocities;
     /** Then, if free rolling has come before, see Biface::slip_ratio(). */

@@ -227,10 +227,14 @@ namespace Biface
   InternalForces::losses(const State &state,
                          const double angular_velocity) const
   {
-    Assert(!state.flow, ExcInternalError());
+    Table<2, double> internal = state.terms.at("relaxation").at_cells;
+    if (state.flow)
+      for (const unsigned int c : mesh.layers)
+        nonlinear_plies(mesh.cells[c])
+          .commit(total_strains(state, c), history(state, c), &internal(c, 0));
     return flow.losses(
       [&](const unsigned int c) { return total_strains(state, c); },
-      state.terms.at("relaxation").at_cells,
+      internal,
       angular_velocity);
   }
 
@@ -241,7 +245,7 @@ namespace Biface
     const auto found = state.terms.find("relaxation");
     if (found == state.terms.end() || found->second.at_cells.size(1) == 0)
       return {};
-    return {&found->second.at_cells(c, 0), flow.steps(state, mesh.cells[c])};
+    return flow.history(state, found->second.at_cells, c);
   }
 
 

@@ -115,8 +115,41 @@ namespace Biface
                                      const std::vector<NonlinearPlies> &plies)
     : mesh(mesh), plies(plies), own_cells(mesh.strips.size())
   {
+    columns.resize(mesh.strips.size());
     for (const unsigned int c : mesh.layers)
-      own_cells[mesh.cells[c].strip].push_back(c);
+      {
+        own_cells[mesh.cells[c].strip].push_back(c);
+        columns[mesh.cells[c].strip] =
+          mesh.grid.cell_index(mesh.cells[c].column)[0];
+      }
+    Utilities::MPI::max(columns, mesh.communicator, columns);
+  }
+
+
+  std::vector<double>
+  RelaxationInFlow::temperatures(const State       &state,
+                                 const unsigned int strip) const
+  {
+    const auto found = state.terms.find("heat");
+    if (!state.flow || found == state.terms.end())
+      return {};
+    const unsigned int  n_plies = mesh.layup.get_plies().size();
+    std::vector<double> result;
+    for (const Ply &ply : mesh.strips[strip].laminate.get_plies())
+      result.push_back(
+        found->second.numbers[columns[strip] * n_plies + ply.number]);
+    return result;
+  }
+
+
+  HistoryOfPlies
+  RelaxationInFlow::history(const State            &state,
+                            const Table<2, double> &internal,
+                            const unsigned int      c) const
+  {
+    return {&internal(c, 0),
+            steps(state, mesh.cells[c]),
+            temperatures(state, mesh.cells[c].strip)};
   }
 
 
@@ -176,25 +209,41 @@ namespace Biface
   }
 
 
+  RelaxationInFlow::Lines
+  RelaxationInFlow::lines(const State &state, const unsigned int strip) const
+  {
+    const unsigned int        n        = 2 * mesh.grid.n_cells(1);
+    const bool                descends = flows_against_chart(*state.flow);
+    const std::vector<double> of_plies = temperatures(state, strip);
+    Lines                     result{{}, {}};
+    for (unsigned int k = 0; k < n; ++k)
+      result.places.push_back(descends ? n - 1 - k : k);
+    for (const RelaxingStress &stress : relaxing(strip))
+      if (result.of_plies.count(stress.ply) == 0)
+        {
+          std::vector<TimeStep> steps;
+          for (const unsigned int place : result.places)
+            {
+              steps.push_back(step_to(state, place / 2, place % 2));
+              if (!of_plies.empty())
+                steps.back().temperature = of_plies[stress.ply];
+            }
+          result.of_plies.emplace(
+            stress.ply, RelaxationAroundLine(*stress.relaxation, steps));
+        }
+    return result;
+  }
+
+
   RelaxationInFlow::Ring
-  RelaxationInFlow::internal_variables(const State       &state,
+  RelaxationInFlow::internal_variables(const Lines       &lines,
                                        const unsigned int strip,
                                        const Ring        &elastic) const
   {
     unsigned int n_per_point = 0;
     for (const RelaxingStress &stress : relaxing(strip))
       n_per_point += n_internal(stress);
-    Ring                  internal(mesh.grid.n_cells(1), n_per_point);
-    const unsigned int    n        = elastic.n_points();
-    const bool            descends = flows_against_chart(*state.flow);
-    std::vector<TimeStep> steps;
-    // the points in the order in which the material passes them
-    const auto place = [&](const unsigned int k) {
-      return descends ? n - 1 - k : k;
-    };
-    for (unsigned int k = 0; k < n; ++k)
-      steps.push_back(step_to(state, place(k) / 2, place(k) % 2));
-
+    Ring         internal(mesh.grid.n_cells(1), n_per_point);
     unsigned int position = 0, result_position = 0;
     for (const RelaxingStress &stress : relaxing(strip))
       {
@@ -202,18 +251,18 @@ namespace Biface
         for (unsigned int row = 0; row < n_rows; ++row)
           {
             std::vector<double> components;
-            for (unsigned int k = 0; k < n; ++k)
+            for (const unsigned int place : lines.places)
               {
-                const double *at = elastic.at(row, place(k)) + position;
+                const double *at = elastic.at(row, place) + position;
                 components.insert(
                   components.end(), at, at + stress.n_components);
               }
             const std::vector<double> numbers =
-              stress.relaxation->around_closed_line(steps, components);
-            for (unsigned int k = 0; k < n; ++k)
+              lines.of_plies.at(stress.ply).internal_stresses(components);
+            for (unsigned int k = 0; k < lines.places.size(); ++k)
               std::copy_n(numbers.begin() + k * n_numbers,
                           n_numbers,
-                          internal.at(row, place(k)) + result_position);
+                          internal.at(row, lines.places[k]) + result_position);
           }
         position += stress.n_components;
         result_position += n_numbers;
@@ -234,6 +283,9 @@ namespace Biface
 
     const int behind = flows_against_chart(*state.flow) ? 1 : -1;
     std::vector<std::vector<double>> last(mesh.cells.size());
+    std::vector<Lines>               lines_of_strips;
+    for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
+      lines_of_strips.push_back(lines(state, strip));
     for (unsigned int round = 0; round < max_rounds; ++round)
       {
         double change = 0, largest = 0;
@@ -257,7 +309,8 @@ namespace Biface
                   }
                 last[c] = values;
               });
-            const Ring variables = internal_variables(state, strip, elastic);
+            const Ring variables =
+              internal_variables(lines_of_strips[strip], strip, elastic);
             for (const unsigned int c : own_cells[strip])
               {
                 const std::vector<double> of_cell =
@@ -298,7 +351,7 @@ namespace Biface
           strip, 2 * n, [&](const unsigned int c, std::vector<double> &values) {
             std::vector<double> stresses, of_strains;
             plies[strip].elastic_stresses(
-              strains(c), {&internal(c, 0), {}}, stresses, &of_strains);
+              strains(c), {&internal(c, 0)}, stresses, &of_strains);
             const double *numbers = &internal(c, 0);
             for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
               {
@@ -363,6 +416,8 @@ namespace Biface
       : flow(flow), state(state), changes(flow.mesh.cells.size())
     {
       for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
+        lines.push_back(flow.lines(state, strip));
+      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
         if (!flow.relaxing(strip).empty())
           for (const unsigned int c : flow.own_cells[strip])
             changes[c] = std::make_unique<NonlinearPlies::Changes>(
@@ -396,7 +451,8 @@ namespace Biface
                               mesh.cell_values(dV, mesh.cells[c])),
                             values);
                         });
-          const Ring variables = flow.internal_variables(state, strip, elastic);
+          const Ring variables =
+            flow.internal_variables(lines[strip], strip, elastic);
           for (const unsigned int c : flow.own_cells[strip])
             {
               const std::vector<double> internal =
@@ -405,7 +461,9 @@ namespace Biface
                 mesh.cells[c],
                 element(c).internal_force(
                   changes[c]->resultants(flow.plies[strip].added_stresses(
-                    {internal.data(), flow.steps(state, mesh.cells[c])})),
+                    {internal.data(),
+                     flow.steps(state, mesh.cells[c]),
+                     flow.temperatures(state, strip)})),
                   Modes::Vector()),
                 forces);
             }
@@ -418,6 +476,8 @@ namespace Biface
   private:
     const RelaxationInFlow &flow;
     const State             state;
+    /** By strip. */
+    std::vector<Lines> lines;
     /** By cell; null for those of other ranks and without relaxation. */
     std::vector<std::unique_ptr<const NonlinearPlies::Changes>> changes;
   };

@@ -83,35 +83,65 @@ namespace Biface
     }
 
 
+    /** Energies by strip of the wall and ply, on this rank; first all of them,
+     * then those of the first harmonics. */
+    class Energies
+    {
+    public:
+      explicit Energies(const ShellMesh &mesh)
+        : mesh(mesh)
+        , n_plies(mesh.layup.get_plies().size())
+        , values(2 * mesh.n_strips() * n_plies)
+      {}
+
+      double &
+      at(const unsigned int strip,
+         const unsigned int ply,
+         const bool         first_harmonics = false)
+      {
+        return values[(first_harmonics * mesh.n_strips() + strip) * n_plies +
+                      ply];
+      }
+
+      /** Of a cell. */
+      double &
+      at(const Cell &cell, const Ply &ply, const bool first_harmonics = false)
+      {
+        return at(
+          mesh.grid.cell_index(cell.column)[0], ply.number, first_harmonics);
+      }
+
+      void
+      sum_over_ranks()
+      {
+        Utilities::MPI::sum(values, mesh.communicator, values);
+      }
+
+    private:
+      const ShellMesh    &mesh;
+      unsigned int        n_plies;
+      std::vector<double> values;
+    };
+
+
     void
     add_relaxation(const ShellEquations &equations,
                    const State          &state,
                    const double          angular_velocity,
-                   Hysteresis           &hysteresis)
+                   Energies             &energies)
     {
-      const ShellMesh &mesh  = equations.mesh;
-      const auto       plies = mesh.layup.get_plies();
+      const ShellMesh &mesh = equations.mesh;
       const auto       of_cells =
         equations.internal_forces().losses(state, angular_velocity);
-      std::vector<double> energies(plies.size());
       for (const unsigned int c : mesh.layers)
         {
           const Cell             &cell = mesh.cells[c];
-          const std::vector<Ply> &of_strip =
+          const std::vector<Ply> &plies =
             mesh.strips[cell.strip].laminate.get_plies();
-          for (unsigned int p = 0; p < of_strip.size(); ++p)
-            energies[of_strip[p].number] +=
+          for (unsigned int p = 0; p < plies.size(); ++p)
+            energies.at(cell, plies[p]) +=
               cell.geometry.weight * of_cells[c][p];
         }
-      Utilities::MPI::sum(energies, mesh.communicator, energies);
-      for (unsigned int p = 0; p < plies.size(); ++p)
-        if (plies[p].relaxes)
-          {
-            hysteresis.of_relaxation += energies[p];
-            hysteresis.plies[p].energy += energies[p];
-            hysteresis.plies[p].of_first_harmonics =
-              std::numeric_limits<double>::quiet_NaN();
-          }
     }
   } // namespace
 
@@ -149,8 +179,7 @@ namespace Biface
       return grid.cell_index(mesh.cells[c].column)[1];
     };
 
-    // for each ply, its energy and the part of the first harmonics
-    std::vector<double> energies(2 * mesh.layup.get_plies().size());
+    Energies energies(mesh);
     for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
       {
         constexpr unsigned int n_values = n_points * Resultants::n;
@@ -185,21 +214,37 @@ namespace Biface
                 for (unsigned int g = 0; g < n_points; ++g)
                   {
                     const double area = values.back() / n_points;
-                    energies[2 * plies[p].number] +=
+                    energies.at(mesh.cells[c], plies[p]) +=
                       area * loss_of_ply(laminate, p, strains[j][g], of_all[g]);
-                    energies[2 * plies[p].number + 1] +=
+                    energies.at(mesh.cells[c], plies[p], true) +=
                       area *
                       loss_of_ply(laminate, p, strains[j][g], of_first[g]);
                   }
           }
       }
-    Utilities::MPI::sum(energies, mesh.communicator, energies);
-
-    Hysteresis result;
-    for (unsigned int p = 0; p < energies.size() / 2; ++p)
-      result.plies.push_back({energies[2 * p], energies[2 * p + 1]});
     if (mesh.layup.relaxes())
-      add_relaxation(equations, state, angular_velocity, result);
+      add_relaxation(equations, state, angular_velocity, energies);
+    energies.sum_over_ranks();
+
+    const auto &plies = mesh.layup.get_plies();
+    Hysteresis  result;
+    result.by_strip.reinit(mesh.n_strips(), plies.size());
+    for (unsigned int p = 0; p < plies.size(); ++p)
+      {
+        Hysteresis::OfPly ply;
+        for (unsigned int i = 0; i < mesh.n_strips(); ++i)
+          {
+            result.by_strip(i, p) = energies.at(i, p);
+            ply.energy += energies.at(i, p);
+            ply.of_first_harmonics += energies.at(i, p, true);
+          }
+        if (plies[p].relaxes)
+          {
+            result.of_relaxation += ply.energy;
+            ply.of_first_harmonics = std::numeric_limits<double>::quiet_NaN();
+          }
+        result.plies.push_back(ply);
+      }
     return result;
   }
 } // namespace Biface

@@ -70,8 +70,8 @@ namespace Biface
     void
     prepare(const Loads &loads, State &state) const override;
 
-    /** See RelaxationInFlow::losses(); in a state that is committed, of a wheel
-     * that rolls. */
+    /** See RelaxationInFlow::losses(); in an equilibrium of a wheel that
+     * rolls. */
     std::vector<std::vector<double>>
     losses(const State &state, const double angular_velocity) const;
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace Biface
    * axle, but by the internal variables alone: with these a cell has the law of
    * a step in time, see HistoryOfPlies.
    *
-   * All functions but steps() must be called on all ranks.
+   * All functions but history() must be called on all ranks.
    */
   class RelaxationInFlow
   {
@@ -37,10 +38,13 @@ namespace Biface
     RelaxationInFlow(const ShellMesh                   &mesh,
                      const std::vector<NonlinearPlies> &plies);
 
-    /** What passes while the material flows to each Gauss point of a cell from
-     * the one behind it. */
-    std::array<TimeStep, Modes::n_gauss_points>
-    steps(const State &state, const Cell &cell) const;
+    /** The internal variables of a cell with what passes while the material
+     * flows to each of its Gauss points from the one behind it, or in the step
+     * of the state if it does not. */
+    HistoryOfPlies
+    history(const State                    &state,
+            const dealii::Table<2, double> &internal,
+            const unsigned int              cell) const;
 
     /** The strains of a locally owned cell. */
     using Strains = std::function<Modes::Vector(unsigned int cell)>;
@@ -87,12 +91,26 @@ namespace Biface
            const unsigned int n_per_point,
            const Fill        &fill) const;
 
+    /** How the plies of a strip relax while the material flows around it. */
+    struct Lines
+    {
+      /** The points of a row in the order in which the material passes them. */
+      std::vector<unsigned int> places;
+      /** By their positions in the laminate. */
+      std::map<unsigned int, RelaxationAroundLine> of_plies;
+    };
+    Lines
+    lines(const State &state, const unsigned int strip) const;
+
     /** The internal variables of all points for the components of their elastic
      * stresses. */
     Ring
-    internal_variables(const State       &state,
+    internal_variables(const Lines       &lines,
                        const unsigned int strip,
                        const Ring        &elastic) const;
+
+    std::array<TimeStep, Modes::n_gauss_points>
+    steps(const State &state, const Cell &cell) const;
 
     /** From the Gauss point behind to each of a row of cells. */
     TimeStep
@@ -112,18 +130,17 @@ namespace Biface
       return plies[strip].relaxing_stresses();
     }
 
-    HistoryOfPlies
-    history(const State                    &state,
-            const dealii::Table<2, double> &internal,
-            const unsigned int              cell) const
-    {
-      return {&internal(cell, 0), steps(state, mesh.cells[cell])};
-    }
+    /** Of the plies of a strip, if they follow from the heat; otherwise
+     * empty. */
+    std::vector<double>
+    temperatures(const State &state, const unsigned int strip) const;
 
     const ShellMesh                   &mesh;
     const std::vector<NonlinearPlies> &plies;
     /** By strip. */
     std::vector<std::vector<unsigned int>> own_cells;
+    /** The strip of the wall to which each belongs. */
+    std::vector<unsigned int> columns;
   };
 } // namespace Biface
 

@@ -4,6 +4,7 @@
 #define biface_model_quantities_hysteresis_h
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/table.h>
 
 #include <cmath>
 #include <vector>
@@ -35,6 +36,9 @@ namespace Biface
        * number with relaxation. */
       double of_first_harmonics = 0;
     };
+
+    /** Their energies by the strips of the wall. */
+    dealii::Table<2, double> by_strip;
 
     /** The part of the energy() that stresses lose by relaxation. */
     double of_relaxation = 0;

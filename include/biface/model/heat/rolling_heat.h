@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_heat_rolling_heat_h
+#define biface_model_heat_rolling_heat_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/table.h>
+
+#include <vector>
+
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/heat/wall_conduction.h>
+#include <biface/model/quantities/hysteresis.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /**
+   * The heat of a wheel that rolls steadily: what its plies lose in a turn, see
+   * Hysteresis, flows through the wall to the gas inside, the air, and the
+   * ground. The wheel turns so fast that all particles of a line around the
+   * axle have the same temperature.
+   */
+  class RollingHeat
+  {
+  public:
+    struct Parameters
+    {
+      /** Where the temperatures of the plies come from: those of the stage, or
+       * computed, and then without or with an effect on the relaxation. */
+      enum class Temperatures
+      {
+        given,
+        computed,
+        coupled
+      };
+
+      Temperatures temperatures = Temperatures::given;
+      /** Of the gas inside, the air, and the ground. */
+      HeatFilm inside, air, ground;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError if a value is invalid. */
+      void
+      check() const;
+    };
+
+    /** The mesh is kept by reference. */
+    RollingHeat(const Parameters &parameters, const ShellMesh &mesh);
+
+    bool
+    is_computed() const
+    {
+      return parameters.temperatures != Parameters::Temperatures::given;
+    }
+
+    bool
+    is_coupled() const
+    {
+      return parameters.temperatures == Parameters::Temperatures::coupled;
+    }
+
+    /** By the strips of the wall and the plies of the layup. */
+    struct Field
+    {
+      /** 0 where a ply does not exist. Unit: power/volume. */
+      dealii::Table<2, double> source;
+      /** Empty if they are not computed; nan where a ply does not exist. */
+      dealii::Table<2, double> temperature;
+    };
+
+    /** The field of an equilibrium in which the wheel rolls. Must be called on
+     * all ranks. */
+    Field
+    field(const Hysteresis &hysteresis,
+          const State      &state,
+          const Loads      &loads) const;
+
+    /** The iteration between rolling and conduction in a step, in which the
+     * relaxation follows the temperatures. */
+    class Iteration
+    {
+    public:
+      /** @param heat kept by reference. */
+      explicit Iteration(const RollingHeat &heat) : heat(heat)
+      {}
+
+      /** Let the relaxation in a state follow the temperatures that its losses
+       * gave, by Aitken's method.
+       * @param tolerance relative to the largest difference of the temperatures
+       * from those of the films.
+       * @return whether it already did. */
+      bool
+      advance(const Field &field, const double tolerance, State &state);
+
+    private:
+      const RollingHeat  &heat;
+      std::vector<double> last_change;
+      double              factor = 1;
+    };
+
+  private:
+    /** The part of a turn in which each strip touches the ground. */
+    std::vector<double>
+    parts_in_contact(const State &state) const;
+
+    const Parameters parameters;
+    const ShellMesh &mesh;
+    /** Without sources and films. A ply that does not exist is thin. */
+    WallSection section;
+    /** By strip and ply; 0 where it does not exist. */
+    dealii::Table<2, double> volumes;
+  };
+} // namespace Biface
+
+#endif
