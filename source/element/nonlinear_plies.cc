@@ -139,9 +139,27 @@ namespace Biface
       for (unsigned int m = 1; m < Modes::groups.size(); ++m)
         {
           const double eta = variation(E, m).value;
-          sum += varying_stiffness[m] * eta * eta / 2;
+          const auto   law = varying_law(m, stresses);
+          sum += law.stiffness * eta * eta / 2 + law.added * eta;
         }
     return sum;
+  }
+
+
+  NonlinearPlies::VaryingLaw
+  NonlinearPlies::varying_law(const unsigned int     m,
+                              const RelaxedStresses &relaxed) const
+  {
+    double left = 1, added = 0;
+    for (unsigned int i = 0; i < relaxed.varying.size(); ++i)
+      {
+        const unsigned int g = i / relaxing_plies.size();
+        left -= relaxing_plies[i % relaxing_plies.size()].part *
+                (1 - relaxed.varying[i].factor) / n_gauss_points;
+        added += Modes::value_at_gauss_point(Modes::groups[m], g) *
+                 relaxed.varying[i].stress[m - 1] / n_gauss_points;
+      }
+    return {left * varying_stiffness[m], added};
   }
 
 
@@ -156,18 +174,9 @@ namespace Biface
     const Modes::Vector weights = weights_of_modes();
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
-        const Variation eta  = variation(E, m);
-        double          left = 1, added = 0;
-        for (unsigned int i = 0; i < relaxed.varying.size(); ++i)
-          {
-            const unsigned int g = i / relaxing_plies.size();
-            left -= relaxing_plies[i % relaxing_plies.size()].part *
-                    (1 - relaxed.varying[i].factor) / n_gauss_points;
-            added += Modes::value_at_gauss_point(Modes::groups[m], g) *
-                     relaxed.varying[i].stress[m - 1] / n_gauss_points;
-          }
-        const double D = left * varying_stiffness[m];
-        const double H = D * eta.value + added;
+        const Variation eta = variation(E, m);
+        const auto      law = varying_law(m, relaxed);
+        const double    D = law.stiffness, H = D * eta.value + law.added;
         for (unsigned int i = 0; i < Modes::n; ++i)
           if (eta.gradient[i] != 0)
             {

@@ -11,12 +11,24 @@ namespace Biface
   using namespace dealii;
 
   void
-  CordAndRubber::add_parameters(ParameterHandler &prm)
+  CordAndRubber::add_parameters(ParameterHandler &prm, const std::string &name)
   {
     prm.add_parameter("E_cord",
                       E_cord,
                       "Young's modulus of the cords. Unit: force/area.",
                       Patterns::Double());
+    add_parsed(prm,
+               "Material " + name + "/",
+               "Cord curve",
+               "",
+               curve.name,
+               parse_file_name,
+               "A CSV file with the measured curve of a cord, instead of "
+               "'E_cord': stretch, force, from 1, 0 on, both increasing. Only "
+               "with 'Matrix = neo-Hooke'; in compression the slope at the "
+               "stretch 1 remains. Relative to the parameter file; see "
+               "'Tables' for names in double quotes. Unit of the forces: "
+               "force.");
     prm.add_parameter("nu_cord",
                       nu_cord,
                       "Poisson's ratio of the cords; it has little effect. "
@@ -69,14 +81,23 @@ namespace Biface
   CordAndRubber::check(const std::string &name) const
   {
     const std::string section = "Material " + name + "/";
-    check_positive(section + "E_cord", E_cord);
+    if (curve.name.empty())
+      check_positive(section + "E_cord", E_cord);
+    else if (E_cord != 0)
+      throw InputError(section + "E_cord",
+                       number_to_string(E_cord),
+                       "it may only be given without 'Cord curve'");
     check_positive(section + "E_rubber", E_rubber);
     check_positive(section + "Cord diameter", cord_diameter);
     check_positive(section + "Cord pitch", cord_pitch);
-    if (!(E_cord >= 10 * E_rubber))
-      throw InputError(section + "E_cord",
-                       number_to_string(E_cord),
-                       "it must be at least ten times 'E_rubber'");
+    if (!(cord_modulus() >= 10 * E_rubber))
+      throw InputError(
+        section + (curve.name.empty() ? "E_cord" : "Cord curve"),
+        curve.name.empty() ? number_to_string(E_cord) : curve.name,
+        (curve.name.empty() ? std::string()
+                            : "its modulus at the stretch 1 is " +
+                                number_to_string(cord_modulus()) + ", but ") +
+          "it must be at least ten times 'E_rubber'");
     if (!(nu_cord >= 0 && nu_cord < 0.5))
       throw InputError(section + "nu_cord",
                        number_to_string(nu_cord),
@@ -92,6 +113,22 @@ namespace Biface
   }
 
 
+  std::shared_ptr<const ForceCurve>
+  CordAndRubber::force_curve() const
+  {
+    return curve.name.empty() ? nullptr
+                              : std::make_shared<const ForceCurve>(curve);
+  }
+
+
+  double
+  CordAndRubber::cord_modulus() const
+  {
+    return curve.name.empty() ? E_cord
+                              : ForceCurve(curve).initial_slope() / cord_area();
+  }
+
+
   double
   CordAndRubber::cord_area() const
   {
@@ -102,10 +139,11 @@ namespace Biface
   Material
   CordAndRubber::ply_material(const double v) const
   {
-    const double G_c = E_cord / (2 * (1 + nu_cord));
+    const double E_c = cord_modulus();
+    const double G_c = E_c / (2 * (1 + nu_cord));
     const double G_r = E_rubber / (2 * (1 + nu_rubber));
 
-    const double E_L   = v * E_cord + (1 - v) * E_rubber;
+    const double E_L   = v * E_c + (1 - v) * E_rubber;
     double       nu_LT = 0, E_T = 0, G_LT = 0;
     if (homogenization == Homogenization::halpin_tsai)
       {
@@ -116,7 +154,7 @@ namespace Biface
             return p_r * (1 + xi * eta * v) / (1 - eta * v);
           };
         nu_LT = v * nu_cord + (1 - v) * nu_rubber;
-        E_T   = halpin_tsai(E_cord, E_rubber, 2);
+        E_T   = halpin_tsai(E_c, E_rubber, 2);
         G_LT  = halpin_tsai(G_c, G_r, 1);
       }
     else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <biface/laminate/cord_law.h>
 
@@ -36,6 +37,29 @@ namespace Biface
   } // namespace
 
 
+  StretchedCordLaw::StretchedCordLaw(const double modulus,
+                                     const double compression,
+                                     const double onset,
+                                     std::shared_ptr<const ForceCurve> curve,
+                                     const double n_per_area)
+    : modulus(modulus)
+    , compression(compression)
+    , onset(onset)
+    , curve(std::move(curve))
+    , n_per_area(n_per_area)
+  {}
+
+
+  double
+  StretchedCordLaw::lowest_modulus() const
+  {
+    return curve ? std::min(compression,
+                            modulus + n_per_area * (curve->lowest_slope() -
+                                                    curve->initial_slope()))
+                 : compression;
+  }
+
+
   CordLaw::Response
   StretchedCordLaw::response(const double strain) const
   {
@@ -46,11 +70,18 @@ namespace Biface
       }
     const double e = elongation(strain), stretch = 1 + e;
     const double lost = std::min(0., e + onset);
-    const double P    = modulus * e - (modulus - compression) * lost;
-    const double dP   = lost < 0 ? compression : modulus;
-    return {modulus * e * e / 2 - (modulus - compression) * lost * lost / 2,
-            P / stretch,
-            (dP - P / stretch) / (stretch * stretch)};
+    double W  = modulus * e * e / 2 - (modulus - compression) * lost * lost / 2;
+    double P  = modulus * e - (modulus - compression) * lost;
+    double dP = lost < 0 ? compression : modulus;
+    if (curve && e > 0)
+      {
+        const ForceCurve::Value of_cord = curve->at(stretch);
+        const double            slope   = curve->initial_slope();
+        W += n_per_area * (of_cord.energy - slope * e * e / 2);
+        P += n_per_area * (of_cord.force - slope * e);
+        dP += n_per_area * (of_cord.slope - slope);
+      }
+    return {W, P / stretch, (dP - P / stretch) / (stretch * stretch)};
   }
 
 

@@ -132,7 +132,7 @@ namespace Biface
                "List of the exponents alpha_i of 'Ogden', as many as "
                "mu_i. No unit.");
 
-    cord_and_rubber.add_parameters(prm);
+    cord_and_rubber.add_parameters(prm, name);
     add_choice(prm,
                "Matrix",
                matrix,
@@ -317,6 +317,11 @@ namespace Biface
                 is_hyperelastic(),
                 "a rubber ('neo-Hooke', 'Mooney-Rivlin', 'Yeoh', 'Ogden') or "
                 "with 'Matrix = neo-Hooke'");
+    only("Cord curve",
+         cord_and_rubber.curve.name,
+         !cord_and_rubber.curve.name.empty(),
+         type == Type::cord_and_rubber && matrix == Matrix::neo_Hooke,
+         "'Type = cord and rubber' and 'Matrix = neo-Hooke'");
     if (matrix != Matrix::linear)
       for (const auto &constant : {std::make_pair("E_T", E_T),
                                    std::make_pair("G_TT", G_TT),
@@ -669,10 +674,14 @@ namespace Biface
                        "('E_L compression') may have no initial stress "
                        "('Laminate/Initial ply stresses').");
     result.rubber = rubber(G);
-    result.cords =
-      std::make_shared<StretchedCordLaw>(std::max(0., constants.E_1 - E_matrix),
-                                         std::max(0., E_c - E_matrix),
-                                         onset(constants.E_1, G));
+    const auto curve =
+      type == Type::cord_and_rubber ? cord_and_rubber.force_curve() : nullptr;
+    result.cords = std::make_shared<StretchedCordLaw>(
+      std::max(0., constants.E_1 - E_matrix),
+      std::max(0., E_c - E_matrix),
+      onset(constants.E_1, G),
+      curve,
+      curve ? cord_fraction / cord_and_rubber.cord_area() : 0.);
     result.stiffness = result.rubber->initial_stiffness();
     result.stiffness[0][0][0][0] += constants.E_1 - E_matrix;
     return result;

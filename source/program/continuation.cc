@@ -86,7 +86,9 @@ namespace Biface
     {
       // the contents of the files are compared
       if (entry == "Surface/Spline/File" || entry == "Laminate/Tables" ||
-          std::regex_match(entry, std::regex("Body .*/(Profile|Height) file")))
+          std::regex_match(entry,
+                           std::regex("Body .*/(Profile|Height) file")) ||
+          std::regex_match(entry, std::regex("Material .*/Cord curve")))
         return true;
       // columns of history.csv
       if (entry == "Output/Failure criteria")

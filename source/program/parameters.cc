@@ -600,6 +600,10 @@ namespace Biface
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
+    for (const MaterialParameters &material : materials)
+      if (!material.cord_and_rubber.curve.name.empty())
+        pairs["Material " + material.name + "/Cord curve"] =
+          material.cord_and_rubber.curve.pairs;
     for (const BodyParameters &body : bodies)
       {
         const std::string section = "Body " + body.name + "/";

@@ -226,6 +226,15 @@ namespace Biface
           prm.set("Tables", print_tables(tables));
           prm.leave_subsection();
         }
+      for (const MaterialParameters &material : parameters.materials)
+        if (std::string file = material.cord_and_rubber.curve.name;
+            !file.empty())
+          {
+            make_absolute(file);
+            prm.enter_subsection("Material " + material.name);
+            prm.set("Cord curve", print_file_name(file));
+            prm.leave_subsection();
+          }
       for (const BodyParameters &body : parameters.bodies)
         {
           prm.enter_subsection("Body " + body.name);
@@ -341,6 +350,9 @@ namespace Biface
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
         body.read_files(communicator);
+      for (MaterialParameters &material : parameters.materials)
+        if (!material.cord_and_rubber.curve.name.empty())
+          material.cord_and_rubber.curve.read("stretch, force", communicator);
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

@@ -99,6 +99,49 @@ namespace
   }
 
 
+  /** What NonlinearPlies::Changes says of how the elastic stresses follow the
+   * strains, and the resultants what is added to the stresses. */
+  void
+  check_changes(const NonlinearPlies &law,
+                const Modes::Vector  &E,
+                const HistoryOfPlies &history)
+  {
+    const Modes::Vector dE   = some_vector<Modes::n>(1, 11);
+    constexpr double    step = 1e-6;
+    std::vector<double> below, above, strains_below, strains_above;
+    law.elastic_stresses(E - step * dE, history, below, &strains_below);
+    law.elastic_stresses(E + step * dE, history, above, &strains_above);
+    const NonlinearPlies::Changes changes(law, E, history);
+    std::vector<double>           change(below.size());
+    changes.elastic_stresses(dE, change);
+    double error = 0, size = 0;
+    for (unsigned int i = 0; i < change.size(); ++i)
+      {
+        error = std::max(
+          error, std::abs(change[i] - (above[i] - below[i]) / (2 * step)));
+        size = std::max(size, std::abs(change[i]));
+      }
+    check_small("  elastic stresses", error, 1e-6, size);
+
+    // their work on the change of the strains
+    std::vector<double> added;
+    double              work = 0;
+    unsigned int        i    = 0;
+    for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+      for (const RelaxingStress &stress : law.relaxing_stresses())
+        for (unsigned int c = 0; c < stress.n_components; ++c, ++i)
+          {
+            added.push_back(std::sin(1. + 3 * i));
+            work += stress.thickness / Modes::n_gauss_points * added[i] *
+                    (strains_above[i] - strains_below[i]) / (2 * step);
+          }
+    check_small("  added stresses",
+                Modes::mean_product(changes.resultants(added), dE) - work,
+                1e-6,
+                std::abs(work));
+  }
+
+
   void
   test(const std::string       &plies,
        const std::string       &shear,
@@ -129,17 +172,21 @@ namespace
     if (relaxing)
       {
         const Modes::Vector last = 0.2 * some_vector<Modes::n>(0.3, 7);
-        law.commit(last, {0.5, 0}, internal.data());
-        history.internal      = internal.data();
+        history.internal         = internal.data();
+        history.steps.fill({0.5, 0});
+        law.commit(last, history, internal.data());
+        history.steps.fill({});
         const Modes::Vector H = law.resultants(last, history);
         // the stress of a step is that at its end
-        std::vector<double> before(law.n_internal());
-        check_small(
-          "  no change",
-          (law.resultants(last, {before.data(), {0.5, 0}}) - H).norm(),
-          1e-13,
-          H.norm());
-        history.step = {2, 0};
+        std::vector<double> zero(law.n_internal());
+        HistoryOfPlies      before;
+        before.internal = zero.data();
+        before.steps.fill({0.5, 0});
+        check_small("  no change",
+                    (law.resultants(last, before) - H).norm(),
+                    1e-13,
+                    H.norm());
+        history.steps.fill({2, 0});
       }
     const auto resultants = [&](const Modes::Vector &E) {
       return law.resultants(E, history);
@@ -164,6 +211,9 @@ namespace
                 force_at(V) * dV - difference,
                 1e-7,
                 force_at(V).norm() * dV.norm());
+
+    if (relaxing)
+      check_changes(law, element.strain(), history);
 
     NonlinearPlies::Stiffness stiffness;
     check_true("  any", law.stiffness(element.strain(), stiffness, history));

@@ -231,6 +231,14 @@ namespace Biface
       std::vector<Relaxed<OfGroups>> varying;
     };
 
+    /** The law of @f$\eta_m@f$: linear, with what has relaxed. */
+    struct VaryingLaw
+    {
+      double stiffness, added;
+    };
+    VaryingLaw
+    varying_law(const unsigned int group, const RelaxedStresses &relaxed) const;
+
     /** Add what the thickness strains that vary do, and its derivative unless
      * null. */
     void

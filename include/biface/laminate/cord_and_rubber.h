@@ -5,8 +5,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <string>
 
+#include <biface/input/read_file.h>
+#include <biface/laminate/force_curve.h>
 #include <biface/laminate/material.h>
 
 namespace Biface
@@ -36,7 +39,10 @@ namespace Biface
 
     /** Young's moduli. Unit: force/area. */
     double E_cord = 0, E_rubber = 0;
-    double nu_cord = 0.3, nu_rubber = 0.49;
+    /** The stretch and the force of a cord, instead of E_cord; see ForceCurve.
+     */
+    PairsFile curve;
+    double    nu_cord = 0.3, nu_rubber = 0.49;
     /** The diameter of a cord, taken as a full circle. Unit: length. */
     double cord_diameter = 0;
     /** Distance between the centers of neighboring cords, across them, at the
@@ -45,13 +51,23 @@ namespace Biface
     Homogenization homogenization = Homogenization::halpin_tsai;
     Thickness      thickness      = Thickness::constant_volume;
 
+    /** @param name of the material. */
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm, const std::string &name);
 
     /** Throws InputError, naming the material @p name, if a number is not
      * admissible. */
     void
     check(const std::string &name) const;
+
+    /** Null for none. Throws InputError if it cannot be used. */
+    std::shared_ptr<const ForceCurve>
+    force_curve() const;
+
+    /** Young's modulus of the cords, with a curve that at the stretch 1. Unit:
+     * force/area. */
+    double
+    cord_modulus() const;
 
     /** The area of a cord. Unit: area. */
     double

@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include <biface/laminate/force_curve.h>
 #include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
 
@@ -86,7 +87,9 @@ namespace Biface
    * Cords whose nominal stress, the force per undeformed area of the ply, is
    * linear in their stretch @f$\lambda=\sqrt{1+2e}@f$:
    * @f$P = E\,(\lambda-1)@f$, with a lower modulus where they are shorter than
-   * @f$1-e_c@f$. The stress is @f$P/\lambda@f$.
+   * @f$1-e_c@f$. The stress is @f$P/\lambda@f$. In tension, what a measured
+   * curve @f$F(\lambda)@f$ has beyond its initial slope may be added,
+   * @f$n\,[F(\lambda)-F'(1)(\lambda-1)]@f$ with n cords per area.
    */
   class StretchedCordLaw : public CordLaw
   {
@@ -96,12 +99,15 @@ namespace Biface
      * @param compression The modulus in compression beyond the onset. Unit:
      * force/area of the ply.
      * @param onset @f$e_c@f$ of CordLaw.
+     * @param curve of a cord; null for none.
+     * @param n_per_area the cords per area of the ply across them. Unit:
+     * 1/area.
      */
-    StretchedCordLaw(const double modulus,
-                     const double compression,
-                     const double onset)
-      : modulus(modulus), compression(compression), onset(onset)
-    {}
+    StretchedCordLaw(const double                      modulus,
+                     const double                      compression,
+                     const double                      onset,
+                     std::shared_ptr<const ForceCurve> curve      = nullptr,
+                     const double                      n_per_area = 0);
 
     Response
     response(const double strain) const override;
@@ -110,13 +116,12 @@ namespace Biface
     is_slack(const double strain) const override;
 
     double
-    lowest_modulus() const override
-    {
-      return compression;
-    }
+    lowest_modulus() const override;
 
   private:
-    double modulus, compression, onset;
+    double                            modulus, compression, onset;
+    std::shared_ptr<const ForceCurve> curve;
+    double                            n_per_area;
   };
 
 
