@@ -7,7 +7,11 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/force_curve.h>
 
+// pchip.hpp takes isnan() from math.h
+// clang-format off
+#include <math.h>
 #include <boost/math/interpolators/pchip.hpp>
+// clang-format on
 
 namespace Biface
 {

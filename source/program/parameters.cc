@@ -320,6 +320,11 @@ namespace Biface
       throw InputError("Heat/Temperatures",
                        value,
                        "it needs a material with a 'Temperature shift'");
+    if (!(heat.inside.coefficient + heat.air.coefficient > 0))
+      throw InputError("Heat/Air film",
+                       number_to_string(heat.air.coefficient),
+                       "it must be positive, or 'Inside film', for the heat to "
+                       "leave the wall");
   }
 
 

@@ -66,12 +66,6 @@ namespace Biface
                                      std::make_pair("Ground", ground)})
       check_not_negative("Heat/" + std::string(name) + " film",
                          film.coefficient);
-    if (temperatures != Temperatures::given &&
-        !(inside.coefficient + air.coefficient > 0))
-      throw InputError("Heat/Air film",
-                       number_to_string(air.coefficient),
-                       "it must be positive, or 'Inside film', for the heat to "
-                       "leave the wall");
   }
 
 
