@@ -32,7 +32,8 @@ SMALL = {"Material cord/Relaxation times":
          "Material cord/Temperature shift": "none",
          "Material cord/Reference temperature": 0,
          "Material cord/WLF C1": 17.44, "Material cord/WLF C2": 51.6}
-ELASTIC = {"Material cord/Relaxation times": "",
+ELASTIC = {"Stage 1/Duration": 0, "Stage 2/Duration": 0,
+           "Material cord/Relaxation times": "",
            "Material cord/Relaxation moduli": "",
            "Material cord/Temperature shift": "none",
            "Material cord/Reference temperature": 0,
@@ -97,10 +98,9 @@ def beside_loss_factor(runs):
     rows = []
     for name, cells in (
             ("28 × 36", "-180:-16:10:smooth, -16:16:16, 16:180:10:smooth"),
-            ("28 × 72", "-180:-16:20:smooth, -16:16:32, 16:180:20:smooth"),
-            ("28 × 144", "-180:-16:40:smooth, -16:16:64, 16:180:40:smooth")):
+            ("28 × 72", "-180:-16:20:smooth, -16:16:32, 16:180:20:smooth")):
         changes = {**ONE_SPEED, **GIVEN, "Mesh/Intervals alpha_2": cells}
-        relaxing = rolling(runs.run(f"small_{name[-3:].strip()}", PRM,
+        relaxing = rolling(runs.run(f"small_{name.split()[-1]}", PRM,
                                     {**changes, **SMALL}))[-1]
         speed = relaxing["angular_velocity"]
         loss = storage = 0
@@ -110,7 +110,7 @@ def beside_loss_factor(runs):
             storage -= SMALL_PART / (1 + x * x)
         factor = loss / (1 + storage)
         elastic = rolling(runs.run(
-            f"elastic_{name[-3:].strip()}", PRM,
+            f"elastic_{name.split()[-1]}", PRM,
             {**changes, **ELASTIC, "Material cord/Loss factor": factor}))[-1]
         rows.append([name, f"{factor:.3e}",
                      f"{1000 * relaxing['rolling_resistance']:.2f}",

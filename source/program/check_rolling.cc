@@ -19,14 +19,25 @@ namespace Biface
   {
     // in each stage, and at its end
     std::vector<bool> rolling, at_end;
+    // the velocities at the end of each; none if they are computed
+    using Velocity = std::optional<double>;
+    std::vector<Velocity> turning, moving;
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
-        const Stage &stage  = stages[i];
-        const auto   before = stage_before(stages, i);
-        const bool   begins = stage.rolls(LoadLevel());
-        const bool   rolled = before && at_end[*before];
-        const bool   stops  = stage.angular_velocity.value_or(1) == 0 &&
-                           stage.ground_velocity.value_or(1) == 0;
+        const Stage &stage      = stages[i];
+        const auto   before     = stage_before(stages, i);
+        const bool   begins     = stage.rolls(LoadLevel());
+        const bool   rolled     = before && at_end[*before];
+        const auto   at_its_end = [&](const Velocity              &given,
+                                    const std::vector<Velocity> &all) {
+          return given ? given : (before ? all[*before] : Velocity(0));
+        };
+        turning.push_back(stage.prescribes_axle_moment() || stage.slip_ratio
+                            ? Velocity()
+                            : at_its_end(stage.angular_velocity, turning));
+        moving.push_back(at_its_end(stage.ground_velocity, moving));
+        const bool stops =
+          turning.back().value_or(1) == 0 && moving.back().value_or(1) == 0;
         rolling.push_back(begins || rolled);
         at_end.push_back(begins || (rolled && !stops));
       }

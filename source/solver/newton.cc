@@ -180,15 +180,17 @@ namespace Biface
   {
     Iterate iterate(
       state, loads, mu, iteration, zone_given, equations, contact, out);
-    equations.prepare(iterate.loads, state);
-    NewtonResult &result = iterate.result;
-    Increment     increment;
+    const std::string unprepared = equations.prepare(iterate.loads, state);
+    NewtonResult     &result     = iterate.result;
+    Increment         increment;
     increment.displacement = equations.mesh.owned_vector();
 
     const auto fail = [&](const Failure &why) {
       result.failure = why;
       return result;
     };
+    if (!unprepared.empty())
+      return fail({FailureCause::divergence, unprepared});
     while (true)
       {
         if (stop && stop())
@@ -399,7 +401,8 @@ namespace Biface
         return linear;
       },
       exactness);
-    if (const auto failure = nonlocal.correct(increment.displacement))
+    if (const auto failure =
+          nonlocal.correct(increment.displacement, equations.residual()))
       return Failure{failure->cause, failure->message};
     increment.mu.clear();
     iterate.last_error = linear.error * increment.displacement.linfty_norm();
@@ -410,7 +413,7 @@ namespace Biface
       count_pivots();
       equations.mesh.constraints.distribute(solution);
       if (linear.success)
-        if (const auto failure = nonlocal.correct(solution))
+        if (const auto failure = nonlocal.correct(solution, forces))
           linear = *failure;
       return linear.success;
     };
@@ -468,7 +471,8 @@ namespace Biface
     equations.update(iterate.state, increment.displacement, iterate.iteration);
     iterate.loads = equations.with_dependent_loads(
       iterate.state, iterate.parametrized.at(iterate.mu));
-    equations.prepare(iterate.loads, iterate.state);
+    const std::string unprepared =
+      equations.prepare(iterate.loads, iterate.state);
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
     iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
     const double update = increment.displacement.linfty_norm();
@@ -487,6 +491,8 @@ namespace Biface
       return Failure{FailureCause::divergence,
                      "the iteration diverged: an update exceeded 1000 times "
                      "the size of the shell"};
+    if (!unprepared.empty())
+      return Failure{FailureCause::divergence, unprepared};
     if (!iterate.zone.failure().empty())
       return Failure{FailureCause::contact_cycle, iterate.zone.failure()};
     return {};

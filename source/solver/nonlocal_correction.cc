@@ -4,6 +4,8 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <string>
+
 #include <biface/solver/nonlocal_correction.h>
 
 namespace Biface
@@ -23,7 +25,7 @@ namespace Biface
 
   namespace
   {
-    /** @f$\mathbf I+\mathbf K^{-1}\mathbf N@f$ */
+    /** @f$\mathbf I+\mathbf N\mathbf K^{-1}@f$ */
     struct Operator
     {
       const std::function<void(LA::Vector &, const LA::Vector &)> vmult;
@@ -32,35 +34,39 @@ namespace Biface
 
 
   std::optional<LinearSolverResult>
-  NonlocalCorrection::correct(LA::Vector &x) const
+  NonlocalCorrection::correct(LA::Vector &x, const LA::Vector &b) const
   {
     constexpr unsigned int max_iterations = 200;
 
     if (!nonlocal)
       return {};
     std::optional<LinearSolverResult> failure;
-    LA::Vector                        forces = equations.mesh.owned_vector();
-    const Operator matrix{[&](LA::Vector &product, const LA::Vector &of) {
-      product = of;
+    const auto displacements = [&](const LA::Vector &forces) {
+      LA::Vector answer = equations.mesh.owned_vector();
       if (failure)
-        return;
-      nonlocal->vmult(forces, of);
-      LA::Vector               answer = equations.mesh.owned_vector();
+        return answer;
       const LinearSolverResult result = solve(answer, forces);
       if (!result.success)
         failure = result;
       equations.mesh.constraints.distribute(answer);
-      product += answer;
+      return answer;
+    };
+    const Operator matrix{[&](LA::Vector &product, const LA::Vector &forces) {
+      nonlocal->vmult(product, displacements(forces));
+      product += forces;
     }};
 
-    const LA::Vector b = x;
-    ReductionControl control(
-      max_iterations, tolerance * b.l2_norm(), tolerance);
+    // what K leaves
+    LA::Vector residual = equations.mesh.owned_vector();
+    nonlocal->vmult(residual, x);
+    residual *= -1;
+    LA::Vector              y = equations.mesh.owned_vector();
+    SolverControl           control(max_iterations, tolerance * b.l2_norm());
     SolverGMRES<LA::Vector> gmres(
       control, SolverGMRES<LA::Vector>::AdditionalData(max_iterations + 2));
     try
       {
-        gmres.solve(matrix, x, b, PreconditionIdentity());
+        gmres.solve(matrix, y, residual, PreconditionIdentity());
       }
     catch (const SolverControl::NoConvergence &)
       {
@@ -73,6 +79,8 @@ namespace Biface
                                std::to_string(max_iterations) + " iterations";
           }
       }
+    if (!failure)
+      x += displacements(y);
     return failure;
   }
 } // namespace Biface

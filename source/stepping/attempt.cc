@@ -23,7 +23,10 @@ namespace Biface
       constexpr unsigned int max_rounds = 50;
 
       RollingHeat::Iteration temperatures(heat);
-      NewtonResult          &result = attempt.result;
+      // the footprint of the first round: a node that touches and leaves in
+      // turn would keep the temperatures from settling
+      const std::vector<double> parts  = heat.parts_in_contact(attempt.state);
+      NewtonResult             &result = attempt.result;
       while (result.converged)
         {
           const Loads now = loads.at(attempt.mu);
@@ -32,7 +35,7 @@ namespace Biface
                 heat.field(find_hysteresis(run.equations,
                                            attempt.state,
                                            now.rolling->angular_velocity),
-                           attempt.state,
+                           parts,
                            now),
                 tolerance,
                 attempt.state))
@@ -66,6 +69,9 @@ namespace Biface
     attempt.state         = guess.state;
     attempt.mu            = guess.mu;
     const LoadLevel &from = run.progress.reached, to = trial.level(guess.mu);
+    // without contact there are no losses
+    if (!(run.rolls && run.stage.contact))
+      attempt.state.terms.erase("heat");
     attempt.state.time_step = {to.time - from.time,
                                run.loads_at(to, law).rolling
                                  ? to.temperature
@@ -76,7 +82,7 @@ namespace Biface
                                   trial.equations.get()};
     attempt.result = newton.solve(
       attempt.state, loads, attempt.mu, iteration, guess.zone_given);
-    if (run.rolls && run.stage.contact && run.heat && run.heat->is_coupled())
+    if (run.heat && run.heat->is_coupled() && run.rolls && run.stage.contact)
       settle_heat(newton, run, *run.heat, loads, iteration, attempt);
     attempt.level = trial.level(attempt.mu);
     if (!attempt.result.converged)

@@ -64,11 +64,11 @@ namespace Biface
   void
   CriticalPointSearch::warn_of_uncounted_pivots(const StageRun &run)
   {
-    // 'report' leaves them out
-    const bool by_contact =
-      !run.stage.locates_critical_points() &&
-      run.equations.has_unsymmetric_contact(run.loads_at(run.progress.reached));
-    if (has_warned || by_contact)
+    // 'report' leaves them out where friction or rolling is the cause
+    const bool left_out = !run.stage.locates_critical_points() &&
+                          (run.rolls || run.equations.has_unsymmetric_contact(
+                                          run.loads_at(run.progress.reached)));
+    if (has_warned || left_out)
       return;
     out << "  Warning: critical points of " << run.stage.name
         << " cannot be found: the tangent is not symmetric, as with "

@@ -39,10 +39,22 @@ namespace Biface
   void
   RollingReport::add_heat(const StageRun &run, StepReport &report)
   {
-    report.heat =
-      run.heat->field(*report.rolling->hysteresis, run.state, report.loads);
+    const RollingSummary &rolling = *report.rolling;
+    if (rolling.hysteresis->of_relaxation > 0 &&
+        std::abs(rolling.mismatch) > 0.1 * rolling.hysteresis_power)
+      out << "  Warning: axle and ground have "
+          << std::round(100 * std::abs(rolling.mismatch) /
+                        rolling.hysteresis_power)
+          << " % of the power of the hysteresis too "
+          << (rolling.mismatch > 0 ? "much" : "little")
+          << ": drag and rolling resistance need smaller cells around the axle"
+          << std::endl;
+    report.heat = run.heat->field(
+      *rolling.hysteresis, run.heat->parts_in_contact(run.state), report.loads);
     if (!run.heat->is_computed())
       return;
+    if (run.heat->is_coupled())
+      report.heat->temperature = run.heat->followed(run.state);
     double lowest  = std::numeric_limits<double>::infinity(),
            highest = -std::numeric_limits<double>::infinity();
     for (const double T : report.heat->temperature)

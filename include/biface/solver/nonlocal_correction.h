@@ -16,9 +16,9 @@ namespace Biface
   /**
    * Turns solutions of systems with a tangent @f$\mathbf K@f$ into those with
    * the whole derivative @f$\mathbf K+\mathbf N@f$, where @f$\mathbf N@f$ is
-   * EquationSystem::nonlocal_part(): GMRES on
-   * @f$(\mathbf I+\mathbf K^{-1}\mathbf N)\mathbf x=\mathbf K^{-1}\mathbf
-   * b@f$. Mostly there is no such part, and nothing is done.
+   * EquationSystem::nonlocal_part(): GMRES with @f$\mathbf K@f$ as
+   * preconditioner from the right, whose residuals are forces. Mostly there is
+   * no such part, and nothing is done.
    */
   class NonlocalCorrection
   {
@@ -28,16 +28,18 @@ namespace Biface
       std::function<LinearSolverResult(LA::Vector &x, const LA::Vector &b)>;
 
     /** @param equations kept by reference.
-     * @param tolerance the relative reduction of the residual. */
+     * @param tolerance the residual relative to the right hand side. */
     NonlocalCorrection(const EquationSystem &equations,
                        const State          &state,
                        const Solve          &solve,
                        const double          tolerance);
 
-    /** @param x with the displacements that supports prescribe.
+    /** @param x the solution with @f$\mathbf K@f$, with the displacements that
+     * supports prescribe.
+     * @param b the right hand side.
      * @return the failure, if any. Must be called on all ranks. */
     std::optional<LinearSolverResult>
-    correct(LA::Vector &x) const;
+    correct(LA::Vector &x, const LA::Vector &b) const;
 
   private:
     const EquationSystem                    &equations;

@@ -316,11 +316,14 @@ namespace Biface
   }
 
 
-  void
+  std::string
   ShellEquations::prepare(const Loads &loads, State &state) const
   {
+    std::string first;
     for (const ForceTerm *term : terms)
-      term->prepare(loads, state);
+      if (const std::string why = term->prepare(loads, state); first.empty())
+        first = why;
+    return first;
   }
 
 

@@ -195,19 +195,17 @@ namespace Biface
   }
 
 
-  void
+  std::string
   InternalForces::prepare(const Loads &loads, State &state) const
   {
     const auto found = state.terms.find("relaxation");
     if (!loads.rolling || found == state.terms.end())
-      return;
-    state.flow                = loads.rolling->angular_velocity;
-    Table<2, double> internal = found->second.at_cells;
-    flow.set_internal_variables(
+      return {};
+    state.flow = loads.rolling->angular_velocity;
+    return flow.set_internal_variables(
       [&](const unsigned int c) { return total_strains(state, c); },
       state,
-      internal);
-    found->second.at_cells = internal;
+      found->second.at_cells);
   }
 
 

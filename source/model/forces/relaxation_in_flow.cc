@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
 
 #include <biface/element/mixed_element.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/forces/relaxation_in_flow.h>
 
 namespace Biface
@@ -271,7 +272,7 @@ namespace Biface
   }
 
 
-  void
+  std::string
   RelaxationInFlow::set_internal_variables(const Strains    &strains,
                                            const State      &state,
                                            Table<2, double> &internal) const
@@ -282,6 +283,16 @@ namespace Biface
     constexpr unsigned int max_rounds   = 100;
 
     const int behind = flows_against_chart(*state.flow) ? 1 : -1;
+    for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
+      {
+        const std::vector<double> of_plies = temperatures(state, strip);
+        for (const RelaxingStress &stress : relaxing(strip))
+          if (!of_plies.empty() &&
+              !(stress.relaxation->factor_of_times(of_plies[stress.ply]) > 0))
+            return "a ply has the temperature " +
+                   number_to_string(of_plies[stress.ply]) +
+                   ", where its 'Temperature shift' has no value";
+      }
     std::vector<std::vector<double>> last(mesh.cells.size());
     std::vector<Lines>               lines_of_strips;
     for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
@@ -322,11 +333,12 @@ namespace Biface
         change  = Utilities::MPI::max(change, mesh.communicator);
         largest = Utilities::MPI::max(largest, mesh.communicator);
         if (!finite)
-          break;
+          return "a stress around the axle is not a number";
         if (change <= small_change * largest)
-          return;
+          return {};
       }
-    internal.fill(std::numeric_limits<double>::quiet_NaN());
+    return "the stresses that relax around the axle have not settled in " +
+           std::to_string(max_rounds) + " rounds";
   }
 
 

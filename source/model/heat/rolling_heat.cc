@@ -161,9 +161,9 @@ namespace Biface
 
 
   RollingHeat::Field
-  RollingHeat::field(const Hysteresis &hysteresis,
-                     const State      &state,
-                     const Loads      &loads) const
+  RollingHeat::field(const Hysteresis          &hysteresis,
+                     const std::vector<double> &parts,
+                     const Loads               &loads) const
   {
     WallSection wall = section;
     for (unsigned int i = 0; i < volumes.size(0); ++i)
@@ -177,7 +177,7 @@ namespace Biface
     if (!is_computed())
       return result;
 
-    for (const double part : parts_in_contact(state))
+    for (const double part : parts)
       {
         wall.films[0].push_back(parameters.inside);
         wall.films[1].push_back(
@@ -188,6 +188,20 @@ namespace Biface
       for (unsigned int p = 0; p < volumes.size(1); ++p)
         if (!(volumes(i, p) > 0))
           result.temperature(i, p) = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+
+
+  Table<2, double>
+  RollingHeat::followed(const State &state) const
+  {
+    const std::vector<double> &numbers = state.terms.at("heat").numbers;
+    Table<2, double>           result(volumes.size(0), volumes.size(1));
+    for (unsigned int i = 0; i < volumes.size(0); ++i)
+      for (unsigned int p = 0; p < volumes.size(1); ++p)
+        result(i, p) = volumes(i, p) > 0
+                         ? numbers[i * volumes.size(1) + p]
+                         : std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 

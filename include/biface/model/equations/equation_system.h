@@ -4,6 +4,7 @@
 #define biface_model_equations_equation_system_h
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -74,10 +75,13 @@ namespace Biface
 
     /** Set what follows from the displacements of the whole shell in a state:
      * before the first assembly, and after each change of the displacements.
-     * Must be called on all ranks. */
-    virtual void
+     * Must be called on all ranks, where it returns the same: why that is not
+     * possible, or an empty string. */
+    virtual std::string
     prepare(const Loads & /*loads*/, State & /*state*/) const
-    {}
+    {
+      return {};
+    }
 
     /** The given loads, with those that follow from the displacements of the
      * whole shell. */

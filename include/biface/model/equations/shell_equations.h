@@ -115,7 +115,7 @@ namespace Biface
     }
 
     /** See ForceTerm::prepare(). */
-    void
+    std::string
     prepare(const Loads &loads, State &state) const override;
 
     /** The same as residual() for any state. The displacements at the supports

@@ -179,10 +179,13 @@ namespace Biface
 
     /** Set what follows from the displacements of the whole shell and is not
      * part of the loads. Called on all ranks after each change of the
-     * displacements in an iteration. */
-    virtual void
+     * displacements in an iteration; returns the same there: why that is not
+     * possible, or an empty string. */
+    virtual std::string
     prepare(const Loads & /*loads*/, State & /*state*/) const
-    {}
+    {
+      return {};
+    }
 
     /** Set what the term remembers at the end of a step, given the equilibria
      * before and after the step, the loads after it and its interval of time.

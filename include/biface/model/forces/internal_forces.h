@@ -67,7 +67,7 @@ namespace Biface
     void
     start_stage(const Loads &loads, State &state) const override;
 
-    void
+    std::string
     prepare(const Loads &loads, State &state) const override;
 
     /** See RelaxationInFlow::losses(); in an equilibrium of a wheel that

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <biface/element/nonlinear_plies.h>
@@ -52,9 +53,11 @@ namespace Biface
     /** Set the internal variables of the cells to those of the Gauss points
      * behind their own, which follow from the strains of all cells. The
      * thickness strains of plies of different materials depend on what is
-     * relaxed, so that this is an iteration; they become nan if it fails.
-     * @param internal by locally owned cell. */
-    void
+     * relaxed, so that this is an iteration.
+     * @param internal by locally owned cell.
+     * @return why they cannot be set, the same on all ranks; empty if they
+     * are. */
+    std::string
     set_internal_variables(const Strains            &strains,
                            const State              &state,
                            dealii::Table<2, double> &internal) const;

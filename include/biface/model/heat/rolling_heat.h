@@ -71,12 +71,21 @@ namespace Biface
       dealii::Table<2, double> temperature;
     };
 
-    /** The field of an equilibrium in which the wheel rolls. Must be called on
-     * all ranks. */
+    /** The part of a turn in which each strip touches the ground. Must be
+     * called on all ranks. */
+    std::vector<double>
+    parts_in_contact(const State &state) const;
+
+    /** The field of an equilibrium in which the wheel rolls.
+     * @param parts see parts_in_contact(). */
     Field
-    field(const Hysteresis &hysteresis,
-          const State      &state,
-          const Loads      &loads) const;
+    field(const Hysteresis          &hysteresis,
+          const std::vector<double> &parts,
+          const Loads               &loads) const;
+
+    /** The temperatures that the relaxation in a state follows. */
+    dealii::Table<2, double>
+    followed(const State &state) const;
 
     /** The iteration between rolling and conduction in a step, in which the
      * relaxation follows the temperatures. */
@@ -102,10 +111,6 @@ namespace Biface
     };
 
   private:
-    /** The part of a turn in which each strip touches the ground. */
-    std::vector<double>
-    parts_in_contact(const State &state) const;
-
     const Parameters parameters;
     const ShellMesh &mesh;
     /** Without sources and films. A ply that does not exist is thin. */
