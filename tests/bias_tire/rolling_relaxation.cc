@@ -93,9 +93,9 @@ main(int argc, char *argv[])
   {
     const std::string cells = "-180:-40:4, -40:40:12, 40:180:4";
     // relaxed when the ground comes to touch it, too
-    const auto slow = run(cells,
-                          relaxing({"Stage 1/Duration=1e16",
-                                    "Stage 3/Angular velocity=1e-16"}));
+    const auto slow = run(
+      cells,
+      relaxing({"Stage 1/Duration=1e16", "Stage 3/Angular velocity=1e-16"}));
     const auto soft = run(cells,
                           {"Material cord/Relaxation times=1",
                            "Material cord/Relaxation moduli=1e-15",
