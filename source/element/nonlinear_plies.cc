@@ -417,7 +417,7 @@ namespace Biface
   {
     unsigned int n = 0;
     for (const RelaxingStress &stress : relaxing)
-      n += stress.n_components * (stress.relaxation->n_terms() + 1);
+      n += stress.n_internal();
     return n * n_gauss_points;
   }
 
@@ -450,8 +450,7 @@ namespace Biface
                    last       = stress.ply;
                    last_point = g;
                    function(step, g, kind, k, position, internal);
-                   internal +=
-                     stress.n_components * (stress.relaxation->n_terms() + 1);
+                   internal += stress.n_internal();
                  });
   }
 

@@ -70,19 +70,19 @@ namespace Biface
     attempt.mu            = guess.mu;
     const LoadLevel &from = run.progress.reached, to = trial.level(guess.mu);
     // without contact there are no losses
-    if (!(run.rolls && run.stage.contact))
+    const bool loses_energy = run.rolls && run.stage.contact;
+    if (!loses_energy)
       attempt.state.terms.erase("heat");
-    attempt.state.time_step = {to.time - from.time,
-                               run.loads_at(to, law).rolling
-                                 ? to.temperature
-                                 : (from.temperature + to.temperature) / 2};
+    attempt.state.time_step = {
+      to.time - from.time,
+      run.rolls ? to.temperature : (from.temperature + to.temperature) / 2};
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     return run.loads_at(trial.level(mu), law);
                                   },
                                   trial.equations.get()};
     attempt.result = newton.solve(
       attempt.state, loads, attempt.mu, iteration, guess.zone_given);
-    if (run.heat && run.heat->is_coupled() && run.rolls && run.stage.contact)
+    if (loses_energy && run.heat && run.heat->is_coupled())
       settle_heat(newton, run, *run.heat, loads, iteration, attempt);
     attempt.level = trial.level(attempt.mu);
     if (!attempt.result.converged)

@@ -37,6 +37,13 @@ namespace Biface
     /** The thickness of which the stresses do work; 1 if they are resultants.
      */
     double thickness;
+
+    /** The number of its internal variables at a Gauss point. */
+    unsigned int
+    n_internal() const
+    {
+      return n_components * (relaxation->n_terms() + 1);
+    }
   };
 
 

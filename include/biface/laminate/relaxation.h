@@ -83,16 +83,6 @@ namespace Biface
       return terms.size();
     }
 
-    /** @f$\sum_i g_i@f$ */
-    double
-    relaxing_part() const
-    {
-      double sum = 0;
-      for (const Term &term : terms)
-        sum += term.part;
-      return sum;
-    }
-
     /** In a step the stress is @p factor times that of the elastic law plus
      * what the internal stresses add. */
     struct Step
@@ -183,12 +173,6 @@ namespace Biface
   {
     static constexpr unsigned int n_components =
       sizeof(Stress) / sizeof(double);
-
-    static unsigned int
-    n_numbers(const Relaxation &relaxation)
-    {
-      return n_components * (relaxation.n_terms() + 1);
-    }
 
     /** The law of a step that starts with these @p numbers. */
     static Relaxed<Stress>

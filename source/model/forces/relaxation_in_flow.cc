@@ -33,12 +33,6 @@ namespace Biface
     {
       return angular_velocity >= 0;
     }
-
-    unsigned int
-    n_internal(const RelaxingStress &stress)
-    {
-      return stress.n_components * (stress.relaxation->n_terms() + 1);
-    }
   } // namespace
 
 
@@ -68,10 +62,11 @@ namespace Biface
       return &values[position(row, point)];
     }
 
-    /** Those of a cell, Gauss point by Gauss point, or those of the points
-     * before its own in the direction @p by = -1, or behind. */
+    /** Those of the points next to the points of a cell, Gauss point by Gauss
+     * point.
+     * @param by -1 or 1, for the points before or after in the row. */
     std::vector<double>
-    of_cell(const unsigned int around, const int by = 0) const
+    of_neighbors(const unsigned int around, const int by) const
     {
       std::vector<double> result;
       const unsigned int  n = n_points();
@@ -243,12 +238,12 @@ namespace Biface
   {
     unsigned int n_per_point = 0;
     for (const RelaxingStress &stress : relaxing(strip))
-      n_per_point += n_internal(stress);
+      n_per_point += stress.n_internal();
     Ring         internal(mesh.grid.n_cells(1), n_per_point);
     unsigned int position = 0, result_position = 0;
     for (const RelaxingStress &stress : relaxing(strip))
       {
-        const unsigned int n_numbers = n_internal(stress);
+        const unsigned int n_numbers = stress.n_internal();
         for (unsigned int row = 0; row < n_rows; ++row)
           {
             std::vector<double> components;
@@ -325,7 +320,7 @@ namespace Biface
             for (const unsigned int c : own_cells[strip])
               {
                 const std::vector<double> of_cell =
-                  variables.of_cell(around(c), behind);
+                  variables.of_neighbors(around(c), behind);
                 std::copy(of_cell.begin(), of_cell.end(), &internal(c, 0));
               }
           }
@@ -361,30 +356,20 @@ namespace Biface
         const unsigned int n    = plies[strip].n_relaxing_components();
         const Ring         ring = gather(
           strip, 2 * n, [&](const unsigned int c, std::vector<double> &values) {
-            std::vector<double> stresses, of_strains;
+            const HistoryOfPlies own{&internal(c, 0)};
+            std::vector<double>  stresses, of_strains;
             plies[strip].elastic_stresses(
-              strains(c), {&internal(c, 0)}, stresses, &of_strains);
-            const double *numbers = &internal(c, 0);
+              strains(c), own, stresses, &of_strains);
+            // in no time, the internal variables add just this
+            const std::vector<double> relaxed =
+              plies[strip].added_stresses(own);
             for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
               {
-                unsigned int position = g * n;
-                for (const RelaxingStress &stress : relaxing(strip))
-                  {
-                    const unsigned int m     = stress.n_components,
-                                       terms = stress.relaxation->n_terms();
-                    for (unsigned int i = 0; i < m; ++i, ++position)
-                      {
-                        double relaxed = 0;
-                        for (unsigned int t = 0; t < terms; ++t)
-                          relaxed += numbers[t * m + i];
-                        relaxed -= stress.relaxation->relaxing_part() *
-                                   numbers[terms * m + i];
-                        values[g * 2 * n + position - g * n] = relaxed;
-                        values[g * 2 * n + n + position - g * n] =
-                          of_strains[position];
-                      }
-                    numbers += n_internal(stress);
-                  }
+                std::copy_n(
+                  relaxed.begin() + g * n, n, values.begin() + 2 * g * n);
+                std::copy_n(of_strains.begin() + g * n,
+                            n,
+                            values.begin() + (2 * g + 1) * n);
               }
           });
 
@@ -468,7 +453,7 @@ namespace Biface
           for (const unsigned int c : flow.own_cells[strip])
             {
               const std::vector<double> internal =
-                variables.of_cell(flow.around(c), behind);
+                variables.of_neighbors(flow.around(c), behind);
               mesh.add_nodal_forces(
                 mesh.cells[c],
                 element(c).internal_force(
@@ -487,7 +472,7 @@ namespace Biface
 
   private:
     const RelaxationInFlow &flow;
-    const State             state;
+    const State            &state;
     /** By strip. */
     std::vector<Lines> lines;
     /** By cell; null for those of other ranks and without relaxation. */

@@ -66,7 +66,8 @@ namespace Biface
     low_rank_part(const State &state, const Loads &loads) const = 0;
 
     /** Another part of the derivative that tangent() does not contain; null for
-     * nothing. Must be called on all ranks. */
+     * nothing. Must be called on all ranks, and keeps the state by
+     * reference. */
     virtual std::unique_ptr<const NonlocalStiffness>
     nonlocal_part(const State & /*state*/) const
     {

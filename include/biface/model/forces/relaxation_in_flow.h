@@ -73,7 +73,7 @@ namespace Biface
            const double                    angular_velocity) const;
 
     /** The derivative of the forces by the displacements of other cells, at a
-     * state with set_internal_variables(). */
+     * state with set_internal_variables(), which is kept by reference. */
     std::unique_ptr<const NonlocalStiffness>
     stiffness(const Strains                  &strains,
               const State                    &state,
