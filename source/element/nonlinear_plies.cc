@@ -656,14 +656,38 @@ namespace Biface
   }
 
 
+  std::vector<PointStrains::Vector>
+  NonlinearPlies::Changes::added_at_points(
+    const std::vector<double> &added) const
+  {
+    const unsigned int n_points =
+      points ? plies.points->get_points().size() : 0;
+    std::vector<PointStrains::Vector> result(n_gauss_points * n_points);
+    for_relaxing(plies.points.get(),
+                 plies.cords,
+                 plies.relaxing_plies.size(),
+                 [&](const unsigned int g,
+                     const Kind         kind,
+                     const unsigned int k,
+                     const unsigned int position) {
+                   if (kind == Kind::point)
+                     result[g * n_points + k] =
+                       components<PointStrains::Vector>(added.data() +
+                                                        position);
+                 });
+    return result;
+  }
+
+
   void
-  NonlinearPlies::Changes::elastic_stresses(const Modes::Vector &dE,
+  NonlinearPlies::Changes::elastic_stresses(const Modes::Vector       &dE,
+                                            const std::vector<double> &added,
                                             std::vector<double> &stresses) const
   {
     const AtPoints                    strains = at_gauss_points(dE);
     std::vector<PointStrains::Vector> at_points;
     if (points)
-      points->elastic_stresses(strains, at_points);
+      points->elastic_stresses(strains, added_at_points(added), at_points);
     OfGroups d_eta;
     for (unsigned int m = 0; m < varying.size(); ++m)
       for (unsigned int i = 0; i < Modes::n; ++i)
@@ -698,11 +722,8 @@ namespace Biface
   Modes::Vector
   NonlinearPlies::Changes::resultants(const std::vector<double> &added) const
   {
-    const unsigned int n_points =
-      points ? plies.points->get_points().size() : 0;
-    std::vector<PointStrains::Vector> at_points(n_gauss_points * n_points);
-    AtPoints                          of_cords, sums;
-    OfGroups                          of_groups;
+    AtPoints of_cords, sums;
+    OfGroups of_groups;
     for_relaxing(plies.points.get(),
                  plies.cords,
                  plies.relaxing_plies.size(),
@@ -711,21 +732,19 @@ namespace Biface
                      const unsigned int k,
                      const unsigned int position) {
                    const double *stress = added.data() + position;
-                   if (kind == Kind::point)
-                     at_points[g * n_points + k] =
-                       components<PointStrains::Vector>(stress);
-                   else if (kind == Kind::cords)
+                   if (kind == Kind::cords)
                      for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
                        of_cords[g][s] += plies.cords[k].thickness * *stress *
                                          plies.cords[k].direction[s];
-                   else
+                   else if (kind == Kind::varying)
                      for (unsigned int m = 1; m < Modes::groups.size(); ++m)
                        of_groups[m - 1] +=
                          Modes::value_at_gauss_point(Modes::groups[m], g) *
                          stress[m - 1] / n_gauss_points;
                  });
     if (points)
-      points->resultants(at_points, make_array_view(sums.begin(), sums.end()));
+      points->resultants(added_at_points(added),
+                         make_array_view(sums.begin(), sums.end()));
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       sums[g] += of_cords[g];
     Modes::Vector       H = Modes::from_gauss_points(sums, plies.with_twist);

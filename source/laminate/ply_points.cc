@@ -375,7 +375,9 @@ namespace Biface
 
   void
   PlyPoints::Changes::elastic_stresses(
-    const Places &strains, std::vector<PointStrains::Vector> &stresses) const
+    const Places                            &strains,
+    const std::vector<PointStrains::Vector> &added,
+    std::vector<PointStrains::Vector>       &stresses) const
   {
     const unsigned int                n_points = plies.points.size();
     std::vector<PointStrains::Vector> e(moduli.size());
@@ -391,8 +393,9 @@ namespace Biface
             const Point &point = plies.points[k - i * n_points];
             e[k]               = point.strain(strains[i]);
             e[k][PointStrains::thickness] =
-              -(moduli[k][PointStrains::thickness] * e[k]) /
-              moduli[k][PointStrains::thickness][PointStrains::thickness];
+              -(factors[k] * (moduli[k][PointStrains::thickness] * e[k]) +
+                added[k][PointStrains::thickness]) /
+              modulus_33(k);
             lacking -= point.thickness * e[k][PointStrains::thickness];
           }
       }

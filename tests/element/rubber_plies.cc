@@ -100,28 +100,49 @@ namespace
 
 
   /** What NonlinearPlies::Changes says of how the elastic stresses follow the
-   * strains, and the resultants what is added to the stresses. */
+   * strains and what is added to the stresses, and the resultants the latter.
+   */
   void
   check_changes(const NonlinearPlies &law,
                 const Modes::Vector  &E,
                 const HistoryOfPlies &history)
   {
-    const Modes::Vector dE   = some_vector<Modes::n>(1, 11);
-    constexpr double    step = 1e-6;
-    std::vector<double> below, above, strains_below, strains_above;
-    law.elastic_stresses(E - step * dE, history, below, &strains_below);
-    law.elastic_stresses(E + step * dE, history, above, &strains_above);
+    const Modes::Vector           dE   = some_vector<Modes::n>(1, 11);
+    constexpr double              step = 1e-6;
     const NonlinearPlies::Changes changes(law, E, history);
-    std::vector<double>           change(below.size());
-    changes.elastic_stresses(dE, change);
-    double error = 0, size = 0;
-    for (unsigned int i = 0; i < change.size(); ++i)
-      {
-        error = std::max(
-          error, std::abs(change[i] - (above[i] - below[i]) / (2 * step)));
-        size = std::max(size, std::abs(change[i]));
-      }
-    check_small("  elastic stresses", error, 1e-6, size);
+    std::vector<double>           below, above, strains_below, strains_above;
+    const auto                    check = [&](const std::string   &name,
+                           const Modes::Vector &by_strain,
+                           const double         by_internal) {
+      const auto at = [&](const double         by,
+                          std::vector<double> &stresses,
+                          std::vector<double> &strains) {
+        std::vector<double> internal(law.n_internal());
+        for (unsigned int i = 0; i < internal.size(); ++i)
+          internal[i] =
+            history.internal[i] + by * by_internal * std::sin(2. + i);
+        HistoryOfPlies changed = history;
+        changed.internal       = internal.data();
+        law.elastic_stresses(E + by * by_strain, changed, stresses, &strains);
+        return law.added_stresses(changed);
+      };
+      std::vector<double>       added = at(step, above, strains_above);
+      const std::vector<double> added_below = at(-step, below, strains_below);
+      for (unsigned int i = 0; i < added.size(); ++i)
+        added[i] = (added[i] - added_below[i]) / (2 * step);
+      std::vector<double> change(below.size());
+      changes.elastic_stresses(by_strain, added, change);
+      double error = 0, size = 0;
+      for (unsigned int i = 0; i < change.size(); ++i)
+        {
+          error = std::max(
+            error, std::abs(change[i] - (above[i] - below[i]) / (2 * step)));
+          size = std::max(size, std::abs(change[i]));
+        }
+      check_small(name, error, 1e-6, size);
+    };
+    check("  elastic stresses by what is added", Modes::Vector(), 1);
+    check("  elastic stresses", dE, 0);
 
     // their work on the change of the strains
     std::vector<double> added;

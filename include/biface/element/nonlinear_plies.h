@@ -189,14 +189,20 @@ namespace Biface
               const Modes::Vector  &E,
               const HistoryOfPlies &history);
 
+      /** @param added the change of what is added to the stresses. */
       void
-      elastic_stresses(const Modes::Vector &dE,
-                       std::vector<double> &stresses) const;
+      elastic_stresses(const Modes::Vector       &dE,
+                       const std::vector<double> &added,
+                       std::vector<double>       &stresses) const;
 
       Modes::Vector
       resultants(const std::vector<double> &added) const;
 
     private:
+      /** What is added to the stresses of PlyPoints. */
+      std::vector<PointStrains::Vector>
+      added_at_points(const std::vector<double> &added) const;
+
       const NonlinearPlies             &plies;
       std::optional<PlyPoints::Changes> points;
       /** The moduli of cords, Gauss point by Gauss point. */

@@ -142,11 +142,13 @@ namespace Biface
               const ThicknessState &state);
 
       /** @param strains their changes, by place.
-       * @param stresses those of all points, place by place, without
-       * relaxation. */
+       * @param added that of what is added to the stresses of all points, place
+       * by place, which changes their thickness strains.
+       * @param stresses those of all points, likewise, without relaxation. */
       void
-      elastic_stresses(const Places                      &strains,
-                       std::vector<PointStrains::Vector> &stresses) const;
+      elastic_stresses(const Places                            &strains,
+                       const std::vector<PointStrains::Vector> &added,
+                       std::vector<PointStrains::Vector>       &stresses) const;
 
       /** @param added to the stresses of all points, place by place.
        * @param resultants of each place. */

@@ -439,31 +439,46 @@ namespace Biface
               mesh.cells[c].geometry,
               mesh.cell_values(state.displacement, mesh.cells[c]));
           };
-          const Ring elastic =
-            flow.gather(strip,
-                        flow.plies[strip].n_relaxing_components(),
-                        [&](const unsigned int c, std::vector<double> &values) {
-                          changes[c]->elastic_stresses(
-                            element(c).strain_variation(
-                              mesh.cell_values(dV, mesh.cells[c])),
-                            values);
-                        });
-          const Ring variables =
-            flow.internal_variables(lines[strip], strip, elastic);
-          for (const unsigned int c : flow.own_cells[strip])
+          const std::vector<unsigned int> &own   = flow.own_cells[strip];
+          const NonlinearPlies            &plies = flow.plies[strip];
+          std::vector<Modes::Vector>       dE;
+          for (const unsigned int c : own)
+            dE.push_back(
+              element(c).strain_variation(mesh.cell_values(dV, mesh.cells[c])));
+          // without and with the changes of the thickness strains
+          std::vector<std::vector<double>> added(
+            own.size(),
+            std::vector<double>(Modes::n_gauss_points *
+                                plies.n_relaxing_components()));
+          const unsigned int n_rounds = plies.is_whole_law() ? 3 : 1;
+          for (unsigned int round = 0; round < n_rounds; ++round)
             {
-              const std::vector<double> internal =
-                variables.of_neighbors(flow.around(c), behind);
-              mesh.add_nodal_forces(
-                mesh.cells[c],
-                element(c).internal_force(
-                  changes[c]->resultants(flow.plies[strip].added_stresses(
-                    {internal.data(),
-                     flow.steps(state, mesh.cells[c]),
-                     flow.temperatures(state, strip)})),
-                  Modes::Vector()),
-                forces);
+              unsigned int next    = 0;
+              const Ring   elastic = flow.gather(
+                strip,
+                plies.n_relaxing_components(),
+                [&](const unsigned int c, std::vector<double> &values) {
+                  changes[c]->elastic_stresses(dE[next], added[next], values);
+                  ++next;
+                });
+              const Ring variables =
+                flow.internal_variables(lines[strip], strip, elastic);
+              for (unsigned int i = 0; i < own.size(); ++i)
+                {
+                  const std::vector<double> internal =
+                    variables.of_neighbors(flow.around(own[i]), behind);
+                  added[i] =
+                    plies.added_stresses({internal.data(),
+                                          flow.steps(state, mesh.cells[own[i]]),
+                                          flow.temperatures(state, strip)});
+                }
             }
+          for (unsigned int i = 0; i < own.size(); ++i)
+            mesh.add_nodal_forces(
+              mesh.cells[own[i]],
+              element(own[i]).internal_force(
+                changes[own[i]]->resultants(added[i]), Modes::Vector()),
+              forces);
         }
       forces.compress(VectorOperation::add);
       mesh.condense(forces);
