@@ -254,8 +254,8 @@ class Pages:
 
     def sensitivities(self, plt):
         """The tornado chart of the tire on the ground."""
+        from biface import Results
         from biface_report import sensitivities as report
-        from biface_report.results import Run
         directory = self.run(
             "sensitivities", self.prm / "bias_tire_true_pressure.prm",
             "Contact/Multiplier mass=lumped", "Stage 2/Steps=2",
@@ -267,7 +267,7 @@ class Pages:
             "approach: Stage 2/Travel",
             "Sensitivities/Outputs=force, mean_pressure, footprint_length, "
             "max_fiber_tension")
-        self.save(report.draw(report.bars_of(Run(directory).sensitivities())),
+        self.save(report.draw(report.bars_of(Results(directory).sensitivities())),
                   "sensitivities")
         plt.close("all")
 
@@ -298,12 +298,13 @@ class Pages:
 
     def study(self, plt, ranks):
         """The chart of main effects."""
+        from biface import Study
         from biface_report import study as report
         from biface_report.drawing import Picture
         directory = self.scratch / "study"
         subprocess.run([*ranks, self.program, "--study", "--quiet", "--output",
                         directory, self.prm / "study_of_footprint.prm"], check=True)
-        study = report.Study(directory)
+        study = Study(directory)
         drawn = []
         report.embed = lambda figure, kind="svg": (drawn.append(figure),
                                                    Picture("", 0))[1]

@@ -15,7 +15,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.rendering import (
     add_color_bar, corners, figure_of, fixed_camera, merge_points, point_values,

@@ -24,7 +24,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 

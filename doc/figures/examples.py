@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.drawing import BLUE, GRAY, STYLE, save
 

@@ -16,7 +16,7 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.drawing import BLUE, DISTINCT, GRAY, RED, STYLE, save
 

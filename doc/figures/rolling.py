@@ -17,7 +17,7 @@ import numpy as np
 
 from rough_ground import draw_footprint, legend_of_footprints, read
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 

@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "source/report"), str(ROOT / "doc")]
+sys.path[:0] = [str(ROOT / "source/python"), str(ROOT / "doc")]
 
 from biface_report.drawing import BLUE, GRAY, STYLE, save, shades
 from example_page import lines_of, section

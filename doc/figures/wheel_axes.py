@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 from matplotlib.patches import Arc, Circle, FancyBboxPatch
 from matplotlib.transforms import Affine2D
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 

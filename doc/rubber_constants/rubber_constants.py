@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from example_page import EXAMPLES, lines_of, parse_arguments, table
 
 ROOT = EXAMPLES.parent
-PACKAGE = ROOT / "source/report"
+PACKAGE = ROOT / "source/python"
 
 PAGE = """<!-- Written by doc/rubber_constants/rubber_constants.py: cmake --build build --target rubber_constants -->
 

@@ -11,8 +11,8 @@ from report_test import (PACKAGE, check, check_equal, copy_of, page_of, read_csv
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
+from biface import Results
 from biface_report.charts import ProbeCurves
-from biface_report.results import Run
 
 directory = copy_of("buckling")
 for path in directory.glob("shell-*.vtu"):
@@ -38,7 +38,7 @@ check(cells[:5] == [f"Step {critical['step']}", "push", "bifurcation", "located"
 check(abs(values[1] - 1) < 0.01, f"the column bifurcates at {values[1]}")
 check(f"Rings: critical points, bifurcation in step {critical['step']}." in page.text,
       "the caption does not tell of the critical point")
-run = Run(directory)
+run = Results(directory)
 rings = [line for line in ProbeCurves(run, run.probes()).draw().axes[0].lines
          if line.get_markerfacecolor() == "none"]
 check([len(line.get_xdata()) for line in rings] == [1], "not one ring on the curve")

@@ -11,9 +11,9 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Table
+from biface.parameters import read_parameters
 from biface_report.loading import counted_steps
-from biface_report.parameters import read_parameters
-from biface_report.results import Table
 
 STAGES = """set Number of stages = 4
 subsection Stage 1

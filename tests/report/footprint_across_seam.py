@@ -10,8 +10,8 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Table
 from biface_report.footprint import Footprint
-from biface_report.results import Table
 
 # a ring of radius 1, seen from -x, where its angle goes from 180 to -180; with
 # and without the seam the same nodes are in contact

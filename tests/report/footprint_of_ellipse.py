@@ -10,8 +10,8 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Table
 from biface_report.footprint import Footprint
-from biface_report.results import Table
 
 LENGTH, WIDTH, ANGLE, CELL = 9.0, 4.0, np.radians(25), 0.25
 

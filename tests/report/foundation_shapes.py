@@ -11,8 +11,8 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Table
 from biface_report.foundation import Foundation
-from biface_report.results import Table
 from biface_report.section import SectionPlane
 
 DIRECTION, POINT, TRAVEL = np.array([2.0, 0.3, -1]), np.array([4.0, -7, 2]), 3.5

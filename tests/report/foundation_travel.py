@@ -10,15 +10,15 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Results
 from biface_report.foundation import foundation_in_step
-from biface_report.results import Run
 
 for name, words in (("drum", "drum"), ("sphere", "sphere"),
                     ("hollow_sphere", "hollow sphere")):
     page = page_of(RUNS / name)
     check(f"Dashes: the {words}." in page.text, f"{name} has no trace")
 
-    run = Run(RUNS / name)
+    run = Results(RUNS / name)
     approach = {int(row["step"]): float(row["approach"])
                 for row in read_csv(RUNS / name / "history.csv")
                 if int(row["contact_nodes"]) > 0}

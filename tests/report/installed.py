@@ -9,7 +9,7 @@ from report_test import BUILD, RUNS, check, page_of, require, scratch
 
 require("matplotlib")
 prefix = scratch() / "a prefix"
-subprocess.run([os.environ["CMAKE"], "--install", BUILD / "source/report",
+subprocess.run([os.environ["CMAKE"], "--install", BUILD / "source/python",
                 "--prefix", prefix], check=True, capture_output=True)
 launcher = prefix / "bin/biface-report"
 check(str(BUILD) not in launcher.read_text(), "the launcher names the build")

@@ -15,7 +15,7 @@ from pathlib import Path
 
 BUILD, SOURCE, RUNS = (Path(os.environ[f"BIFACE_{name}"])
                        for name in ("BUILD", "SOURCE", "RUNS"))
-PACKAGE = SOURCE / "source/report"
+PACKAGE = SOURCE / "source/python"
 
 # HTML elements without an end tag
 VOID = ("meta", "img", "br", "link", "input", "hr")

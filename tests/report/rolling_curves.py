@@ -12,10 +12,10 @@ from report_test import (PACKAGE, RUNS, check, check_equal, copy_of, page_of,
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
+from biface import Results
 from biface_report import rolling
-from biface_report.results import Run
 
-run = Run(RUNS / "rolling_tire")
+run = Results(RUNS / "rolling_tire")
 found = run.rolling()
 stages = found["stage"]
 cornering = rolling.curves(run, found, rolling.is_cornering)

@@ -10,11 +10,11 @@ from report_test import PACKAGE, RUNS, check, check_equal, read_csv, require
 require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
+from biface import Results
 from biface_report import charts
 from biface_report.loading import rows_before
-from biface_report.results import Run
 
-run = Run(RUNS / "tire_stiffness")
+run = Results(RUNS / "tire_stiffness")
 history = read_csv(RUNS / "tire_stiffness/history.csv")
 stages = [row["stage"] for row in history]
 last = {stage: i for i, stage in enumerate(stages)}
@@ -49,5 +49,5 @@ for approach, force in curves[1:8]:
 end = last["1000 N at 0.12 MPa: less load"]
 change = [float(history[end][name]) - float(history[loaded][name])
           for name in ("force", "approach")]
-check_equal(charts.stiffness(Run(RUNS / "tire_stiffness", end + 1)),
+check_equal(charts.stiffness(Results(RUNS / "tire_stiffness", end + 1)),
             change[0] / change[1], "the stiffness of less load")

@@ -11,8 +11,8 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
+from biface import Table
 from biface_report.loading import step_labels
-from biface_report.results import Table
 
 
 class Run:

@@ -13,8 +13,8 @@ from report_test import (PACKAGE, RUNS, check, check_equal, page_of, read_csv,
 require("matplotlib")
 sys.path.insert(0, str(PACKAGE))
 
+from biface import Results
 from biface_report.drawing import BLUE, RED
-from biface_report.results import Run
 from biface_report.sensitivities import bars_of, draw
 from matplotlib.colors import to_rgba
 
@@ -28,7 +28,7 @@ for bars in expected.values():
     bars.sort(key=lambda bar: -abs(bar[1]))
 check(list(expected) == ["force", "loaded_radius"], f"the outputs {list(expected)}")
 
-drawing = draw(bars_of(Run(RUNS / "sensitivities").sensitivities()))
+drawing = draw(bars_of(Results(RUNS / "sensitivities").sensitivities()))
 panels = [axes for axes in drawing.axes if axes.get_visible()]
 check([axes.get_title() for axes in panels] == list(expected), "other panels")
 for axes, bars in zip(panels, expected.values()):

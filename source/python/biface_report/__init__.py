@@ -2,8 +2,6 @@
 """Turns a directory of biface results into one page of HTML.
 
     command_line   what the commands have in common
-    results        reads and checks the files of a run
-    parameters     reads parameters.prm
     loading        what changes from step to step
     foundation     the plane, drum or sphere, and where it stands
     footprint      the contact zone, projected along the direction of travel

@@ -11,14 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from .errors import BifaceError
 from .parameters import read_parameters
-
-# Columns of numbers that may be NaN
-UNDEFINED = ("logarithmic_derivative",)
-
-# Columns of text
-WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
-         "entry", "output")
+from .tables import read_csv, read_text
 
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
@@ -51,103 +46,17 @@ PLY_COLUMNS = ("name", "ply", "material", "fraction", "angle", "height",
                "fiber_tension", "s_L", "s_T", "t_LT")
 
 
-class ReportError(Exception):
-    """What is wrong with the input, as one sentence for the user."""
-
-
-class Table(dict):
-    """Columns by name: arrays of numbers or of text, all of the same length."""
-
-    def __len__(self):
-        return self.n_rows
-
-    def __init__(self, columns):
-        super().__init__(columns)
-        self.n_rows = len(next(iter(columns.values())))
-
-    def where(self, chosen):
-        """The rows chosen by an array of booleans."""
-        return Table({name: values[chosen] for name, values in self.items()})
-
-    def positions(self, prefix=""):
-        """The columns x, y and z, after a prefix, as rows of points."""
-        return np.stack([self[prefix + i] for i in "xyz"], -1)
-
-
-def read_text(path):
-    """The text of a file."""
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise ReportError(f"{path} is damaged: it is not text.") from None
-    except OSError as error:
-        raise ReportError(f"{path} cannot be read ({error.strerror}).") from None
-
-
-def split_line(line, names):
-    """The fields of a line. Names of stages may contain commas."""
-    fields = line.split(",")
-    surplus = len(fields) - len(names)
-    if surplus > 0 and "stage" in names:
-        at = names.index("stage")
-        fields[at:at + surplus + 1] = [",".join(fields[at:at + surplus + 1])]
-    return fields
-
-
-def to_number(text, name, place):
-    """A field as a number; an empty one is NaN."""
-    try:
-        return float(text) if text else np.nan
-    except ValueError:
-        raise ReportError(f"{place} is damaged: '{text}' in the column '{name}' "
-                          "is not a number.") from None
-
-
-def read_csv(path, required, may_be_cut=False):
-    """One of biface's CSV files, and whether its last line is cut off.
-
-    Throws a ReportError if a required column is missing or has a line without a
-    number, or if a line has too few or too many fields."""
-    lines = read_text(path).split("\n")
-    is_cut = lines.pop() != ""
-    if is_cut and not may_be_cut:
-        raise ReportError(f"{path} is damaged: its last line is cut off.")
-    names = lines[0].split(",") if lines else []
-    for name in required:
-        if name not in names:
-            raise ReportError(f"{path} is damaged: its first line does not name "
-                              f"the column '{name}'.")
-    rows = []
-    for number, line in enumerate(lines[1:], start=2):
-        fields = split_line(line, names)
-        place = f"{path}, line {number},"
-        if len(fields) != len(names):
-            raise ReportError(f"{place} is damaged: it has {len(fields)} fields "
-                              f"where {len(names)} are named.")
-        rows.append([field if name in WORDS else to_number(field, name, place)
-                     for name, field in zip(names, fields)])
-    columns = {name: np.array([row[i] for row in rows],
-                              dtype=object if name in WORDS else float)
-               for i, name in enumerate(names)}
-    for name in set(required) - set(WORDS + UNDEFINED):
-        finite = np.isfinite(columns[name])
-        if not finite.all():
-            raise ReportError(f"{path}, line {np.argmin(finite) + 2}, is damaged: "
-                              f"the column '{name}' has no finite number.")
-    return Table(columns), is_cut
-
-
-class Run:
+class Results:
     """A directory of results, up to a step."""
 
     def __init__(self, directory, step=None):
         """Reads the history, up to the step or, by default, the last one."""
         self.directory = Path(directory)
         if not self.directory.is_dir():
-            raise ReportError(f"{directory} is not a directory.")
+            raise BifaceError(f"{directory} is not a directory.")
         path = self.directory / "history.csv"
         if not path.exists():
-            raise ReportError(f"{directory} holds no results of biface: there "
+            raise BifaceError(f"{directory} holds no results of biface: there "
                               "is no history.csv in it.")
         self.history, self.is_cut = read_csv(path, HISTORY_COLUMNS, True)
         self._check_history(path)
@@ -156,11 +65,11 @@ class Run:
 
     def _check_history(self, path):
         if len(self.history) == 0:
-            raise ReportError(f"{path} has no step: there is nothing to report "
+            raise BifaceError(f"{path} has no step: there is nothing to report "
                               "before the first one is done.")
         steps = self.history["step"]
         if (steps != np.round(steps)).any() or (np.diff(steps) <= 0).any():
-            raise ReportError(f"{path} is damaged: its steps are not in order.")
+            raise BifaceError(f"{path} is damaged: its steps are not in order.")
 
     def _read_parameters(self):
         path = self.directory / "parameters.prm"
@@ -171,7 +80,7 @@ class Run:
         self.last_step = steps[-1]
         self.step = steps[-1] if step is None else step
         if self.step not in steps:
-            raise ReportError(f"{self.directory / 'history.csv'} has no step "
+            raise BifaceError(f"{self.directory / 'history.csv'} has no step "
                               f"{step}: it has the steps {steps[0]} to "
                               f"{steps[-1]}.")
         self.history = self.history.where(steps <= self.step)
@@ -201,7 +110,7 @@ class Run:
         at = np.searchsorted(self.steps, step or self.step)
         expected = int(self.history["contact_nodes"][at])
         if table is not None and (table["active"] > 0).sum() != expected:
-            raise ReportError(
+            raise BifaceError(
                 f"{self.path('contact', step)} does not belong to history.csv, "
                 f"which has {expected} nodes in contact in this step, but it has "
                 f"{(table['active'] > 0).sum()}.")

@@ -2,17 +2,12 @@
 """The command line of biface-rubber."""
 
 import math
-import sys
 from pathlib import Path
 
+from biface.errors import BifaceError
 from biface_report.command_line import Arguments, complain, missing_module
 
-from .errors import RubberError
-
 COMMAND = "biface-rubber"
-
-# Required modules, and the Debian packages that provide them; SciPy brings NumPy
-NEEDED = {"scipy": "python3-scipy"}
 
 LAWS = ("neo-Hooke", "Mooney-Rivlin", "Yeoh", "Ogden", "all")
 
@@ -62,24 +57,24 @@ def make_parser():
 def check(parser, arguments):
     """Refuses what does not fit together."""
     if (arguments.data is None) == (arguments.shore is None):
-        raise RubberError("give either DATA.csv or --shore.")
+        raise BifaceError("give either DATA.csv or --shore.")
     if arguments.shore is not None:
         for option in ("law", "terms", "errors", "only", "stable", "up_to", "plot"):
             if getattr(arguments, option) != parser.get_default(option):
-                raise RubberError(f"--{option.replace('_', '-')} belongs to curves, "
+                raise BifaceError(f"--{option.replace('_', '-')} belongs to curves, "
                                   "not to --shore.")
     if arguments.terms and arguments.law != "Ogden":
-        raise RubberError("--terms belongs to --law Ogden.")
+        raise BifaceError("--terms belongs to --law Ogden.")
     if arguments.K is not None and arguments.nu is not None:
-        raise RubberError("--K and --nu exclude each other.")
+        raise BifaceError("--K and --nu exclude each other.")
     if arguments.nu is None:
         arguments.nu = 0.499
     if not 0 < arguments.nu < 0.5:
-        raise RubberError(f"--nu is {arguments.nu:g}, but must lie between 0 and 0.5.")
+        raise BifaceError(f"--nu is {arguments.nu:g}, but must lie between 0 and 0.5.")
     if arguments.K is not None and not math.isfinite(arguments.K):
-        raise RubberError(f"--K is {arguments.K:g}, but must be a number.")
+        raise BifaceError(f"--K is {arguments.K:g}, but must be a number.")
     if arguments.up_to is not None and not 1 < arguments.up_to <= 100:
-        raise RubberError(f"--up-to is {arguments.up_to:g}, but must be greater than 1 "
+        raise BifaceError(f"--up-to is {arguments.up_to:g}, but must be greater than 1 "
                           "and at most 100.")
 
 
@@ -97,7 +92,7 @@ def fit_curves(arguments):
         tests = [test.strip() for test in arguments.only.split(",")]
         for test in tests:
             if test not in data.measured():
-                raise RubberError(f"--only names '{test}', but {arguments.data} has "
+                raise BifaceError(f"--only names '{test}', but {arguments.data} has "
                                   f"only points of {', '.join(data.measured())}.")
         fitted = data.only(tests)
     end = arguments.up_to or min(max(2 * data.largest_stretch() - 1, 1.01),
@@ -118,19 +113,19 @@ def fit_curves(arguments):
             try:
                 law = fit(fitted, name, count, **options)
                 rows.append((label, law, instabilities(law, end)))
-            except RubberError as error:
+            except BifaceError as error:
                 rows.append((label, None, str(error)))
         laws = [(label, law) for label, law, _ in rows if law]
         result = text.of_all(rows, data, fitted, measure, end)
     if arguments.plot and laws:
         missing = missing_module({"matplotlib": "python3-matplotlib"})
         if missing:
-            raise RubberError(missing)
+            raise BifaceError(missing)
         from .picture import draw
         try:
             draw(laws, data, fitted, arguments.plot)
         except ValueError as error:
-            raise RubberError(f"--plot is {arguments.plot}, but must be a png, svg or "
+            raise BifaceError(f"--plot is {arguments.plot}, but must be a png, svg or "
                               "pdf file.") from error
     return result
 
@@ -141,23 +136,16 @@ def main():
     arguments = parser.parse_args()
     try:
         check(parser, arguments)
-        missing = missing_module(NEEDED)
-        if missing:
-            raise RubberError(missing)
         if arguments.shore is None:
             result = fit_curves(arguments)
         else:
             from . import text
             result = text.of_hardness(arguments.shore, arguments.name, arguments.K,
                                       arguments.nu)
-    except RubberError as error:
+    except BifaceError as error:
         return complain(COMMAND, error)
     except OSError as error:
         return complain(COMMAND, f"{error.filename} cannot be read or written "
                                  f"({error.strerror}).")
     print(result, end="")
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -5,9 +5,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
+from biface.vtu import corners, read_vtu
+
 from .drawing import embed
 from .page import figure
-from .vtu import corners, read_vtu
 
 # Pictures, and the largest displacement in them relative to the shell
 N_PICTURES = 6

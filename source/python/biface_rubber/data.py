@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .errors import RubberError
+from biface.errors import BifaceError
 from .laws import TESTS
 
 # no rubber stretches as far; percents would
@@ -53,7 +53,7 @@ def number(line, column, place):
     except (TypeError, ValueError):
         value = math.nan
     if not math.isfinite(value):
-        raise RubberError(f"{place}: the {column} is '{line[column] or ''}', but must "
+        raise BifaceError(f"{place}: the {column} is '{line[column] or ''}', but must "
                           "be a number.")
     return value
 
@@ -65,28 +65,28 @@ def read(path):
             numbered = [(number, line) for number, line in enumerate(file, 1)
                         if line.strip() and not line.lstrip().startswith("#")]
     except UnicodeDecodeError as error:
-        raise RubberError(f"{path} is not a text file.") from error
+        raise BifaceError(f"{path} is not a text file.") from error
     if not numbered:
-        raise RubberError(f"{path} is empty.")
+        raise BifaceError(f"{path} is empty.")
     reader = csv.DictReader((line for _, line in numbered), skipinitialspace=True)
     names = [name.strip() for name in reader.fieldnames]
     reader.fieldnames = names
     for column in COLUMNS:
         if column not in names:
-            raise RubberError(f"{path} has no column '{column}'.")
+            raise BifaceError(f"{path} has no column '{column}'.")
     points = []
     for (place, _), line in zip(numbered[1:], reader):
         place = f"{path}, line {place}"
         test = (line["test"] or "").strip()
         if test not in TESTS:
-            raise RubberError(f"{place}: the test is '{test}', but must be "
+            raise BifaceError(f"{place}: the test is '{test}', but must be "
                               "uniaxial, equibiaxial or planar.")
         stretch = number(line, "stretch", place)
         if not 1 / LARGEST_STRETCH <= stretch <= LARGEST_STRETCH:
-            raise RubberError(f"{place}: the stretch is {stretch:g}, but must lie "
+            raise BifaceError(f"{place}: the stretch is {stretch:g}, but must lie "
                               f"between {1 / LARGEST_STRETCH:g} and "
                               f"{LARGEST_STRETCH}.")
         points.append((test, stretch, number(line, "stress", place)))
     if not points:
-        raise RubberError(f"{path} has no points.")
+        raise BifaceError(f"{path} has no points.")
     return Data(*zip(*points))

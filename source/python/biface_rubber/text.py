@@ -7,7 +7,7 @@ import textwrap
 import numpy as np
 
 from . import hardness
-from .errors import RubberError
+from biface.errors import BifaceError
 from .laws import TESTS
 
 
@@ -34,7 +34,7 @@ def bulk_modulus_of(shear_modulus, bulk_modulus, nu):
     else:
         value, origin = bulk_modulus, "as given"
         if not value > 2 / 3 * shear_modulus:
-            raise RubberError(f"--K is {value:g}, but must be greater than two thirds "
+            raise BifaceError(f"--K is {value:g}, but must be greater than two thirds "
                               f"of the shear modulus, {shear_modulus:.4g}.")
     return value, (f"K {origin}, {value / shear_modulus:.3g} shear moduli; rubbers "
                    "have about 1000 MPa, and thin shells hardly notice.")

@@ -5,9 +5,10 @@ from html import escape
 
 import numpy as np
 
+from biface.parameters import stages
+
 from . import charts, plies
 from .page import Section, count, number, paragraph, plain_number, table
-from .parameters import stages
 
 UNITS = {"length": "length", "force": "force", "area": "length²",
          "pressure": "force/length²", "stiffness": "force/length",

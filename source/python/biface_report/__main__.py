@@ -33,21 +33,22 @@ def main():
     if missing:
         return complain("biface-report", missing)
 
+    from biface import BifaceError, Results, Study
+
     from . import study
     from .content import report
-    from .results import ReportError, Run
 
     path = arguments.output or arguments.directory / "report.html"
     try:
         if (arguments.directory / "study.csv").exists():
             if arguments.step is not None:
-                raise ReportError("--step belongs to a run, but "
+                raise BifaceError("--step belongs to a run, but "
                                   f"{arguments.directory} holds a study.")
-            text = study.report(study.Study(arguments.directory))
+            text = study.report(Study(arguments.directory))
         else:
-            text = report(Run(arguments.directory, arguments.step))
+            text = report(Results(arguments.directory, arguments.step))
         path.write_text(text, encoding="utf-8")
-    except ReportError as error:
+    except BifaceError as error:
         return complain("biface-report", error)
     except OSError as error:
         return complain("biface-report",

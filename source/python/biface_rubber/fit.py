@@ -7,7 +7,7 @@ import numpy as np
 from scipy.linalg import lstsq
 from scipy.optimize import least_squares, nnls
 
-from .errors import RubberError
+from biface.errors import BifaceError
 from .laws import LINEAR, Law, ogden_terms, stress
 
 # Exponents from which fits of Ogden's law start, all combinations of them, and how
@@ -63,7 +63,7 @@ def fit(data, name, count=3, relative=False, stable=False):
     problem = Problem(data, relative, stable)
     needed = 2 * count if name == "Ogden" else len(LINEAR[name])
     if len(problem) < needed:
-        raise RubberError(f"{name} has {needed} constants, but there are only "
+        raise BifaceError(f"{name} has {needed} constants, but there are only "
                           f"{len(problem)} points"
                           + (" with a stress." if relative else "."))
     if name == "Ogden":
@@ -72,14 +72,14 @@ def fit(data, name, count=3, relative=False, stable=False):
         terms = LINEAR[name].values()
     factors, _, rank = problem.solve(terms)
     if rank < len(terms):
-        raise RubberError(f"the points do not determine all constants of {name}; it "
+        raise BifaceError(f"the points do not determine all constants of {name}; it "
                           "takes points at more stretches or in other tests, or "
                           "fewer constants.")
     kept = [(term, factor) for term, factor in zip(terms, factors)
             if factor != 0 or name != "Ogden"]
     law = Law(name, *zip(*kept)) if kept else Law(name, terms, factors)
     if not law.shear_modulus() > 0:
-        raise RubberError(f"the points give {name} the shear modulus "
+        raise BifaceError(f"the points give {name} the shear modulus "
                           f"{law.shear_modulus():.3g}, but it must be positive; a "
                           "stretch is 1 plus the strain.")
     return law

@@ -4,7 +4,7 @@ and where the steps of a stage start."""
 
 import numpy as np
 
-from .parameters import stages
+from biface.parameters import stages
 
 # Columns of history.csv, what they are called, and their units
 LOADS = {"load_factor": ("load factor", ""),

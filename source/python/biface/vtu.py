@@ -7,7 +7,8 @@ import zlib
 
 import numpy as np
 
-from .results import ReportError, read_text
+from .errors import BifaceError
+from .tables import read_text
 
 TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt32": "<u4",
          "Int64": "<i8", "UInt64": "<u8", "UInt8": "u1", "Int8": "i1"}
@@ -35,7 +36,7 @@ def read_vtu(path):
             parts.setdefault(name, []).append(array)
         n_points += n
     if "Points" not in parts:
-        raise ReportError(f"{path} is damaged: it has no points.")
+        raise BifaceError(f"{path} is damaged: it has no points.")
     return {name: np.concatenate(arrays) for name, arrays in parts.items()}
 
 
@@ -54,7 +55,7 @@ def decode(text, kind, layout, path):
             b"".join(zlib.decompress(data[end - size:end])
                      for size, end in zip(sizes, ends)), kind)
     except (ValueError, IndexError, zlib.error):
-        raise ReportError(f"{path} is damaged: an array cannot be decoded.") \
+        raise BifaceError(f"{path} is damaged: an array cannot be decoded.") \
             from None
 
 

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The results of a study, read and checked."""
+
+import csv
+import io
+from pathlib import Path
+
+import numpy as np
+
+from .errors import BifaceError
+from .parameters import read_parameters
+from .tables import read_text, to_number
+
+# The columns after the outputs
+LAST_COLUMNS = ["status", "steps", "iterations", "seconds"]
+
+
+class Study:
+    """A directory with study.csv, read and checked."""
+
+    def __init__(self, directory):
+        self.directory = Path(directory)
+        path = self.directory / "study.csv"
+        lines = list(csv.reader(io.StringIO(read_text(path))))
+        names = lines[0] if lines else []
+        if len(names) < 6 or names[0] != "sample" or names[-4:] != LAST_COLUMNS:
+            raise BifaceError(f"{path} is damaged: its first line does not name "
+                              "the columns of a study.")
+        if len(lines) == 1:
+            raise BifaceError(f"{path} has no sample: there is nothing to report "
+                              "before the first one is done.")
+        for i, line in enumerate(lines[1:], start=2):
+            if len(line) != len(names):
+                raise BifaceError(f"{path}, line {i}, is damaged: it has "
+                                  f"{len(line)} fields where {len(names)} are "
+                                  "named.")
+        self.columns = {
+            name: [line[k] if name == "status" else
+                   to_number(line[k], name, f"{path}, line {i},")
+                   for i, line in enumerate(lines[1:], start=2)]
+            for k, name in enumerate(names)}
+        self.status = self.columns["status"]
+        self.is_ok = np.array([status == "ok" for status in self.status])
+        self.parameters = self._read_parameters()
+        self.variables, self.outputs = self._split(names[1:-4])
+
+    def _read_parameters(self):
+        path = self.directory / "study.prm"
+        return read_parameters(read_text(path)) if path.exists() else None
+
+    def _split(self, names):
+        """The columns of variables and those of outputs: the latter are as many
+        as study.prm names, and empty in samples that failed."""
+        entry = self.parameters and self.parameters.find("Study/Outputs")
+        n_outputs = (len([item for item in entry.value.split(",") if item.strip()])
+                     if entry else 0)
+        at = max(len(names) - n_outputs, 0)
+        return names[:at], names[at:]
+
+    def values(self, name):
+        """The numbers of a column, of the samples that did not fail."""
+        return np.array(self.columns[name], dtype=float)[self.is_ok]

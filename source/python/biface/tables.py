@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files of results with lines of numbers, read and checked."""
+
+from pathlib import Path
+
+import numpy as np
+
+from .errors import BifaceError
+
+# Columns of numbers that may be NaN
+UNDEFINED = ("logarithmic_derivative",)
+
+# Columns of text
+WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
+         "entry", "output")
+
+
+class Table(dict):
+    """Columns by name: arrays of numbers or of text, all of the same length."""
+
+    def __len__(self):
+        return self.n_rows
+
+    def __init__(self, columns):
+        super().__init__(columns)
+        self.n_rows = len(next(iter(columns.values())))
+
+    def where(self, chosen):
+        """The rows chosen by an array of booleans."""
+        return Table({name: values[chosen] for name, values in self.items()})
+
+    def positions(self, prefix=""):
+        """The columns x, y and z, after a prefix, as rows of points."""
+        return np.stack([self[prefix + i] for i in "xyz"], -1)
+
+
+def read_text(path):
+    """The text of a file."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise BifaceError(f"{path} is damaged: it is not text.") from None
+    except OSError as error:
+        raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
+
+
+def split_line(line, names):
+    """The fields of a line. Names of stages may contain commas."""
+    fields = line.split(",")
+    surplus = len(fields) - len(names)
+    if surplus > 0 and "stage" in names:
+        at = names.index("stage")
+        fields[at:at + surplus + 1] = [",".join(fields[at:at + surplus + 1])]
+    return fields
+
+
+def to_number(text, name, place):
+    """A field as a number; an empty one is NaN."""
+    try:
+        return float(text) if text else np.nan
+    except ValueError:
+        raise BifaceError(f"{place} is damaged: '{text}' in the column '{name}' "
+                          "is not a number.") from None
+
+
+def read_csv(path, required, may_be_cut=False):
+    """One of biface's CSV files, and whether its last line is cut off.
+
+    Throws a BifaceError if a required column is missing or has a line without a
+    number, or if a line has too few or too many fields."""
+    lines = read_text(path).split("\n")
+    is_cut = lines.pop() != ""
+    if is_cut and not may_be_cut:
+        raise BifaceError(f"{path} is damaged: its last line is cut off.")
+    names = lines[0].split(",") if lines else []
+    for name in required:
+        if name not in names:
+            raise BifaceError(f"{path} is damaged: its first line does not name "
+                              f"the column '{name}'.")
+    rows = []
+    for number, line in enumerate(lines[1:], start=2):
+        fields = split_line(line, names)
+        place = f"{path}, line {number},"
+        if len(fields) != len(names):
+            raise BifaceError(f"{place} is damaged: it has {len(fields)} fields "
+                              f"where {len(names)} are named.")
+        rows.append([field if name in WORDS else to_number(field, name, place)
+                     for name, field in zip(names, fields)])
+    columns = {name: np.array([row[i] for row in rows],
+                              dtype=object if name in WORDS else float)
+               for i, name in enumerate(names)}
+    for name in set(required) - set(WORDS + UNDEFINED):
+        finite = np.isfinite(columns[name])
+        if not finite.all():
+            raise BifaceError(f"{path}, line {np.argmin(finite) + 2}, is damaged: "
+                              f"the column '{name}' has no finite number.")
+    return Table(columns), is_cut
