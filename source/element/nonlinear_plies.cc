@@ -422,36 +422,41 @@ namespace Biface
   }
 
 
+  NonlinearPlies::Steps
+  NonlinearPlies::steps(const HistoryOfPlies &history) const
+  {
+    Steps result;
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      for (const RelaxingStress &stress : relaxing)
+        if (result[g].count(stress.ply) == 0)
+          {
+            TimeStep time = history.steps[g];
+            if (!history.temperatures.empty())
+              time.temperature = history.temperatures[stress.ply];
+            result[g].emplace(stress.ply, stress.relaxation->step(time));
+          }
+    return result;
+  }
+
+
   template <typename Function>
   void
-  NonlinearPlies::for_internal(const HistoryOfPlies &history,
-                               const Function       &function) const
+  NonlinearPlies::for_internal(const Steps    &steps,
+                               const Function &function) const
   {
-    // the points of a ply follow each other
-    unsigned int     last       = numbers::invalid_unsigned_int;
-    unsigned int     last_point = 0, internal = 0, number = 0;
-    Relaxation::Step step;
-    for_relaxing(points.get(),
-                 cords,
-                 relaxing_plies.size(),
-                 [&](const unsigned int g,
-                     const Kind         kind,
-                     const unsigned int k,
-                     const unsigned int position) {
-                   const RelaxingStress &stress =
-                     relaxing[number++ % relaxing.size()];
-                   if (stress.ply != last || g != last_point)
-                     {
-                       TimeStep time = history.steps[g];
-                       if (!history.temperatures.empty())
-                         time.temperature = history.temperatures[stress.ply];
-                       step = stress.relaxation->step(time);
-                     }
-                   last       = stress.ply;
-                   last_point = g;
-                   function(step, g, kind, k, position, internal);
-                   internal += stress.n_internal();
-                 });
+    unsigned int internal = 0, number = 0;
+    for_relaxing(
+      points.get(),
+      cords,
+      relaxing_plies.size(),
+      [&](const unsigned int g,
+          const Kind         kind,
+          const unsigned int k,
+          const unsigned int position) {
+        const RelaxingStress &stress = relaxing[number++ % relaxing.size()];
+        function(steps[g].at(stress.ply), g, kind, k, position, internal);
+        internal += stress.n_internal();
+      });
   }
 
 
@@ -465,7 +470,7 @@ namespace Biface
     result.points.resize(n_gauss_points * n_points);
     result.cords.resize(n_gauss_points * cords.size());
     result.varying.resize(n_gauss_points * relaxing_plies.size());
-    for_internal(history,
+    for_internal(steps(history),
                  [&](const Relaxation::Step &step,
                      const unsigned int      g,
                      const Kind              kind,
@@ -579,19 +584,28 @@ namespace Biface
   std::vector<double>
   NonlinearPlies::added_stresses(const HistoryOfPlies &history) const
   {
+    return added_stresses(steps(history), history.internal);
+  }
+
+
+  std::vector<double>
+  NonlinearPlies::added_stresses(const Steps  &steps,
+                                 const double *internal) const
+  {
     std::vector<double> stresses;
-    const auto          append = [&](const auto &stress) {
+    stresses.reserve(n_gauss_points * n_relaxing_components());
+    const auto append = [&](const auto &stress) {
       stresses.insert(stresses.end(), stress.begin_raw(), stress.end_raw());
     };
     for_internal(
-      history,
+      steps,
       [&](const Relaxation::Step &step,
           const unsigned int,
           const Kind kind,
           const unsigned int,
           const unsigned int,
-          const unsigned int internal) {
-        const double *numbers = history.internal + internal;
+          const unsigned int position) {
+        const double *numbers = internal + position;
         if (kind == Kind::point)
           append(OfPoint::relaxed(step, numbers).stress);
         else if (kind == Kind::cords)
@@ -612,7 +626,7 @@ namespace Biface
     elastic_stresses(E, history, stresses);
     if (internal != history.internal)
       std::copy(history.internal, history.internal + n_internal(), internal);
-    for_internal(history,
+    for_internal(steps(history),
                  [&](const Relaxation::Step &step,
                      const unsigned int,
                      const Kind kind,
@@ -636,7 +650,7 @@ namespace Biface
   NonlinearPlies::Changes::Changes(const NonlinearPlies &plies,
                                    const Modes::Vector  &E,
                                    const HistoryOfPlies &history)
-    : plies(plies)
+    : plies(plies), steps(plies.steps(history))
   {
     const AtPoints        places   = at_gauss_points(E);
     const RelaxedStresses stresses = plies.relaxed(history);

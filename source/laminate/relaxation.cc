@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -105,34 +106,37 @@ namespace Biface
     const auto before = [n](const unsigned int k) {
       return k > 0 ? k - 1 : n - 1;
     };
+    const auto at = [&](const unsigned int k) {
+      return &elastic[k * n_components];
+    };
+    std::vector<double> v(n_components);
     for (unsigned int i = 0; i < terms.size(); ++i)
       {
         const Factors &factors = terms[i];
-        for (unsigned int c = 0; c < n_components; ++c)
+        const auto     go      = [&](const unsigned int k) {
+          const double *now = at(k), *last = at(before(k));
+          for (unsigned int c = 0; c < n_components; ++c)
+            v[c] = factors.remains[k] * v[c] + factors.of_point[k] * now[c] +
+                   factors.of_last[k] * last[c];
+        };
+        std::fill(v.begin(), v.end(), 0.);
+        if (factors.turn == 0)
+          for (unsigned int k = 0; k < n; ++k)
+            for (unsigned int c = 0; c < n_components; ++c)
+              v[c] += parts[k] * (at(k)[c] + at(before(k))[c]) / 2;
+        else
           {
-            const auto at = [&](const unsigned int k) {
-              return elastic[k * n_components + c];
-            };
-            double     v  = 0;
-            const auto go = [&](const unsigned int k) {
-              v = factors.remains[k] * v + factors.of_point[k] * at(k) +
-                  factors.of_last[k] * at(before(k));
-            };
-            if (factors.turn == 0)
-              for (unsigned int k = 0; k < n; ++k)
-                v += parts[k] * (at(k) + at(before(k))) / 2;
-            else
-              {
-                for (unsigned int k = 0; k < n; ++k)
-                  go(k);
-                v /= factors.turn;
-              }
             for (unsigned int k = 0; k < n; ++k)
-              {
-                go(k);
-                numbers[k * n_numbers + i * n_components + c] =
-                  factors.part * (at(k) - v);
-              }
+              go(k);
+            for (double &component : v)
+              component /= factors.turn;
+          }
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            go(k);
+            double *of_term = &numbers[k * n_numbers + i * n_components];
+            for (unsigned int c = 0; c < n_components; ++c)
+              of_term[c] = factors.part * (at(k)[c] - v[c]);
           }
       }
     return numbers;

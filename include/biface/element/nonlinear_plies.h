@@ -4,6 +4,7 @@
 #define biface_element_nonlinear_plies_h
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -179,6 +180,11 @@ namespace Biface
            const HistoryOfPlies &history,
            double               *internal) const;
 
+    /** The steps of the plies that relax, by their positions in the laminate,
+     * at each Gauss point. */
+    using Steps = std::array<std::map<unsigned int, Relaxation::Step>,
+                             Modes::n_gauss_points>;
+
     /** How elastic_stresses() change with strains, and resultants with what is
      * added to the stresses that relax, about given strains. */
     class Changes
@@ -198,12 +204,20 @@ namespace Biface
       Modes::Vector
       resultants(const std::vector<double> &added) const;
 
+      /** What other internal variables add in the same step. */
+      std::vector<double>
+      added_stresses(const double *internal) const
+      {
+        return plies.added_stresses(steps, internal);
+      }
+
     private:
       /** What is added to the stresses of PlyPoints. */
       std::vector<PointStrains::Vector>
       added_at_points(const std::vector<double> &added) const;
 
       const NonlinearPlies             &plies;
+      const Steps                       steps;
       std::optional<PlyPoints::Changes> points;
       /** The moduli of cords, Gauss point by Gauss point. */
       std::vector<double> cords;
@@ -262,11 +276,17 @@ namespace Biface
     RelaxedStresses
     relaxed(const HistoryOfPlies &history) const;
 
+    Steps
+    steps(const HistoryOfPlies &history) const;
+
     /** Call a function with the step of each RelaxingStress at each Gauss point
      * and the position of its internal variables. */
     template <typename Function>
     void
-    for_internal(const HistoryOfPlies &history, const Function &function) const;
+    for_internal(const Steps &steps, const Function &function) const;
+
+    std::vector<double>
+    added_stresses(const Steps &steps, const double *internal) const;
 
     /** @f$D'_{33}@f$ of a group. */
     double

@@ -467,10 +467,7 @@ namespace Biface
                 {
                   const std::vector<double> internal =
                     variables.of_neighbors(flow.around(own[i]), behind);
-                  added[i] =
-                    plies.added_stresses({internal.data(),
-                                          flow.steps(state, mesh.cells[own[i]]),
-                                          flow.temperatures(state, strip)});
+                  added[i] = changes[own[i]]->added_stresses(internal.data());
                 }
             }
           for (unsigned int i = 0; i < own.size(); ++i)
