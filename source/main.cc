@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include <biface/program/program.h>
 
@@ -43,6 +44,12 @@ main(int argc, char *argv[])
       return Biface::run_program(
         {argv + 1, argv + argc}, MPI_COMM_WORLD, std::cout, std::cerr);
     }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "biface: memory has ended; take fewer cells or layers, or "
+                   "more memory. '--check' says what a file needs."
+                << std::endl;
+    }
   catch (const std::exception &exception)
     {
       std::cerr << "biface: internal error: " << exception.what() << std::endl;
@@ -52,6 +59,7 @@ main(int argc, char *argv[])
       std::cerr << "biface: internal error of unknown kind" << std::endl;
     }
   // the other ranks may be waiting for this one
-  MPI_Abort(MPI_COMM_WORLD, Biface::internal_error);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    MPI_Abort(MPI_COMM_WORLD, Biface::internal_error);
   return Biface::internal_error;
 }

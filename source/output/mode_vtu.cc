@@ -77,7 +77,7 @@ namespace Biface
                                  Utilities::int_to_string(step, 4) + "-" +
                                  Utilities::int_to_string(i + 1, 3) + ".vtu";
         ModePatches patches(equations.mesh, state.displacement, shapes[i]);
-        write_vtu(patches, i + 1, directory.path(file), communicator);
+        write_vtu(patches, i + 1, file, directory);
         times_and_names.emplace_back(i + 1, file);
       }
     write_list(path(step), times_and_names);

@@ -155,6 +155,20 @@ namespace Biface
   }
 
 
+  FaceStress::FaceStress(const Laminate        &laminate,
+                         const Resultants::Face face,
+                         const StrainsOfPlies  &E)
+  {
+    const bool         is_outer = (face == Resultants::outer);
+    const unsigned int ply = is_outer ? laminate.get_plies().size() - 1 : 0;
+    const PlyState     state(laminate, ply, is_outer ? 1. : 0., E, {});
+    tangential = {{state.stress[0][0], state.stress[1][1], state.stress[0][1]}};
+    von_mises =
+      std::sqrt(1.5) *
+      deviator(state.failure_stress(laminate.get_plies()[ply])).norm();
+  }
+
+
   std::vector<std::string>
   ply_value_names(const FailureCriteria &criteria, const Layup &layup)
   {

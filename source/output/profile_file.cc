@@ -8,6 +8,7 @@
 
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
+#include <biface/output/ply_results.h>
 #include <biface/output/profile_file.h>
 
 namespace Biface
@@ -107,6 +108,56 @@ namespace Biface
   }
 
 
+  std::vector<double>
+  ProfileFile::stresses(const State &state) const
+  {
+    const ShellMesh       &mesh    = equations.mesh;
+    constexpr unsigned int n       = FaceStress::names.size();
+    const unsigned int     n_nodes = mesh.grid.n_nodes(0);
+
+    // the number of cells around each node, then the sums of both faces
+    std::vector<double> sums((1 + 2 * n) * n_nodes);
+    for (const unsigned int c : mesh.layers)
+      {
+        const Cell &cell     = mesh.cells[c];
+        const bool  is_first = (cell.layer == 0);
+        const bool  is_last  = (cell.layer + 1 == mesh.n_layers());
+        if ((!is_first && !is_last) ||
+            std::none_of(
+              cell.nodes.begin(), cell.nodes.end(), [&](const unsigned int i) {
+                return mesh.nodes[i].alpha[1] == line;
+              }))
+          continue;
+        const auto E =
+          equations.internal_forces().strains_at_vertices(state, c);
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const Node &node = mesh.nodes[cell.nodes[v]];
+            if (node.alpha[1] != line)
+              continue;
+            double         *sum      = &sums[(1 + 2 * n) * node.grid_index[0]];
+            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
+            sum[0] += is_first;
+            const auto add = [&](const Resultants::Face face, double *to) {
+              for (const double stress :
+                   FaceStress(laminate, face, E[v]).values())
+                *to++ += stress;
+            };
+            if (is_last)
+              add(Resultants::outer, sum + 1);
+            if (is_first)
+              add(Resultants::inner, sum + 1 + n);
+          }
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    std::vector<double> means;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int k = 1; k <= 2 * n; ++k)
+        means.push_back(sums[(1 + 2 * n) * i + k] / sums[(1 + 2 * n) * i]);
+    return means;
+  }
+
+
   double
   ProfileFile::carcass_height(const Node &node) const
   {
@@ -147,6 +198,8 @@ namespace Biface
     const unsigned int   n_plies = mesh.layup.get_plies().size();
     const auto           tensions =
       (members.exist() ? this->tensions(state) : std::vector<double>());
+    const std::vector<double> stresses   = this->stresses(state);
+    constexpr unsigned int    n_stresses = 2 * FaceStress::names.size();
 
     Rows rows;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -172,6 +225,8 @@ namespace Biface
             const auto begin = tensions.begin() + node.grid_index[0] * n_plies;
             row.insert(row.end(), begin, begin + n_plies);
           }
+        const auto stress = stresses.begin() + node.grid_index[0] * n_stresses;
+        row.insert(row.end(), stress, stress + n_stresses);
         rows.push_back(row);
       }
     std::string header =
@@ -180,6 +235,9 @@ namespace Biface
     if (members.exist())
       for (unsigned int p = 1; p <= n_plies; ++p)
         header += ',' + members.name() + '_' + std::to_string(p);
+    for (const std::string face : {"outer", "inner"})
+      for (const std::string name : FaceStress::names)
+        header += ',' + face + '_' + name;
     write_csv(path(report.step), header, rows, communicator);
   }
 } // namespace Biface

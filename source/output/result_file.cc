@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -17,13 +18,18 @@
 #include <biface/output/csv.h>
 #include <biface/output/result_file.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 namespace Biface
 {
   using namespace dealii;
 
   ResultsDirectory::ResultsDirectory(const std::string &name,
-                                     const MPI_Comm     communicator)
-    : communicator(communicator), name(name)
+                                     const MPI_Comm     communicator,
+                                     const Units       &units)
+    : communicator(communicator), units(units), name(name)
   {
     std::string reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -31,13 +37,39 @@ namespace Biface
         std::error_code error;
         std::filesystem::create_directories(name, error);
         if (error)
-          reason = error.message();
+          reason = "the directory cannot be created (" + error.message() + ")";
+        else
+          {
+            // the system gives it up when the process ends, however it ends;
+            // some file systems have no locks
+            lock = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+            if (lock >= 0 && flock(lock, LOCK_EX | LOCK_NB) != 0 &&
+                errno == EWOULDBLOCK)
+              reason = "another run is writing its results there; wait until "
+                       "it has ended, or choose another directory";
+          }
       }
     reason = Utilities::MPI::broadcast(communicator, reason);
     if (!reason.empty())
-      throw InputError("Output/Directory",
-                       name,
-                       "the directory cannot be created (" + reason + ")");
+      {
+        unlock();
+        throw InputError("Output/Directory", name, reason);
+      }
+  }
+
+
+  ResultsDirectory::~ResultsDirectory()
+  {
+    unlock();
+  }
+
+
+  void
+  ResultsDirectory::unlock()
+  {
+    if (lock >= 0)
+      close(lock);
+    lock = -1;
   }
 
 

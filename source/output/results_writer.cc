@@ -40,12 +40,13 @@ namespace Biface
 
 
   ResultsWriter::ResultsWriter(const Parameters             &parameters,
+                               ResultsDirectory             &directory,
                                const std::vector<Stage>     &stages,
                                const ShellEquations         &equations,
                                const Cavity                 *cavity,
                                const unsigned int            n_sensitivities,
                                const std::optional<Written> &continued)
-    : directory(parameters.directory, equations.mesh.communicator)
+    : directory(directory)
   {
     const auto add = [this](auto file) { files.push_back(std::move(file)); };
     auto       history_file = std::make_unique<HistoryFile>(
@@ -80,14 +81,7 @@ namespace Biface
       if (continued && continued->count(file->name) > 0)
         file->resume(continued->at(file->name));
       else if (file->is_wanted())
-        try
-          {
-            file->start();
-          }
-        catch (const OutputError &error)
-          {
-            throw InputError(error.what());
-          }
+        file->start();
   }
 
 

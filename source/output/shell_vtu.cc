@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/contact/contact_pair.h>
+#include <biface/output/ply_results.h>
 #include <biface/output/shell_vtu.h>
 
 namespace Biface
@@ -28,6 +29,8 @@ namespace Biface
                                      "friction",
                                      "friction",
                                      "friction"};
+      names.insert(
+        names.end(), FaceStress::names.begin(), FaceStress::names.end());
       if (layup.has_slack_cords())
         names.emplace_back("slack_cords");
       if (layup.n_layers() > 1)
@@ -60,6 +63,8 @@ namespace Biface
                               mesh.cells[c + 1].column != cell.column);
         const auto H       = Modes::at_vertices(
           equations.internal_forces().total_resultants(state, c));
+        const auto E =
+          equations.internal_forces().strains_at_vertices(state, c);
         const auto slack =
           equations.internal_forces().slack_fractions(state, c);
 
@@ -109,6 +114,12 @@ namespace Biface
                 patch.data(d++, v) = slipping;
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = friction[i];
+                for (const double stress :
+                     FaceStress(mesh.strips[cell.strip].at_lines[v & 1],
+                                static_cast<Face>(face),
+                                E[v])
+                       .values())
+                  patch.data(d++, v) = stress;
                 if (mesh.layup.has_slack_cords())
                   patch.data(d++, v) = slack[v];
                 if (mesh.n_layers() > 1)

@@ -84,11 +84,13 @@ namespace Biface
   void
   write_vtu(VertexPatches<dim> &patches,
             const double        time,
-            const std::string  &path,
-            const MPI_Comm      communicator)
+            const std::string  &file,
+            ResultsDirectory   &directory)
   {
+    const MPI_Comm        communicator = directory.communicator;
     DataOutBase::VtkFlags flags;
     flags.time              = time;
+    flags.physical_units    = directory.units.of_fields(patches.names);
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     patches.set_flags(flags);
 
@@ -104,7 +106,7 @@ namespace Biface
       text.erase(text.rfind(closing) + closing.size());
     if (Utilities::MPI::this_mpi_process(communicator) > 0)
       text.erase(0, text.find("<Piece"));
-    write_texts_of_ranks(path, text, communicator);
+    write_texts_of_ranks(directory.path(file), text, communicator);
   }
 
 
@@ -113,7 +115,7 @@ namespace Biface
   VtuSeries::write_patches(VertexPatches<dim> &patches,
                            const unsigned int  step) const
   {
-    write_vtu(patches, step, directory.path(file_name(step)), communicator);
+    write_vtu(patches, step, file_name(step), directory);
     write_record();
   }
 
@@ -142,12 +144,12 @@ namespace Biface
   write_vtu(VertexPatches<2> &,
             const double,
             const std::string &,
-            const MPI_Comm);
+            ResultsDirectory &);
   template void
   write_vtu(VertexPatches<3> &,
             const double,
             const std::string &,
-            const MPI_Comm);
+            ResultsDirectory &);
 
   template void
   VtuSeries::write_patches(VertexPatches<2> &, const unsigned int) const;

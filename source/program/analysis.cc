@@ -13,6 +13,7 @@
 #include <biface/program/analysis.h>
 #include <biface/program/checkpoint_writer.h>
 #include <biface/program/continuation.h>
+#include <biface/program/expected_cost.h>
 #include <biface/program/messages.h>
 #include <biface/program/simulation.h>
 
@@ -93,9 +94,12 @@ namespace Biface
           written        = checkpoint->get_record().written;
           record.summary = checkpoint->get_record().summary;
         }
-      else
+      ResultsDirectory results_directory(
+        directory, communicator, parameters.units);
+      if (checkpoint == nullptr)
         remove_checkpoints(directory, communicator);
       ResultsWriter results(parameters.output,
+                            results_directory,
                             parameters.stages,
                             equations,
                             simulation.get_cavity(),
@@ -128,8 +132,9 @@ namespace Biface
         results,
         checkpoint != nullptr);
       checkpoints.write(record);
-      ResultsCheck             check(equations, simulation.get_contact());
-      const StepCounter        counter(parameters.stages, progress);
+      ResultsCheck      check(equations, simulation.get_contact());
+      const StepCounter counter(
+        parameters.stages, parameters.last_stage(), progress);
       const LoadSteppingResult result = simulation.run(
         [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
@@ -155,7 +160,14 @@ namespace Biface
       out << (result.success ? "Results" : "Results so far");
       print_files(directory, results.list(), out);
       if (result.success)
-        return {};
+        {
+          if (parameters.last_stage() + 1 < parameters.stages.size())
+            out << "The run ends after stage " << parameters.last_stage() + 1
+                << " of " << parameters.stages.size()
+                << ", as '--stages' asks; '--restart' continues it."
+                << std::endl;
+          return {};
+        }
       return explain_end(
         result, progress.n_steps, signals.caught(communicator), log, err);
     }
@@ -190,14 +202,24 @@ namespace Biface
       out << warning << std::endl;
     if (options.check_only)
       {
-        out << "Parameters OK." << std::endl;
+        const ExpectedCost expected(
+          parameters, simulation.get_equations().mesh.grid, communicator);
+        out << "Expected: " << expected.text() << ".\nParameters OK."
+            << std::endl;
         return {};
       }
     if (checkpoint)
       {
         simulation.restore(*checkpoint);
         const Progress &progress = simulation.get_progress();
-        if (progress.at_end_of(parameters.stages))
+        if (options.first_stage > progress.stage &&
+            !progress.at_end_of(options.first_stage - 1))
+          throw InputError("the option '--stages' starts with stage " +
+                           std::to_string(options.first_stage + 1) +
+                           ", but the run to be continued has only reached "
+                           "stage " +
+                           std::to_string(progress.stage + 1) + ".");
+        if (progress.at_end_of(parameters.last_stage()))
           {
             out << "Run already complete after " << progress.n_steps
                 << " steps." << std::endl;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <regex>
+
 #include <biface/base/errors.h>
 #include <biface/program/command_line.h>
 
@@ -22,6 +24,7 @@ namespace Biface
       {"output", required_argument, nullptr, 'o'},
       {"study", no_argument, nullptr, 't'},
       {"restart", no_argument, nullptr, 'r'},
+      {"stages", required_argument, nullptr, 'g'},
       {"print-parameters", optional_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
       {"quiet", no_argument, nullptr, 'q'},
@@ -47,6 +50,22 @@ namespace Biface
           case 'r':
             restart = true;
             break;
+          case 'g':
+            {
+              std::smatch       match;
+              const std::string range = optarg;
+              if (!std::regex_match(
+                    range, match, std::regex("(?:([0-9]{1,6})-)?([0-9]{1,6})")))
+                throw InputError("the option '--stages' is '" + range +
+                                 "', but must have the form '2' or '1-2'.");
+              stages.last  = std::stoul(match[2]);
+              stages.first = match[1].matched ? std::stoul(match[1]) : 1;
+              if (stages.first < 1 || stages.last < stages.first)
+                throw InputError("the option '--stages' is '" + range +
+                                 "', but stages are counted from 1, and the "
+                                 "last one is not before the first.");
+              break;
+            }
           case 'p':
             action = Action::print_parameters;
             if (optarg != nullptr && std::string(optarg) != "json")
@@ -81,6 +100,9 @@ namespace Biface
       overrides.emplace_back("Output/Directory=" + output,
                              "--output " + output);
 
+    if (study && stages.last > 0)
+      throw InputError("the option '--stages' belongs to a run, not to a "
+                       "study; use 'Study/Settings' with 'Number of stages'.");
     if (optind < argc)
       file_name = argv[optind++];
     if (optind < argc)
@@ -107,6 +129,8 @@ namespace Biface
            "describes\n"
            "  --restart                    continue the run or study in this "
            "directory\n"
+           "  --stages 1-2                 run these stages only; --restart "
+           "continues\n"
            "  --print-parameters[=json]    print all entries with their "
            "documentation\n"
            "  --check                      check the file, do not run\n"

@@ -93,7 +93,8 @@ namespace Biface
       // columns of history.csv
       if (entry == "Output/Failure criteria")
         return false;
-      if (entry == "Mesh/Distribution" || entry == "Number of stages")
+      if (entry == "Mesh/Distribution" || entry == "Number of stages" ||
+          entry == "Units")
         return true;
       for (const std::string section : {"Linear solver/",
                                         "Newton/",

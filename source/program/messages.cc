@@ -47,11 +47,13 @@ namespace Biface
 
 
   StepCounter::StepCounter(const std::vector<Stage> &stages,
+                           const unsigned int        last_stage,
                            const Progress           &progress)
     : stages(stages), at_begin(done(progress))
   {
-    for (const Stage &stage : stages)
+    for (unsigned int i = 0; i <= last_stage; ++i)
       {
+        const Stage &stage = stages[i];
         planned += stage.n_steps;
         if (!make_control(stage)->has_equal_steps())
           predictable = false;

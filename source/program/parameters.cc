@@ -22,6 +22,8 @@ namespace Biface
                              const std::vector<std::string> &body_names,
                              const unsigned int              n_stages)
   {
+    units.add_parameters(prm);
+
     prm.enter_subsection("Surface");
     surface.add_parameters(prm);
     prm.leave_subsection();

@@ -17,6 +17,27 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** End the run after the last stage of the command line. */
+    void
+    choose_stages(const CommandLine &command_line, Parameters &parameters)
+    {
+      const auto [first, last] = command_line.stages;
+      if (last > parameters.stages.size())
+        throw InputError("the option '--stages' ends with stage " +
+                         std::to_string(last) + ", but there are " +
+                         std::to_string(parameters.stages.size()) + ".");
+      if (first > 1 && !command_line.restart)
+        throw InputError("the option '--stages' starts with stage " +
+                         std::to_string(first) +
+                         ", but a run starts with stage 1 unless '--restart' "
+                         "continues it.");
+      parameters.load_stepping.last_stage = last - 1;
+    }
+  } // namespace
+
+
   ExitCode
   run_program(const std::vector<std::string> &arguments,
               const MPI_Comm                  communicator,
@@ -67,8 +88,11 @@ namespace Biface
               }
             source = command_line.file_name + ": ";
             AnalysisOptions options;
-            options.file_name  = command_line.file_name;
-            options.restart    = command_line.restart;
+            options.file_name   = command_line.file_name;
+            options.restart     = command_line.restart;
+            options.first_stage = command_line.stages.first - 1;
+            if (command_line.stages.last > 0)
+              choose_stages(command_line, parameters);
             options.check_only = (command_line.action == Action::check);
             RunLog log(out_stream, command_line.quiet, is_root);
             return analyze(

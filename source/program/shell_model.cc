@@ -12,9 +12,8 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/gas.h>
 #include <biface/model/mesh/plies_on_surface.h>
+#include <biface/program/expected_cost.h>
 #include <biface/program/shell_model.h>
-
-#include <unistd.h>
 
 namespace Biface
 {
@@ -22,44 +21,6 @@ namespace Biface
 
   namespace
   {
-    /** Refuse a mesh that exceeds the memory, before the system kills the
-     * program. */
-    void
-    check_memory(const ChartGrid &grid, const MPI_Comm communicator)
-    {
-      // the set-up alone takes more; the solution takes several times as much
-      constexpr double bytes_per_node = 5000;
-
-      MPI_Comm machine;
-      MPI_Comm_split_type(
-        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-      const unsigned int n_copies =
-        (grid.distribution == MeshDistribution::shared
-           ? Utilities::MPI::n_mpi_processes(machine)
-           : 1);
-      MPI_Comm_free(&machine);
-
-      const double n_nodes =
-        static_cast<double>(grid.lines[0].size()) * grid.lines[1].size();
-      const double needed = n_nodes * bytes_per_node * n_copies;
-      const double available =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
-      // the same decision on all ranks, also on different machines
-      if (Utilities::MPI::max(needed / available, communicator) <= 1)
-        return;
-      const double gigabyte = 1e9;
-      throw InputError(
-        "the section 'Mesh' describes " + number_to_string(n_nodes) +
-        " nodes, which need more than " +
-        number_to_string(
-          std::ceil(Utilities::MPI::max(needed, communicator) / gigabyte)) +
-        " GB, but a machine has " +
-        number_to_string(
-          std::floor(Utilities::MPI::min(available, communicator) / gigabyte)) +
-        " GB of memory.");
-    }
-
-
     Layup
     make_layup(const Parameters &parameters, const ChartGrid &finest)
     {
@@ -109,7 +70,7 @@ namespace Biface
       make_surface(parameters.surface);
     const ChartGrid finest(parameters.mesh, *surface);
     const ChartGrid given = (grid ? *grid : finest);
-    check_memory(given, communicator);
+    check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
     return std::make_shared<const ShellMesh>(

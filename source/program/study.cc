@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -94,61 +95,86 @@ namespace Biface
       OutputsOfAnalysis(const std::vector<StudyParameters::Output> &outputs,
                         const Parameters                           &parameters,
                         const Simulation                           &simulation)
+        : outputs(outputs)
       {
         const Cavity *cavity = simulation.get_cavity();
+        const auto    add    = [&](const Numbers              &numbers,
+                             const ScalarResults::Known &known) {
+          std::vector<std::string> names;
+          for (const unsigned int o : numbers)
+            names.push_back(outputs[o].result);
+          return OfSteps{numbers,
+                         ScalarResults("Study/Outputs",
+                                       names,
+                                       simulation.get_equations(),
+                                       parameters.output.criteria,
+                                       parameters.output.forces.moment_center,
+                                       known,
+                                       ScalarResults::Columns::all)};
+        };
+        ScalarResults::Known always;
+        always.volume = (cavity != nullptr);
         for (unsigned int s = 0; s < parameters.stages.size(); ++s)
           {
-            std::vector<unsigned int> numbers;
-            std::vector<std::string>  names;
+            Numbers at_end, at_steps;
             for (unsigned int o = 0; o < outputs.size(); ++o)
-              if (last_stage(outputs[o], parameters.stages) == s)
-                {
-                  numbers.push_back(o);
-                  names.push_back(outputs[o].result);
-                }
-            of_stages.push_back(
-              {numbers,
-               ScalarResults(
-                 "Study/Outputs",
-                 names,
-                 simulation.get_equations(),
-                 parameters.output.criteria,
-                 parameters.output.forces.moment_center,
-                 ScalarResults::Known::at_ends(cavity, {parameters.stages[s]}),
-                 ScalarResults::Columns::all)});
+              if (outputs[o].of != Output::Of::end && outputs[o].stage.empty())
+                at_steps.push_back(o);
+              else if (last_stage(outputs[o], parameters.stages) == s)
+                (outputs[o].of == Output::Of::end ? at_end : at_steps)
+                  .push_back(o);
+            ends.push_back(add(
+              at_end,
+              ScalarResults::Known::at_ends(cavity, {parameters.stages[s]})));
+            steps.push_back(add(at_steps, always));
           }
       }
 
-      /** Read the values if a step is the last one of its stage. On all
-       * ranks. */
+      /** Read the values of a step. On all ranks. */
       void
       read(const Simulation    &simulation,
            const StepReport    &report,
            const State         &state,
            std::vector<double> &values) const
       {
-        const OfStage &stage = of_stages[report.instant.stage];
-        if (report.instant.fraction < 1 || stage.numbers.empty())
-          return;
-        const std::vector<double> found = stage.results.evaluate(
-          simulation.get_equations(), simulation.get_cavity(), report, state);
-        for (unsigned int i = 0; i < found.size(); ++i)
-          values[stage.numbers[i]] = found[i];
+        const auto read = [&](const OfSteps &of, const auto &function) {
+          if (of.numbers.empty())
+            return;
+          const std::vector<double> found = of.results.evaluate(
+            simulation.get_equations(), simulation.get_cavity(), report, state);
+          for (unsigned int i = 0; i < found.size(); ++i)
+            function(
+              values[of.numbers[i]], found[i], outputs[of.numbers[i]].of);
+        };
+        const unsigned int stage = report.instant.stage;
+        // what is not a number does not count
+        read(steps[stage],
+             [](double &value, const double found, const Output::Of of) {
+               value = (of == Output::Of::maximum ? std::fmax(value, found)
+                                                  : std::fmin(value, found));
+             });
+        if (report.instant.fraction >= 1)
+          read(ends[stage],
+               [](double &value, const double found, const Output::Of) {
+                 value = found;
+               });
       }
 
     private:
-      struct OfStage
+      using Output  = StudyParameters::Output;
+      using Numbers = std::vector<unsigned int>;
+
+      struct OfSteps
       {
         /** The positions of the outputs. */
-        std::vector<unsigned int> numbers;
-        ScalarResults             results;
+        Numbers       numbers;
+        ScalarResults results;
       };
 
       /** The position of the last stage with the name that an output asks
        * for. */
       static unsigned int
-      last_stage(const StudyParameters::Output &output,
-                 const std::vector<Stage>      &stages)
+      last_stage(const Output &output, const std::vector<Stage> &stages)
       {
         unsigned int result = stages.size() - 1;
         while (!output.stage.empty() && stages[result].name != output.stage)
@@ -159,7 +185,9 @@ namespace Biface
         return result;
       }
 
-      std::vector<OfStage> of_stages;
+      const std::vector<Output> &outputs;
+      /** By stage. */
+      std::vector<OfSteps> ends, steps;
     };
 
 
@@ -189,8 +217,8 @@ namespace Biface
         return parameters.directory + "/" + file;
       }
 
-      /** The table of the directory before any sample runs. Create the
-       * directory, or check that of the study to be continued. */
+      /** The table of the directory before any sample runs. Check that of the
+       * study to be continued. */
       StudyTable
       prepare_table(const bool restart) const;
 
@@ -344,9 +372,8 @@ namespace Biface
         columns.push_back(output.name());
       StudyTable table(parameters.directory, columns, samples);
 
-      const ResultsDirectory directory(parameters.directory, communicator);
-      const std::string      base_text = text_of_base(base_prm, base);
-      std::string            reason;
+      const std::string base_text = text_of_base(base_prm, base);
+      std::string       reason;
       if (is_root && restart)
         {
           std::ifstream     file(path(base_name));
@@ -499,7 +526,8 @@ namespace Biface
                RunLog             &log,
                ConditionalOStream &err)
     {
-      StudyTable table = prepare_table(restart);
+      const ResultsDirectory directory(parameters.directory, communicator);
+      StudyTable             table = prepare_table(restart);
       log.open(path("study.log"), restart);
       ConditionalOStream out(log.stream(), is_root);
 
@@ -603,6 +631,13 @@ namespace Biface
           out << "Stopped by " << signal_name(stop)
               << "; --restart runs the samples that are missing." << std::endl;
           return stop == SIGINT ? interrupted : terminated;
+        }
+      if (table.n_ok() == 0)
+        {
+          err << "biface: no sample of the study has succeeded; the column "
+                 "'status' of "
+              << StudyTable::file_name << " has the reasons." << std::endl;
+          return no_convergence;
         }
       return done;
     }

@@ -22,6 +22,17 @@ namespace Biface
           const auto              at = item.find('@');
           StudyParameters::Output output;
           output.result = Utilities::trim(item.substr(0, at));
+          for (const auto &[word, of] :
+               {std::make_pair("maximum ",
+                               StudyParameters::Output::Of::maximum),
+                std::make_pair("minimum ",
+                               StudyParameters::Output::Of::minimum)})
+            if (output.result.rfind(word, 0) == 0)
+              {
+                output.of     = of;
+                output.result = Utilities::trim(
+                  output.result.substr(std::string(word).size()));
+              }
           if (at != std::string::npos)
             output.stage = Utilities::trim(item.substr(at + 1));
           if (output.result.empty() ||
@@ -85,12 +96,14 @@ namespace Biface
                outputs,
                parse_outputs,
                "Results that become columns of study.csv: a comma-separated "
-               "list of 'result' at the end of the run, or 'result @ stage' at "
-               "the end of the stage of this name. A result is a column of "
-               "history.csv such as 'force', a displacement of a named point "
-               "such as 'top u_x', a component of forces.csv such as 'alpha_1 "
-               "min F_x', the frequency of a mode such as 'frequency 1', or a "
-               "factor of 'Buckling' such as 'buckling factor 1'.");
+               "list of 'result' at the end of the run, 'result @ stage' at "
+               "the end of the stage of this name, or 'maximum result' and "
+               "'minimum result' over all steps of either. A result is a "
+               "column of history.csv such as 'force', a displacement of a "
+               "named point such as 'top u_x', a component of forces.csv such "
+               "as 'alpha_1 min F_x', or, at the ends only, the frequency of a "
+               "mode such as 'frequency 1' or a factor of 'Buckling' such as "
+               "'buckling factor 1'.");
     prm.add_parameter("Directory",
                       directory,
                       "Directory of the results, created if it does not exist. "

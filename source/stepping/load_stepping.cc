@@ -99,7 +99,8 @@ namespace Biface
             end.progress.predictor.reset();
             ends.insert_or_assign(progress.stage, std::move(end));
           }
-        if (progress.stage + 1 == stages.size())
+        if (progress.stage >= parameters.last_stage ||
+            progress.stage + 1 == stages.size())
           return {};
         go_on(stages, ends, progress, state);
       }

@@ -127,6 +127,7 @@ namespace
         "0:360:nan",
         "0:360:4:-1",
         "0:end:4"}}}},
+    {"Units", {{{"mm", "mm, N", "mm, N, s, kg", "mm, N,", "m m, N, s", "<"}}}},
     {"Materials", {{{"", ",", "a,a", "a:b", "a@b", "a/b"}}}},
     {"Gas/Ambient pressure", {{{"-1"}}}},
     {"Gas/Polytropic exponent", {{{"0", "-1"}}}},

@@ -86,6 +86,33 @@ namespace Biface
   };
 
 
+  /** The stress on a face of a laminate. */
+  struct FaceStress
+  {
+    /** The tangential components in the frame of the shell, second
+     * Piola-Kirchhoff. Unit: force/area. */
+    std::array<double, 3> tangential{};
+    /** The equivalent stress, of PlyState::failure_stress(). */
+    double von_mises = 0;
+
+    static constexpr std::array<const char *, 4> names{
+      {"s_11", "s_22", "s_12", "von_mises"}};
+
+    FaceStress() = default;
+
+    /** @param E the strains of the faces at a point, see Resultants. */
+    FaceStress(const Laminate        &laminate,
+               const Resultants::Face face,
+               const StrainsOfPlies  &E);
+
+    std::array<double, 4>
+    values() const
+    {
+      return {{tangential[0], tangential[1], tangential[2], von_mises}};
+    }
+  };
+
+
   /** The transverse shear stresses of a state in equilibrium with bending:
    * those of Laminate::interlaminar_stress(), or with several layers those of
    * InterlaminarShear. */

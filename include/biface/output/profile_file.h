@@ -43,6 +43,12 @@ namespace Biface
     std::vector<double>
     tensions(const State &state) const;
 
+    /** The values of FaceStress on the outer, then on the inner face, at all
+     * nodes of the line, the means of the cells around them. Must be called on
+     * all ranks. */
+    std::vector<double>
+    stresses(const State &state) const;
+
     /** The height of the middle of the plies with fibers, of all plies if there
      * are none, above the reference surface. Unit: length. */
     double

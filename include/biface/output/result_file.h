@@ -11,18 +11,28 @@
 
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/state.h>
+#include <biface/output/units.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
-  /** The directory of the files of results. All functions must be called on all
-   * ranks. */
+  /** The directory of the files of results. It belongs to this object as long
+   * as that exists: a second run in it is refused, also that of another
+   * program. All functions must be called on all ranks. */
   class ResultsDirectory
   {
   public:
     /** Create the directory if it does not exist. Throws InputError if that
-     * fails. */
-    ResultsDirectory(const std::string &name, const MPI_Comm communicator);
+     * fails, or if another run writes there. */
+    ResultsDirectory(const std::string &name,
+                     const MPI_Comm     communicator,
+                     const Units       &units = {});
+
+    ~ResultsDirectory();
+
+    ResultsDirectory(const ResultsDirectory &) = delete;
+    ResultsDirectory &
+    operator=(const ResultsDirectory &) = delete;
 
     /** The path of a file in the directory, which is about to be written. */
     std::string
@@ -34,10 +44,17 @@ namespace Biface
     sync();
 
     const MPI_Comm communicator;
+    /** Of the results. */
+    const Units units;
 
   private:
+    void
+    unlock();
+
     const std::string     name;
     std::set<std::string> unsynced;
+    /** The open directory, on the first rank; -1 if it cannot be locked. */
+    int lock = -1;
   };
 
 

@@ -46,9 +46,9 @@ namespace Biface
     using Written = std::map<std::string, std::vector<unsigned int>>;
 
     /**
-     * Create the directory if it does not exist, and start the files. Throws
-     * InputError if that fails.
+     * Start the files. Throws OutputError if that fails.
      *
+     * @param directory kept by reference.
      * @param stages those of the run.
      * @param cavity that whose volume is of interest, kept by pointer, or null.
      * @param n_sensitivities the number of derivatives at the end of a stage.
@@ -57,6 +57,7 @@ namespace Biface
      * missing.
      */
     ResultsWriter(const Parameters             &parameters,
+                  ResultsDirectory             &directory,
                   const std::vector<Stage>     &stages,
                   const ShellEquations         &equations,
                   const Cavity                 *cavity,
@@ -99,7 +100,7 @@ namespace Biface
     get_written() const;
 
   private:
-    ResultsDirectory directory;
+    ResultsDirectory &directory;
     /** In the order of list(). */
     std::vector<std::unique_ptr<ResultFile>> files;
     /** One of them. */

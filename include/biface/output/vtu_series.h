@@ -24,6 +24,8 @@ namespace Biface
     explicit VertexPatches(const std::vector<std::string> &names) : names(names)
     {}
 
+    const std::vector<std::string> names;
+
   protected:
     using Patch = dealii::DataOutBase::Patch<dim, 3>;
 
@@ -52,8 +54,6 @@ namespace Biface
       std::string,
       dealii::DataComponentInterpretation::DataComponentInterpretation>>
     get_nonscalar_data_ranges() const override;
-
-    const std::vector<std::string> names;
   };
 
 
@@ -63,8 +63,8 @@ namespace Biface
   void
   write_vtu(VertexPatches<dim> &patches,
             const double        time,
-            const std::string  &path,
-            const MPI_Comm      communicator);
+            const std::string  &file,
+            ResultsDirectory   &directory);
 
 
   /** VTU files, and a PVD file that lists them for ParaView. */

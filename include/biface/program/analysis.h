@@ -29,6 +29,8 @@ namespace Biface
     std::string file_name;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
+    /** The first stage that is asked for: a restart has reached it. */
+    unsigned int first_stage = 0;
     /** Whether only to set up the analysis. */
     bool check_only = false;
     /** States from which steps start; null for none. */

@@ -31,6 +31,11 @@ namespace Biface
     std::string output;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
+    /** The stages to run, counted from 1; all of them if @p last is 0. */
+    struct
+    {
+      unsigned int first = 1, last = 0;
+    } stages;
     /** Whether to print only errors to the screen. */
     bool quiet = false;
 

@@ -27,8 +27,11 @@ namespace Biface
   {
   public:
     /** @param stages the stages of the run, kept by reference.
+     * @param last_stage the last one of them that is run.
      * @param progress the progress at the start. */
-    StepCounter(const std::vector<Stage> &stages, const Progress &progress);
+    StepCounter(const std::vector<Stage> &stages,
+                const unsigned int        last_stage,
+                const Progress           &progress);
 
     /** "step 3 of 21: ...; 2.1 s so far, about 12 s left". The total number of
      * steps and the remaining time are given if each step is a given fraction

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ namespace Biface
    */
   struct Parameters
   {
+    Units                           units;
     ReferenceSurface::Parameters    surface;
     ChartGrid::Parameters           mesh;
     Layup::Parameters               laminate;
@@ -90,6 +92,14 @@ namespace Biface
     /** The pairs of the files named by entries, by entry. */
     PairsByEntry
     named_pairs() const;
+
+    /** The last stage that is run. */
+    unsigned int
+    last_stage() const
+    {
+      return std::min<unsigned int>(load_stepping.last_stage,
+                                    stages.size() - 1);
+    }
 
   private:
     /** The 'Forces on bodies' of a stage with their motions. Throws InputError

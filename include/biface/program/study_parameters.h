@@ -17,18 +17,27 @@ namespace Biface
    * design variables take other values. */
   struct StudyParameters
   {
-    /** A result, see ScalarResults, at the end of the run or of a stage. */
+    /** A result, see ScalarResults, of the run or of a stage. */
     struct Output
     {
+      enum class Of
+      {
+        end,
+        maximum,
+        minimum
+      };
+      Of          of = Of::end;
       std::string result;
-      /** Empty for the end of the run. */
+      /** Empty for the run. */
       std::string stage;
 
       /** The column of study.csv. */
       std::string
       name() const
       {
-        return result + (stage.empty() ? "" : " @ " + stage);
+        const char *const words[] = {"", "maximum ", "minimum "};
+        return words[static_cast<int>(of)] + result +
+               (stage.empty() ? "" : " @ " + stage);
       }
     };
 

@@ -70,6 +70,8 @@ namespace Biface
       bool                predict = true;
       /** In all attempts at a step, after which it is not halved again. */
       unsigned int max_iterations = 150;
+      /** The stage after which the run ends; the last one at the latest. */
+      unsigned int last_stage = dealii::numbers::invalid_unsigned_int;
 
       void
       add_parameters(dealii::ParameterHandler &prm);

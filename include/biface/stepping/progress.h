@@ -67,11 +67,12 @@ namespace Biface
 
     SecantPredictor predictor;
 
-    /** Whether all stages are complete. */
+    /** Whether the stages up to this one are complete. */
     bool
-    at_end_of(const std::vector<Stage> &stages) const
+    at_end_of(const unsigned int last_stage) const
     {
-      return stage_begun && stage + 1 == stages.size() && control.done >= 1;
+      return stage > last_stage ||
+             (stage_begun && stage == last_stage && control.done >= 1);
     }
 
     /** The current stage with what follows from the stages before, see

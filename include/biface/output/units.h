@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_output_units_h
+#define biface_output_units_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  /** The names of the units of the input. Numbers do not depend on them. */
+  class Units
+  {
+  public:
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** The units of fields in VTU files, by their names; empty without names of
+     * units. */
+    std::map<std::string, std::string>
+    of_fields(const std::vector<std::string> &fields) const;
+
+  private:
+    /** Those of length, force and time, or none. */
+    std::vector<std::string> names;
+  };
+} // namespace Biface
+
+#endif
