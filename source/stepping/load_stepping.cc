@@ -224,7 +224,9 @@ namespace Biface
         if (!attempt.result.stopped)
           {
             out << "  not converged: " << why.message << std::endl;
-            if (n_iterations < parameters.max_iterations && run.control->cut())
+            // a smaller step has the same matrix
+            if (why.cause != FailureCause::out_of_memory &&
+                n_iterations < parameters.max_iterations && run.control->cut())
               {
                 out << "  halving the step" << std::endl;
                 ++n_cuts;
