@@ -30,15 +30,17 @@ main(int argc, char *argv[])
                            "--set",
                            "Loads/Edge forces=alpha_1 max: 0.03 0 0",
                            "--set",
-                           "Loads/Edge moments=alpha_1 max: 0.001"},
+                           "Loads/Edge moments=alpha_1 max: 0.001 dead"},
                           "results",
                           MPI_COMM_WORLD);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   std::cout << ended.code << ended.err << std::endl;
 
-  double error = 0, sign = 0;
-  for (const Row &row : read_csv("results/profile-0001.csv"))
+  double                 error = 0, sign = 0;
+  const std::vector<Row> rows = read_csv("results/profile-0001.csv");
+  std::cout << rows.size() << " nodes" << std::endl;
+  for (const Row &row : rows)
     for (const std::string face : {"outer", "inner"})
       {
         const auto number = [&](const std::string &name) {
