@@ -27,6 +27,8 @@ namespace Biface
       {"stages", required_argument, nullptr, 'g'},
       {"print-parameters", optional_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
+      {"example", no_argument, nullptr, 'e'},
+      {"template", no_argument, nullptr, 'm'},
       {"quiet", no_argument, nullptr, 'q'},
       {"version", no_argument, nullptr, 'v'},
       {"help", no_argument, nullptr, 'h'},
@@ -77,6 +79,12 @@ namespace Biface
             break;
           case 'c':
             action = Action::check;
+            break;
+          case 'e':
+            action = Action::write_example;
+            break;
+          case 'm':
+            action = Action::write_template;
             break;
           case 'q':
             quiet = true;
@@ -134,6 +142,10 @@ namespace Biface
            "  --print-parameters[=json]    print all entries with their "
            "documentation\n"
            "  --check                      check the file, do not run\n"
+           "  --example [NAME]             list the examples, or write one "
+           "here\n"
+           "  --template NAME              write a file for sizes given by "
+           "--set\n"
            "  --quiet                      print errors only; run.log has "
            "the rest\n"
            "  --version                    print the version\n"

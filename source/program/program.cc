@@ -11,6 +11,7 @@
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>
 #include <biface/program/run_log.h>
+#include <biface/program/starting_files.h>
 #include <biface/program/study.h>
 
 namespace Biface
@@ -19,6 +20,28 @@ namespace Biface
 
   namespace
   {
+    /** List the examples and templates, or write one of them. */
+    void
+    start_a_file(const CommandLine  &command_line,
+                 const MPI_Comm      communicator,
+                 ConditionalOStream &out)
+    {
+      if (command_line.file_name.empty())
+        {
+          out << list_of_starting_files();
+          return;
+        }
+      const std::vector<ShippedFile> files =
+        (command_line.action == CommandLine::Action::write_example
+           ? example_files(command_line.file_name)
+           : template_files(command_line.file_name, command_line.overrides));
+      write_starting_files(files, communicator);
+      for (const ShippedFile &file : files)
+        out << file.name << (&file == &files.back() ? "" : ", ");
+      out << " written. Run it: biface " << files.front().name << std::endl;
+    }
+
+
     /** End the run after the last stage of the command line. */
     void
     choose_stages(const CommandLine &command_line, Parameters &parameters)
@@ -59,6 +82,9 @@ namespace Biface
           out << CommandLine::help();
         else if (command_line.action == Action::print_version)
           out << "biface " << version() << std::endl;
+        else if (command_line.action == Action::write_example ||
+                 command_line.action == Action::write_template)
+          start_a_file(command_line, communicator, out);
         else if (command_line.study)
           return run_study(command_line, communicator, out_stream, err);
         else

@@ -18,6 +18,8 @@ namespace Biface
       run,
       check,
       print_parameters,
+      write_example,
+      write_template,
       print_version,
       print_help
     };
