@@ -38,7 +38,10 @@ namespace Biface
       write_starting_files(files, communicator);
       for (const ShippedFile &file : files)
         out << file.name << (&file == &files.back() ? "" : ", ");
-      out << " written. Run it: biface " << files.front().name << std::endl;
+      const bool is_study =
+        (files.front().text.find("subsection Study") != std::string::npos);
+      out << " written. Run it: biface " << (is_study ? "--study " : "")
+          << files.front().name << std::endl;
     }
 
 

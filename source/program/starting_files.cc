@@ -68,18 +68,21 @@ namespace Biface
     }
 
 
-    /** A parameter file with other text, and the tables that it names. */
+    /** A parameter file with other text, and the files that it reads. */
     std::vector<ShippedFile>
-    with_tables(const ShippedFile &file, const std::string &text)
+    with_files(const ShippedFile &file, const std::string &text)
     {
       const auto base_name = [](const ShippedFile &file) {
         return std::filesystem::path(file.name).filename().string();
       };
       std::vector<ShippedFile> files{{base_name(file), text}};
-      for (const ShippedFile &table : shipped_files())
-        if (!is_parameter_file(table) &&
-            text.find(base_name(table)) != std::string::npos)
-          files.push_back({base_name(table), table.text});
+      for (const ShippedFile &other : shipped_files())
+        if (std::regex_search(
+              text,
+              std::regex(
+                (is_parameter_file(other) ? "set Base file *= *" : "[ =,:]") +
+                base_name(other))))
+          files.push_back({base_name(other), other.text});
       return files;
     }
 
@@ -92,8 +95,9 @@ namespace Biface
       std::string        line, sentence;
       while (std::getline(lines, line) && line.rfind("# ", 0) == 0)
         {
-          sentence += (sentence.empty() ? "" : " ") + line.substr(2);
-          const auto end = sentence.find_first_of(".:");
+          sentence += line.substr(2) + ' ';
+          // not the point of a file name
+          const auto end = std::min(sentence.find(". "), sentence.find(": "));
           if (end != std::string::npos)
             return sentence.substr(0, end);
         }
@@ -112,7 +116,7 @@ namespace Biface
 
 
     std::vector<std::string>
-    lines_of(const std::string &text)
+    split_into_lines(const std::string &text)
     {
       std::istringstream       stream(text);
       std::vector<std::string> lines;
@@ -127,7 +131,7 @@ namespace Biface
     {
       std::vector<Size> sizes;
       std::smatch       match;
-      for (const std::string &line : lines_of(text))
+      for (const std::string &line : split_into_lines(text))
         if (std::regex_match(line, match, size_line))
           sizes.push_back({match[1], Utilities::trim(match[2])});
       return sizes;
@@ -149,7 +153,8 @@ namespace Biface
       double
       evaluate(const std::string &formula) const
       {
-        const double value = Formula("--template", formula, names)(values);
+        const double value =
+          Formula("--template", formula, names).unchecked(values);
         if (!std::isfinite(value))
           throw InputError("the sizes of the template do not fit together: '" +
                            formula + "' has no value.");
@@ -203,7 +208,7 @@ namespace Biface
   example_files(const std::string &name)
   {
     const ShippedFile &file = find("--example", name, false);
-    return with_tables(file, file.text);
+    return with_files(file, file.text);
   }
 
 
@@ -225,7 +230,8 @@ namespace Biface
               continue;
             size.value = Utilities::trim(setting.setting.substr(equals + 1));
             // a formula of no variables
-            if (!std::isfinite(Formula(size.name, size.value, {})({})))
+            if (!std::isfinite(
+                  Formula(size.name, size.value, {}).unchecked({})))
               throw InputError(size.name, size.value, "it must be a number");
             found = true;
           }
@@ -241,7 +247,7 @@ namespace Biface
     std::string      text;
     std::smatch      match;
     const std::regex braces("\\{([^}]*)\\}");
-    for (std::string line : lines_of(file.text))
+    for (std::string line : split_into_lines(file.text))
       {
         if (std::regex_match(line, match, with_line))
           {
@@ -260,7 +266,7 @@ namespace Biface
           }
         text += line + '\n';
       }
-    return with_tables(file, text);
+    return with_files(file, text);
   }
 
 

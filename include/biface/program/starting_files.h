@@ -28,14 +28,14 @@ namespace Biface
   std::string
   list_of_starting_files();
 
-  /** An example with the tables that it reads. Throws InputError if there is no
+  /** An example with the files that it reads. Throws InputError if there is no
    * such example.
    * @param name with or without ".prm". */
   std::vector<ShippedFile>
   example_files(const std::string &name);
 
   /**
-   * A parameter file for given sizes, with the tables that it reads. A template
+   * A parameter file for given sizes, with the files that it reads. A template
    * has lines "# size NAME = VALUE: meaning" for its sizes and
    * "# with NAME = formula" for what follows from them; a formula in braces
    * stands for its value. Throws InputError if there is no such template or
