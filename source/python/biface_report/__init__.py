@@ -2,6 +2,7 @@
 """Turns a directory of biface results into one page of HTML.
 
     command_line   what the commands have in common
+    units          what to call units
     loading        what changes from step to step
     foundation     the plane, drum or sphere, and where it stands
     footprint      the contact zone, projected along the direction of travel

@@ -24,6 +24,7 @@ from .section import SectionPlane
 from .sensitivities import sensitivities
 from .stiffness import stiffness
 from .summary import introduction, summary, title
+from .units import units_of
 from .wheel import stick_slip, wheel_forces
 
 
@@ -62,7 +63,7 @@ def find_footprint(run):
 def curve(run):
     """Force against approach; without contact, a load against displacements."""
     if run.in_contact.any():
-        html = figure(embed(charts.draw_contact_curve(run)),
+        html = figure(embed(charts.draw_contact_curve(run, units_of(run))),
                       "Chart of the force on the foundation against its "
                       f"approach. {contact_range(run)}",
                       "One point per step in contact."
@@ -80,7 +81,7 @@ def curve(run):
     found = charts.ProbeCurves(run, probes)
     if not found.curves:
         return LeftOut(name, "The named points do not move.")
-    more = len(found.curves) - charts.MAXIMUM_CURVES
+    more = len(found.curves) - found.maximum()
     caption = ("Displacements of the middle surface: for each named point, the "
                "component that changes most.")
     if more > 0:
@@ -88,7 +89,7 @@ def curve(run):
     if found.at_rest:
         caption += f" At rest: {escape(', '.join(found.at_rest))}."
     caption += critical_range(run, counted_steps(run))
-    html = figure(embed(found.draw()),
+    html = figure(embed(found.draw(units_of(run))),
                   f"Chart of the {found.load_name} against the displacements of "
                   "the named points.", caption)
     return Section("curve", name, html)
@@ -137,7 +138,7 @@ def footprint_map(run, footprint):
         f"{plain_number(width, 4)} wide; the maximum pressure "
         f"is {plain_number(run.last('max_pressure'))}.")
     return Section("footprint", name, figure(
-        embed(maps.draw_footprint(footprint), "png"), alternative, text))
+        embed(maps.draw_footprint(footprint, units_of(run)), "png"), alternative, text))
 
 
 # ---------------------------------------------------------------- shape
@@ -162,7 +163,7 @@ def sections_of_shell(run):
         normal = foundation_of(run).direction
     plane = SectionPlane(profiles, normal, run.setting("Surface/Type"))
     drawing, is_to_scale, has_foundation = maps.draw_sections(
-        plane, profiles, step_labels(run, chosen), foundations)
+        plane, profiles, step_labels(run, chosen), foundations, units_of(run))
     text = ("Outer and inner face along "
             f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
             + ("to scale." if is_to_scale else

@@ -6,6 +6,7 @@ import base64
 import io
 import re
 import struct
+import textwrap
 from collections import namedtuple
 
 import matplotlib
@@ -14,6 +15,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.transforms import ScaledTranslation
 
 # The look of all charts: plt.rcParams.update(STYLE)
 STYLE = {
@@ -39,6 +41,9 @@ BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
 DISTINCT = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
             "0.35")
 
+
+# Characters in a line of a legend
+LEGEND_WIDTH = 50
 
 # A picture in a page: its address, and its preferred width in pixels
 Picture = namedtuple("Picture", "address width")
@@ -93,3 +98,13 @@ def headroom(axes, share=0.06):
         low, high = np.nanmin(values), np.nanmax(values)
         margin = share * (high - low or abs(high) or 1)
         put(0 if low == 0 else low - margin, 0 if high == 0 else high + margin)
+
+
+def legend_below(axes):
+    """A legend below the axes, however long its names are."""
+    handles, names = axes.get_legend_handles_labels()
+    names = [textwrap.fill(name, LEGEND_WIDTH) for name in names]
+    columns = 2 if max(map(len, names)) < LEGEND_WIDTH / 2 else 1
+    below = ScaledTranslation(0, -42 / 72, axes.figure.dpi_scale_trans)
+    axes.legend(handles, names, loc="upper center", bbox_to_anchor=(0.5, 0),
+                ncol=columns, fontsize=10, bbox_transform=axes.transAxes + below)

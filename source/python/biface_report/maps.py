@@ -5,9 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from matplotlib.ticker import MaxNLocator
-from matplotlib.transforms import ScaledTranslation
 
-from .drawing import shades
+from .drawing import legend_below, shades
 
 # For pressures: no color is white, and all of them print well
 PRESSURE_COLORS = plt.get_cmap("YlOrRd")
@@ -22,7 +21,7 @@ MAXIMUM_SECTIONS = 6
 # ---------------------------------------------------------------- footprint
 
 
-def draw_footprint(footprint):
+def draw_footprint(footprint, units):
     """The contact pressure, the outline of the zone and its principal axes. The
     longer side of the zone is horizontal."""
     order = [0, 1]
@@ -46,10 +45,11 @@ def draw_footprint(footprint):
     axes.margins(0.03)
     axes.grid(False)
     names = [footprint.axis_names[i] for i in order]
-    axes.set(xlabel=f"{names[0]} [length]", ylabel=f"{names[1]} [length]")
+    axes.set(xlabel=units.label(names[0], "length"),
+             ylabel=units.label(names[1], "length"))
     figure.colorbar(colors, ax=axes, orientation="horizontal", aspect=35,
                     pad=0.16 if height > 4 else 0.28,
-                    label="contact pressure [force/length²]")
+                    label=units.label("contact pressure", "pressure"))
     return figure
 
 
@@ -73,7 +73,7 @@ def chosen_steps(steps):
     return [steps[i] for i in places]
 
 
-def draw_sections(plane, profiles, labels, foundations):
+def draw_sections(plane, profiles, labels, foundations, units):
     """Both faces of the section in several steps.
 
     profiles, labels and foundations are lists with one item per step; an unknown
@@ -105,8 +105,9 @@ def draw_sections(plane, profiles, labels, foundations):
             has_foundation = True
     (left, low), (right, high) = limits
     names, is_down = plane.labels()
-    axes.set(xlim=(left, right), ylim=(low, high), xlabel=f"{names[0]} [length]",
-             ylabel=f"{names[1]} [length]")
+    axes.set(xlim=(left, right), ylim=(low, high),
+             xlabel=units.label(names[0], "length"),
+             ylabel=units.label(names[1], "length"))
     sides = sorted((right - left, high - low))
     is_to_scale = sides[1] < SLENDER * sides[0]
     if is_to_scale:
@@ -121,10 +122,7 @@ def draw_sections(plane, profiles, labels, foundations):
         # upward on paper is toward smaller values
         axes.yaxis.set_major_formatter(
             lambda value, _: f"{0 - value:g}".replace("-", "−"))
-    # at the same distance below the axes, however flat they are
-    below = ScaledTranslation(0, -42 / 72, figure.dpi_scale_trans)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2,
-                fontsize=10, bbox_transform=axes.transAxes + below)
+    legend_below(axes)
     return figure, is_to_scale, has_foundation
 
 

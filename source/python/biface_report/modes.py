@@ -8,6 +8,7 @@ import numpy as np
 from .page import (LeftOut, Section, details, number, paragraph, plain_number,
                    table)
 from .shapes import pictures_of
+from .units import units_of
 
 
 def modes(run):
@@ -42,7 +43,7 @@ def modes(run):
              + (["Travel"] if travels else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
-        "Natural frequencies [1/time] of the loaded shell at the end of each stage; "
+        f"Natural frequencies [{units_of(run)['frequency']}] of the loaded shell at the end of each stage; "
         "effective masses of translations, of the mass of the shell, "
         f"{plain_number(found['total_mass'][-1])}."
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "

@@ -163,6 +163,7 @@ def main():
     parser.add_argument("picture", type=Path, help="the PNG to write")
     parser.add_argument("--foundation", type=json.loads,
                         help="the arguments of Foundation: color by pressure")
+    parser.add_argument("--label", default="", help="of the color bar")
     arguments = parser.parse_args()
 
     grid = rendering.read_grid(arguments.shell)
@@ -175,7 +176,6 @@ def main():
     if foundation:
         patch = foundation_patch(outer, foundation)
         colors = plt.get_cmap("plasma")
-        label = "contact pressure [force/length²]"
         threshold = 0.01 * limits[1]
         actors = [rendering.lit_actor(rendering.below(outer, threshold), OUTSIDE),
                   rendering.lit_actor(inner, INSIDE),
@@ -184,7 +184,7 @@ def main():
         direction, up = view_of_contact(foundation.direction)
         shown = np.concatenate([shown, patch.reshape(-1, 3)])
     else:
-        colors, label = plt.get_cmap("viridis"), "displacement [length]"
+        colors = plt.get_cmap("viridis")
         actors = [colored_actor(face, colors, limits)
                   for face in (outer, inner)]
         direction, up = view_of_shell(shown, area_vector(outer))
@@ -194,7 +194,7 @@ def main():
     figure = rendering.figure_of(
         rendering.render(actors, (WIDTH, HEIGHT), camera))
     rendering.add_color_bar(figure, [0.86, 0.2, 0.024, 0.6], colors, limits,
-                            label)
+                            arguments.label)
     add_directions(figure, direction, up)
     figure.savefig(arguments.picture)
     print(*direction)
