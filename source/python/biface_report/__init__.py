@@ -6,6 +6,7 @@
     loading        what changes from step to step
     foundation     the plane, drum or sphere, and where it stands
     footprint      the contact zone, projected along the direction of travel
+    curved         smooth curves and cells through nodes
     section        the plane of the deformed section
     drawing        the look of charts, and how they get into the page
     charts         curves

@@ -20,7 +20,8 @@ from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
 from .rolling import rolling
-from .section import SectionPlane
+from .section import (SectionPlane, across_coordinate_line, is_straight,
+                      section_around)
 from .sensitivities import sensitivities
 from .stiffness import stiffness
 from .summary import introduction, summary, title
@@ -145,8 +146,19 @@ def footprint_map(run, footprint):
 
 
 def sections_of_shell(run):
-    """The deformed section in several steps."""
+    """The deformed section in several steps: along alpha_1, or around the axis where
+    the shell is straight along alpha_1."""
     name = "Deformed section"
+    if is_straight(run):
+        steps = [step for step in run.steps
+                 if run.path("shell", step, "vtu").exists()]
+        if run.step in steps and run.setting("Output/Write VTU") != "false":
+            chosen = maps.chosen_steps(steps)
+            lines = [section_around(run, step) for step in chosen]
+            if all(line is not None for line in lines):
+                return drawn_sections(run, chosen, lines, [0, 1, 0], (
+                    "Outer and inner face around the axis, through the nodes at y = "
+                    f"{plain_number(lines[0]['y'][0])} of the undeformed shell"))
     steps = [step for step in run.steps if run.path("profile", step).exists()]
     if run.step not in steps:
         return LeftOut(
@@ -156,23 +168,32 @@ def sections_of_shell(run):
     if min(map(len, profiles)) < 2:
         return LeftOut(
             name, f"{run.path('profile', chosen[0]).name} is empty.")
+    alpha_2 = profiles[-1]["alpha_2"][0]
+    surface = run.setting("Surface/Type")
+    return drawn_sections(
+        run, chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
+        f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}")
+
+
+def drawn_sections(run, chosen, profiles, across, text):
+    """The section of the page with the profiles of some steps, the direction across
+    their plane, and what they are in words."""
     foundations = [None] * len(chosen)
     normal = None
     if run.in_contact.any() and foundation_of(run):
         foundations = [foundation_in_step(run, step) for step in chosen]
         normal = foundation_of(run).direction
-    plane = SectionPlane(profiles, normal, run.setting("Surface/Type"))
+    plane = SectionPlane(profiles, normal, across)
     drawing, is_to_scale, has_foundation = maps.draw_sections(
         plane, profiles, step_labels(run, chosen), foundations, units_of(run))
-    text = ("Outer and inner face along "
-            f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
-            + ("to scale." if is_to_scale else
-               "<strong>the axes have different scales</strong>."))
+    text += (", to scale." if is_to_scale else
+             ", <strong>the axes have different scales</strong>.")
     if has_foundation:
         text += f" Dashes: the {foundation_of(run).name()}."
-    return Section("section", name, figure(
+    return Section("section", "Deformed section", figure(
         embed(drawing), "Drawing of the deformed section of the shell, from step "
-        f"{chosen[0]} to step {chosen[-1]}.", text))
+        f"{chosen[0]} to step {chosen[-1]}.",
+        text + " Smooth between the nodes."))
 
 
 def shell(run):
@@ -197,7 +218,7 @@ def shell(run):
     text = (f"Displacements to scale; color: {what}. Seen {where}"
             + "from the direction ({:.2f}, {:.2f}, {:.2f}). ".format(
                 *direction).replace("-", "−")
-            + "Cells are drawn with straight edges.")
+            + "Between its nodes the shell is drawn smooth.")
     return Section("shell", name, figure(
         image, f"The deformed shell, colored by {what}.", text))
 

@@ -33,6 +33,9 @@ STYLE = {
     "lines.linewidth": 2,
     "savefig.facecolor": "white",
     "savefig.dpi": 160,
+    # powers of ten become part of the labels, see embed()
+    "axes.formatter.limits": (-4, 6),
+    "axes.formatter.useoffset": False,
 }
 
 BLUE, RED, GRAY = "#1f5fa8", "#c0392b", "0.45"
@@ -63,6 +66,7 @@ def save(figure, target, **options):
 def embed(figure, kind="svg"):
     """A figure as a picture within the page: SVG for lines, PNG for areas of
     color."""
+    move_powers(figure)
     buffer = io.BytesIO()
     # no date and no random names: the same run gives the same page
     with plt.rc_context({"svg.hashsalt": "biface", "savefig.dpi": 150}):
@@ -73,6 +77,22 @@ def embed(figure, kind="svg"):
         points = re.search(rb'<svg [^>]*?width="([0-9.]+)pt"', data).group(1)
         return embed_svg(data, round(float(points) * 96 / 72))
     return embed_png(data, round(struct.unpack(">I", data[16:20])[0] * 96 / 150))
+
+
+def move_powers(figure):
+    """Moves the powers of ten at the ends of axes, where they cover other text, into
+    the units of the labels."""
+    figure.canvas.draw()
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            power = getattr(axis.get_major_formatter(), "orderOfMagnitude", 0)
+            if not axis.get_offset_text().get_text() or not power:
+                continue
+            axis.get_offset_text().set_visible(False)
+            label, bracket, unit = axis.get_label_text().rpartition("[")
+            factor = f"$10^{{{power}}}$"
+            axis.set_label_text(f"{label}[{factor} {unit}" if bracket else
+                                f"{unit} [{factor}]".strip())
 
 
 def embed_svg(data, width):

@@ -6,6 +6,7 @@ import numpy as np
 
 from matplotlib.ticker import MaxNLocator
 
+from .curved import curved_line
 from .drawing import legend_below, shades
 
 # For pressures: no color is white, and all of them print well
@@ -82,7 +83,7 @@ def draw_sections(plane, profiles, labels, foundations, units):
     foundation."""
     figure, axes = plt.subplots(figsize=(5.6, 4.6))
     colors = shades(len(profiles))
-    sections = [[plane.project(profile.positions(f"{face}_"))
+    sections = [[curved_line(plane.project(profile.positions(f"{face}_")))
                  for face in ("outer", "inner")] for profile in profiles]
     for faces, label, color in zip(sections, labels, colors):
         width = 2 if faces is sections[-1] else 1.1

@@ -5,10 +5,13 @@ from html import escape
 
 import numpy as np
 
-from .page import (LeftOut, Section, details, number, paragraph, plain_number,
+from .page import (LeftOut, Section, count, details, number, paragraph, plain_number,
                    table)
 from .shapes import pictures_of
 from .units import units_of
+
+# Frequencies are square roots of numbers that are exact to about ten digits
+RIGID = 1e-4
 
 
 def modes(run):
@@ -22,9 +25,11 @@ def modes(run):
     # traveling waves of wheels that roll or spin
     travel = found.get("travel", np.zeros(len(found)))
     travels = (np.nan_to_num(travel) != 0).any()
+    is_rigid = rigid_motions(found)
     rows = []
     for i in range(len(found)):
         row = [escape(found["stage"][i]), str(int(found["mode"][i])),
+               "≈ 0, rigid motion" if is_rigid[i] else
                number(found["frequency"][i], 6)]
         if grows:
             row.append(number(found["growth_rate"][i]))
@@ -34,7 +39,7 @@ def modes(run):
         if travels:
             row.append(plain_number(np.round(travel[i], 2)))
         total = found["total_mass"][i]
-        row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f} %"
+        row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f}\u00a0%"
                 for axis in "xyz"]
         rows.append(row)
     heads = (["Stage", "Mode", "Frequency"] + (["Growth rate"] if grows else [])
@@ -49,13 +54,33 @@ def modes(run):
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
            "those against it." if travels else ""))
     all_modes = table("Modes, from modes.csv", heads, rows)
-    last = found.where(found["step"] == found["step"][-1])
-    pictures = pictures_of(
-        run, "modes", last, [f"{value:.5g}" for value in last["frequency"]],
+    last = found["step"] == found["step"][-1]
+    if (is_rigid & last).any():
+        text += paragraph(
+            f"{count(int((is_rigid & last).sum()), 'mode')} of the stage "
+            f"{escape(found['stage'][-1])} "
+            "with a frequency of zero within round-off: rigid motions, which are not "
+            "drawn.")
+    last = found.where(last & ~is_rigid)
+    units = units_of(run)
+    unit = " " + units["frequency"] if units.are_named else ""
+    pictures = None if len(last) == 0 else pictures_of(
+        run, "modes", last, [f"{value:.5g}{unit}" for value in last["frequency"]],
         "Shapes of the first modes of vibration.",
         f"The first modes of the stage {escape(last['stage'][0])} with their "
         "frequencies")
     if pictures is None:
         return Section("modes", name, all_modes + text, True)
     return Section("modes", name, pictures + "\n" + text + details(
-        "All modes", all_modes))
+        "All modes", all_modes), True)
+
+
+def rigid_motions(found):
+    """Whether each mode is a rigid motion that nothing holds: its frequency is zero
+    within round-off, relative to the highest one of the stage, and it does not
+    grow."""
+    highest = {step: found["frequency"][found["step"] == step].max()
+               for step in found["step"]}
+    size = np.hypot(2 * np.pi * found["frequency"], found["growth_rate"])
+    limits = np.array([2 * np.pi * RIGID * highest[step] for step in found["step"]])
+    return size <= limits

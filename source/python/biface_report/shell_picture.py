@@ -9,9 +9,11 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import (numpy_to_vtk, numpy_to_vtkIdTypeArray,
+                                    vtk_to_numpy)
 
 from . import rendering
+from .curved import CurvedCells
 from .foundation import Foundation
 
 WIDTH, HEIGHT = 1000, 760
@@ -52,7 +54,7 @@ def view_of_shell(points, area):
 
 def face_surface(grid, outer, name):
     """A face as a smooth surface, with the values of a field, or magnitudes of
-    vectors, as scalars."""
+    vectors, as scalars; and the sides of its cells as arrays of points."""
     cells = rendering.corners(grid, 4)
     is_outer = rendering.point_values(grid, "outer_face")
     cells = cells[is_outer[cells[:, 0]] == outer]
@@ -65,19 +67,27 @@ def face_surface(grid, outer, name):
     first, which = rendering.merge_points(points[used] / size, 6)
     number = np.full(len(points), -1)
     number[used] = which
+    curved = CurvedCells(points[used][first], number[cells])
+    # the pieces of a cell, then of all cells, joined
+    grid_of_points = curved.points()
+    at = np.arange(grid_of_points[..., 0].size).reshape(grid_of_points.shape[:3])
+    pieces = np.stack([at[:, :-1, :-1], at[:, 1:, :-1], at[:, 1:, 1:],
+                       at[:, :-1, 1:]], -1).reshape(-1, 4)
+    points = grid_of_points.reshape(-1, 3)
+    values = curved.values(values[used][first]).ravel()
+    first, which = rendering.merge_points(points / size, 6)
 
     data, polygons = vtk.vtkPolyData(), vtk.vtkCellArray()
-    for corners in number[cells]:
-        polygons.InsertNextCell(4, corners)
-    data.SetPoints(rendering.to_vtk_points(points[used][first]))
+    polygons.SetData(4, numpy_to_vtkIdTypeArray(
+        np.ascontiguousarray(which[pieces], dtype=np.int64).ravel(), deep=True))
+    data.SetPoints(rendering.to_vtk_points(points[first]))
     data.SetPolys(polygons)
-    data.GetPointData().SetScalars(
-        numpy_to_vtk(values[used][first], deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(values[first], deep=True))
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
     normals.Update()
-    return normals.GetOutput()
+    return normals.GetOutput(), curved.lines()
 
 
 def area_vector(surface):
@@ -88,14 +98,6 @@ def area_vector(surface):
     areas = np.cross(corners[:, 2] - corners[:, 0],
                      corners[:, 3] - corners[:, 1]) / 2
     return areas.sum(0) / np.linalg.norm(areas, axis=1).sum()
-
-
-def mesh_actor(surface):
-    """The sides of the cells."""
-    edges = vtk.vtkExtractEdges()
-    edges.SetInputData(surface)
-    edges.Update()
-    return rendering.line_actor(edges.GetOutput(), (0, 0, 0), 0.6, 0.3)
 
 
 def colored_actor(surface, colors, limits):
@@ -169,7 +171,8 @@ def main():
     grid = rendering.read_grid(arguments.shell)
     foundation = arguments.foundation and Foundation(**arguments.foundation)
     name = "contact_pressure" if foundation else "displacement"
-    outer, inner = (face_surface(grid, face, name) for face in (1, 0))
+    (outer, sides), (inner, _) = (face_surface(grid, face, name)
+                                  for face in (1, 0))
     limits = (0, max(outer.GetScalarRange()[1], inner.GetScalarRange()[1]))
     shown = np.concatenate([rendering.positions(face)
                             for face in (outer, inner)])
@@ -188,7 +191,8 @@ def main():
         actors = [colored_actor(face, colors, limits)
                   for face in (outer, inner)]
         direction, up = view_of_shell(shown, area_vector(outer))
-    actors.append(mesh_actor(outer))
+    actors.append(rendering.line_actor(rendering.line_data(sides), (0, 0, 0), 0.6,
+                                       0.3))
     camera = rendering.fitted_camera(shown, direction, up, WIDTH / HEIGHT,
                                      right_margin=0.17)
     figure = rendering.figure_of(
