@@ -5,6 +5,7 @@
     units          what to call units
     loading        what changes from step to step
     foundation     the plane, drum or sphere, and where it stands
+    zone           the edge of the contact zone between the nodes
     footprint      the contact zone, projected along the direction of travel
     curved         smooth curves and cells through nodes
     section        the plane of the deformed section

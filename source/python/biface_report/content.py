@@ -27,6 +27,7 @@ from .stiffness import stiffness
 from .summary import introduction, summary, title
 from .units import units_of
 from .wheel import stick_slip, wheel_forces
+from .zone import zone_of_shell
 
 
 def report(run):
@@ -57,8 +58,12 @@ def find_footprint(run):
     normal = foundation.direction if foundation else normal_of_nodes(contact)
     if normal is None:
         return None
-    return Footprint(contact, normal,
-                     run.setting("Mesh/Closed in alpha_2") == "true")
+    zone = zone_of_shell(run, foundation_in_step(run))
+    footprint = Footprint(contact, normal,
+                          run.setting("Mesh/Closed in alpha_2") == "true", zone)
+    if zone is None and "footprint_length" in run.history:
+        footprint.scale_to(run.last("footprint_length"), run.last("footprint_width"))
+    return footprint
 
 
 def curve(run):
@@ -127,8 +132,8 @@ def footprint_map(run, footprint):
              f", seen along the direction in which the {foundation.name()} travels")
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
             "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
-            "of the contact zone, drawn halfway between the last node in contact "
-            "and the next one. Dash-dotted: the principal axes of the zone.")
+            "of the contact zone, the line of zero clearance. Dash-dotted: the "
+            "principal axes of the zone.")
     length, width = footprint.lengths
     if "footprint_length" in run.history:
         length, width = (run.last(f"footprint_{which}")

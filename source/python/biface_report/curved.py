@@ -17,6 +17,22 @@ ANGLE_OF_PIECE = 6
 MAXIMUM_PATCHES = 200000
 
 
+# The sides of a cell along each coordinate
+SIDES = (([0, 1], [3, 2]), ([0, 3], [1, 2]))
+
+
+def neighbors(cells, count):
+    """For each coordinate the nodes before and after each of a count of nodes on its
+    line of the mesh, -1 for none; from the nodes of each cell in the order around it,
+    which starts along the same coordinate in all cells."""
+    result = np.full((2, 2, count), -1)
+    for (before, after), sides in zip(result, SIDES):
+        for first, last in sides:
+            after[cells[:, first]] = cells[:, last]
+            before[cells[:, last]] = cells[:, first]
+    return result
+
+
 def curved_line(points):
     """A curve through points, one per row, with MAXIMUM_PIECES pieces between two."""
     at = np.arange(len(points))
@@ -34,16 +50,11 @@ class CurvedCells:
         order around it, which starts along the same coordinate in all cells."""
         self.cells = cells
         self.nodes = points
-        # sides 0-1 and 3-2 are along one coordinate, 0-3 and 1-2 along the other
-        pairs = np.stack([cells[:, ends] for ends in
-                          ([0, 1], [3, 2], [0, 3], [1, 2])])
         self.sides, self.numbers = [], []
-        for i in (0, 2):
-            ends, numbers = np.unique(pairs[i:i + 2].reshape(-1, 2), axis=0,
-                                      return_inverse=True)
-            before, after = np.full((2, len(points)), -1)
-            after[ends[:, 0]] = ends[:, 1]
-            before[ends[:, 1]] = ends[:, 0]
+        for sides, (before, after) in zip(SIDES, neighbors(cells, len(points))):
+            ends, numbers = np.unique(
+                np.concatenate([cells[:, ends] for ends in sides]), axis=0,
+                return_inverse=True)
             self.sides.append(Sides(points, ends, before, after))
             self.numbers.append(numbers.reshape(2, -1))
         turn = 2 * max(np.degrees(side.angles).max() for side in self.sides)

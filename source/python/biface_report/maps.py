@@ -4,6 +4,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
 
 from .curved import curved_line
@@ -26,10 +28,14 @@ def draw_footprint(footprint, units):
     """The contact pressure, the outline of the zone and its principal axes. The
     longer side of the zone is horizontal."""
     order = [0, 1]
-    chosen = footprint.outline_points()
+    chosen = np.concatenate([*footprint.outline,
+                             footprint.nodes[footprint.active]])
     if np.ptp(chosen[:, 1]) > np.ptp(chosen[:, 0]):
         order = [1, 0]
-    spread = np.ptp(footprint.points[:, order], axis=0)
+    low, high = (end(chosen[:, order], axis=0) for end in (np.min, np.max))
+    margin = 0.05 * (high - low).max()
+    low, high = low - margin, high + margin
+    spread = high - low
     width = 5.6
     height = np.clip(width * spread[1] / spread[0], 1.5, 6) + 1.6
     figure, axes = plt.subplots(figsize=(width, height))
@@ -37,13 +43,16 @@ def draw_footprint(footprint, units):
     triangulation.x, triangulation.y = footprint.points[:, order].T
     colors = axes.tripcolor(triangulation, footprint.fine_pressure,
                             shading="gouraud", cmap=PRESSURE_COLORS, vmin=0)
-    for line in footprint.outline:
-        axes.plot(*line[:, order].T, color="black", linewidth=1.3)
+    edge = PathPatch(Path.make_compound_path(
+        *(Path(line[:, order], closed=True) for line in footprint.outline)),
+        facecolor="none", edgecolor="black", linewidth=1.3)
+    axes.add_patch(edge)
+    colors.set_clip_path(edge)
     axes.plot(*footprint.nodes[footprint.active][:, order].T, ".",
               color="0.25", markersize=2.5)
     draw_principal_axes(axes, footprint, order)
     axes.set_aspect("equal")
-    axes.margins(0.03)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.grid(False)
     names = [footprint.axis_names[i] for i in order]
     axes.set(xlabel=units.label(names[0], "length"),
@@ -56,7 +65,7 @@ def draw_footprint(footprint, units):
 
 def draw_principal_axes(axes, footprint, order):
     """Both axes, as long as the zone."""
-    points = footprint.outline_points() - footprint.center
+    points = np.concatenate(footprint.outline) - footprint.center
     for axis in footprint.principal:
         along = points @ axis
         ends = footprint.center + np.outer([along.min(), along.max()], axis)
