@@ -27,4 +27,5 @@
     summary        the head of the page and the table of numbers
     point_content  the sections on named points
     content        all other sections, and the whole page
+    comparison     the page about two runs
 """

@@ -9,6 +9,7 @@ from .buckling import kinds_of_steps
 from .drawing import BLUE, DISTINCT, GRAY, RED, headroom, legend_below
 from .loading import branch_name, branches, counted_steps, varying_load
 from .page import ROUND_OFF, count
+from .units import units_of
 
 # More curves in one chart would be hard to tell apart
 MAXIMUM_CURVES = len(DISTINCT)
@@ -43,7 +44,7 @@ def stiffness(run):
     return (force[-1] - force[-2]) / (approach[-1] - approach[-2])
 
 
-def draw_contact_curve(run, units):
+def draw_contact_curve(run):
     """The force on the foundation against its approach. Where there are several
     branches, the longest ones have colors and names."""
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
@@ -62,12 +63,17 @@ def draw_contact_curve(run, units):
                   label=count(others, "other branch", "other branches"))
     here = run.in_contact & np.isin(run.steps, list(kinds_of_steps(run)))
     mark_critical(axes, run.history["approach"][here], run.history["force"][here])
-    axes.set(xlabel=units.label("approach", "length"),
-             ylabel=units.label("force on the foundation", "force"))
+    label_contact_curve(axes, units_of(run))
     headroom(axes)
     if len(curves) > 1:
         legend_below(axes)
     return figure
+
+
+def label_contact_curve(axes, units):
+    """The labels of a chart of the force on the foundation."""
+    axes.set(xlabel=units.label("approach", "length"),
+             ylabel=units.label("force on the foundation", "force"))
 
 
 def mark_critical(axes, x, y):
@@ -85,6 +91,7 @@ class ProbeCurves:
 
     def __init__(self, run, probes):
         """Points of the middle surface, see Run.probes()."""
+        self.units = units_of(run)
         self.load_name, loads = varying_load(run)
         loads = np.append(loads, 0)
         is_counted = np.isin(run.steps, counted_steps(run))
@@ -120,7 +127,7 @@ class ProbeCurves:
         """How many points are drawn at most."""
         return MAXIMUM_CURVES if len(self.names) == 1 else len(LINES)
 
-    def draw(self, units):
+    def draw(self):
         """The chart: a color for each point or, where there are several branches,
         for each of these."""
         figure, axes = plt.subplots(figsize=(5.6, 3.8))
@@ -141,7 +148,7 @@ class ProbeCurves:
             axes.plot([], [], color=DISTINCT[i] if one else GRAY,
                       linestyle=LINES[0 if one else i],
                       label=f"{name}, $u_{direction}$")
-        axes.set(xlabel=units.label("displacement", "length"),
+        axes.set(xlabel=self.units.label("displacement", "length"),
                  ylabel=self.load_name)
         legend_below(axes)
         return figure

@@ -69,7 +69,7 @@ def find_footprint(run):
 def curve(run):
     """Force against approach; without contact, a load against displacements."""
     if run.in_contact.any():
-        html = figure(embed(charts.draw_contact_curve(run, units_of(run))),
+        html = figure(embed(charts.draw_contact_curve(run)),
                       "Chart of the force on the foundation against its "
                       f"approach. {contact_range(run)}",
                       "One point per step in contact."
@@ -95,7 +95,7 @@ def curve(run):
     if found.at_rest:
         caption += f" At rest: {escape(', '.join(found.at_rest))}."
     caption += critical_range(run, counted_steps(run))
-    html = figure(embed(found.draw(units_of(run))),
+    html = figure(embed(found.draw()),
                   f"Chart of the {found.load_name} against the displacements of "
                   "the named points.", caption)
     return Section("curve", name, html)
@@ -132,8 +132,11 @@ def footprint_map(run, footprint):
              f", seen along the direction in which the {foundation.name()} travels")
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
             "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
-            "of the contact zone, the line of zero clearance. Dash-dotted: the "
-            "principal axes of the zone.")
+            "of the contact zone, the line of zero clearance"
+            + (", estimated and stretched to the length and width of history.csv: "
+               f"{run.path('shell', ending='vtu').name} is missing"
+               if footprint.is_estimated else "")
+            + ". Dash-dotted: the principal axes of the zone.")
     length, width = footprint.lengths
     if "footprint_length" in run.history:
         length, width = (run.last(f"footprint_{which}")
@@ -151,54 +154,66 @@ def footprint_map(run, footprint):
 
 
 def sections_of_shell(run):
-    """The deformed section in several steps: along alpha_1, or around the axis where
-    the shell is straight along alpha_1."""
+    """The deformed section in several steps."""
     name = "Deformed section"
-    if is_straight(run):
-        steps = [step for step in run.steps
-                 if run.path("shell", step, "vtu").exists()]
-        if run.step in steps and run.setting("Output/Write VTU") != "false":
-            chosen = maps.chosen_steps(steps)
-            lines = [section_around(run, step) for step in chosen]
-            if all(line is not None for line in lines):
-                return drawn_sections(run, chosen, lines, [0, 1, 0], (
-                    "Outer and inner face around the axis, through the nodes at y = "
-                    f"{plain_number(lines[0]['y'][0])} of the undeformed shell"))
-    steps = [step for step in run.steps if run.path("profile", step).exists()]
-    if run.step not in steps:
-        return LeftOut(
-            name, f"{run.path('profile').name} is missing.")
-    chosen = maps.chosen_steps(steps)
-    profiles = [run.profile(step) for step in chosen]
-    if min(map(len, profiles)) < 2:
-        return LeftOut(
-            name, f"{run.path('profile', chosen[0]).name} is empty.")
-    alpha_2 = profiles[-1]["alpha_2"][0]
-    surface = run.setting("Surface/Type")
-    return drawn_sections(
-        run, chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
-        f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}")
-
-
-def drawn_sections(run, chosen, profiles, across, text):
-    """The section of the page with the profiles of some steps, the direction across
-    their plane, and what they are in words."""
-    foundations = [None] * len(chosen)
-    normal = None
-    if run.in_contact.any() and foundation_of(run):
-        foundations = [foundation_in_step(run, step) for step in chosen]
-        normal = foundation_of(run).direction
-    plane = SectionPlane(profiles, normal, across)
+    found = section_lines(run)
+    if isinstance(found, str):
+        return LeftOut(name, found)
+    chosen, profiles, across, text = found
+    foundations = [foundation_if_known(run, step) for step in chosen]
     drawing, is_to_scale, has_foundation = maps.draw_sections(
-        plane, profiles, step_labels(run, chosen), foundations, units_of(run))
+        SectionPlane(profiles, normal_of(run), across), profiles,
+        step_labels(run, chosen), foundations, units_of(run))
+    return Section("section", name, figure(
+        embed(drawing), "Drawing of the deformed section of the shell, from step "
+        f"{chosen[0]} to step {chosen[-1]}.",
+        section_caption(run, text, is_to_scale, has_foundation)))
+
+
+def section_caption(run, text, is_to_scale, has_foundation):
+    """What a picture of sections shows, from the words of section_lines()."""
     text += (", to scale." if is_to_scale else
              ", <strong>the axes have different scales</strong>.")
     if has_foundation:
         text += f" Dashes: the {foundation_of(run).name()}."
-    return Section("section", "Deformed section", figure(
-        embed(drawing), "Drawing of the deformed section of the shell, from step "
-        f"{chosen[0]} to step {chosen[-1]}.",
-        text + " Smooth between the nodes."))
+    return text + " Smooth between the nodes."
+
+
+def section_lines(run):
+    """The lines of the deformed section: along alpha_1, or around the axis where the
+    shell is straight along alpha_1. Steps, a table for each, the direction across their
+    plane, if it is known, and words; or only the reason why they are missing."""
+    if is_straight(run) and run.setting("Output/Write VTU") != "false":
+        steps = [step for step in run.steps
+                 if run.path("shell", step, "vtu").exists()]
+        chosen = maps.chosen_steps(steps)
+        lines = [section_around(run, step) for step in chosen]
+        if run.step in steps and all(line is not None for line in lines):
+            return chosen, lines, np.array([0, 1.0, 0]), (
+                "Outer and inner face around the axis, through the nodes at y = "
+                f"{plain_number(lines[0]['y'][0])} of the undeformed shell")
+    steps = [step for step in run.steps if run.path("profile", step).exists()]
+    if run.step not in steps:
+        return f"{run.path('profile').name} is missing."
+    chosen = maps.chosen_steps(steps)
+    profiles = [run.profile(step) for step in chosen]
+    if min(map(len, profiles)) < 2:
+        return f"{run.path('profile', chosen[0]).name} is empty."
+    alpha_2 = profiles[-1]["alpha_2"][0]
+    surface = run.setting("Surface/Type")
+    return (chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
+            f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}")
+
+
+def normal_of(run):
+    """The direction of the foundation, or None if the run has no contact."""
+    foundation = foundation_of(run) if run.in_contact.any() else None
+    return foundation.direction if foundation else None
+
+
+def foundation_if_known(run, step):
+    """The foundation where it stands in a step, or None."""
+    return (None if normal_of(run) is None else foundation_in_step(run, step))
 
 
 def shell(run):

@@ -72,6 +72,7 @@ class Footprint:
         self.pressure = contact["pressure"]
         cells = cells_in_contact(contact, is_closed)
         self._interpolate(cells)
+        self.is_estimated = zone is None
         if zone is None:
             zone = Zone(contact.positions(), cells, contact["clearance"],
                         self.pressure, self.active, is_whole=False)

@@ -24,17 +24,22 @@ MAXIMUM_SECTIONS = 6
 # ---------------------------------------------------------------- footprint
 
 
-def draw_footprint(footprint, units):
-    """The contact pressure, the outline of the zone and its principal axes. The
-    longer side of the zone is horizontal."""
-    order = [0, 1]
-    chosen = np.concatenate([*footprint.outline,
-                             footprint.nodes[footprint.active]])
-    if np.ptp(chosen[:, 1]) > np.ptp(chosen[:, 0]):
-        order = [1, 0]
-    low, high = (end(chosen[:, order], axis=0) for end in (np.min, np.max))
+def frame(*footprints):
+    """What a picture of some footprints shows: the order of the axes, the longer side
+    of the zone first, and the lower and upper limits."""
+    points = np.concatenate([part for footprint in footprints for part in
+                             (*footprint.outline,
+                              footprint.nodes[footprint.active])])
+    order = [0, 1] if np.ptp(points[:, 0]) >= np.ptp(points[:, 1]) else [1, 0]
+    low, high = points[:, order].min(0), points[:, order].max(0)
     margin = 0.05 * (high - low).max()
-    low, high = low - margin, high + margin
+    return order, low - margin, high + margin
+
+
+def draw_footprint(footprint, units, shown=None, maximum=None):
+    """The contact pressure, the outline of the zone and its principal axes. shown: a
+    frame(); maximum: the pressure at the end of the color bar."""
+    order, low, high = shown or frame(footprint)
     spread = high - low
     width = 5.6
     height = np.clip(width * spread[1] / spread[0], 1.5, 6) + 1.6
@@ -42,7 +47,8 @@ def draw_footprint(footprint, units):
     triangulation = footprint.triangulation()
     triangulation.x, triangulation.y = footprint.points[:, order].T
     colors = axes.tripcolor(triangulation, footprint.fine_pressure,
-                            shading="gouraud", cmap=PRESSURE_COLORS, vmin=0)
+                            shading="gouraud", cmap=PRESSURE_COLORS, vmin=0,
+                            vmax=maximum)
     edge = PathPatch(Path.make_compound_path(
         *(Path(line[:, order], closed=True) for line in footprint.outline)),
         facecolor="none", edgecolor="black", linewidth=1.3)
@@ -83,19 +89,20 @@ def chosen_steps(steps):
     return [steps[i] for i in places]
 
 
-def draw_sections(plane, profiles, labels, foundations, units):
-    """Both faces of the section in several steps.
+def draw_sections(plane, profiles, labels, foundations, units, colors=None):
+    """Both faces of the section in several steps, or of several shells.
 
     profiles, labels and foundations are lists with one item per step; an unknown
     foundation is None. A section too slender to be seen to scale is stretched.
     Returns the figure, whether it is to scale, and whether it shows a
     foundation."""
     figure, axes = plt.subplots(figsize=(5.6, 4.6))
-    colors = shades(len(profiles))
     sections = [[curved_line(plane.project(profile.positions(f"{face}_")))
                  for face in ("outer", "inner")] for profile in profiles]
+    last = sections[-1:] if colors is None else sections
+    colors = shades(len(profiles)) if colors is None else colors
     for faces, label, color in zip(sections, labels, colors):
-        width = 2 if faces is sections[-1] else 1.1
+        width = 2 if any(faces is other for other in last) else 1.1
         axes.plot(*faces[0].T, color=color, linewidth=width, label=label)
         axes.plot(*faces[1].T, color=color, linewidth=width)
     # the foundation widens the picture only as far as it is near the shell

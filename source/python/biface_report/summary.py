@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The head of the page, and the table of its most important numbers."""
 
+from collections import namedtuple
 from html import escape
 
 import numpy as np
@@ -84,64 +85,74 @@ def unfinished(run):
 # ---------------------------------------------------------------- numbers
 
 
-def row(name, value, unit="", remark="", digits=5):
-    """One line: the name, the value with its unit, and a remark."""
-    unit = f' <span class="unit">[{unit}]</span>' if unit else ""
-    return [name, number(value, digits) + unit, remark]
+# A line of the table: what it is, its value, unit, and a remark in HTML
+Row = namedtuple("Row", "name value unit remark digits", defaults=["", "", 5])
+
+
+def in_brackets(unit):
+    """A unit behind a number or a name, in HTML."""
+    return f' <span class="unit">[{unit}]</span>' if unit else ""
 
 
 def summary(run, footprint):
     """The table of numbers; the footprint is None without contact."""
+    text = table(f"Step {run.step}, stage {run.last('stage')}", [],
+                 [[row.name, number(row.value, row.digits) + in_brackets(row.unit),
+                   row.remark] for row in rows_of(run, footprint)])
+    text = text.replace('<div class="scroll"', '<div class="scroll summary"', 1)
+    return Section("summary", "Summary", text, True)
+
+
+def rows_of(run, footprint):
+    """The lines of the table."""
     units = units_of(run)
     rows = (contact_rows(run, footprint) if run.is_contact else
             displacement_rows(run))
     history = run.history
     if history["pressure"].any():
-        rows.append(row("Pressure on the shell", run.last("pressure"),
+        rows.append(Row("Pressure on the shell", run.last("pressure"),
                         units["pressure"]))
     if history["load_factor"].any():
-        rows.append(row("Load factor", run.last("load_factor"), "",
+        rows.append(Row("Load factor", run.last("load_factor"), "",
                         "of dead loads and prescribed displacements"))
     rows += tension_rows(run)
     rows += failure_rows(run)
     if "strain_energy" in history:
-        rows.append(row("Strain energy", run.last("strain_energy"),
+        rows.append(Row("Strain energy", run.last("strain_energy"),
                         units["energy"]))
     if "slack_cords" in history:
-        rows.append(row("Slack cords", 100 * run.last("slack_cords"), "",
+        rows.append(Row("Slack cords", 100 * run.last("slack_cords"), "",
                         "% by volume, of those that can go slack", 3))
-    rows += [row("Steps", len(run.steps), "",
+    rows += [Row("Steps", len(run.steps), "",
                  count(len(dict.fromkeys(history["stage"])), "stage")),
-             row("Newton iterations", history["iterations"].sum(), "",
+             Row("Newton iterations", history["iterations"].sum(), "",
                  f"at most {int(history['iterations'].max())} in a step"),
-             row("Wall time", history["seconds"].sum(), "s",
+             Row("Wall time", history["seconds"].sum(), "s",
                  "of all steps so far", 3)]
-    text = table(f"Step {run.step}, stage {run.last('stage')}", [], rows)
-    text = text.replace('<div class="scroll"', '<div class="scroll summary"', 1)
-    return Section("summary", "Summary", text, True)
+    return rows
 
 
 def contact_rows(run, footprint):
     """Numbers of a step in contact."""
     units = units_of(run)
     force, area = run.last("force"), run.last("contact_area")
-    rows = [row("Force on the foundation", force, units["force"]),
-            row("Approach of the foundation", run.last("approach"),
+    rows = [Row("Force on the foundation", force, units["force"]),
+            Row("Approach of the foundation", run.last("approach"),
                 units["length"], "since it first touched the shell")]
     slope = charts.stiffness(run)
     if slope is not None:
-        rows.append(row("Stiffness", slope, units["stiffness"],
+        rows.append(Row("Stiffness", slope, units["stiffness"],
                         "increment of force over increment of approach"))
-    rows.append(row("Contact area", area, units["area"],
+    rows.append(Row("Contact area", area, units["area"],
                     f"{count(int(run.last('contact_nodes')), 'node')}, on the "
                     "undeformed middle surface"))
     has_footprint = "footprint_length" in run.history
     if has_footprint:
         rows += history_rows(run, FOOTPRINT_ROWS)
     elif area > 0:
-        rows.append(row("Mean contact pressure", force / area,
+        rows.append(Row("Mean contact pressure", force / area,
                         units["pressure"], "force over contact area"))
-    rows.append(row("Maximum contact pressure", run.last("max_pressure"),
+    rows.append(Row("Maximum contact pressure", run.last("max_pressure"),
                     units["pressure"], "at a node" + place_of_peak(run)))
     if has_footprint:
         rows += history_rows(run, PRESSURE_ROWS)
@@ -150,7 +161,7 @@ def contact_rows(run, footprint):
     if is_wheel(run):
         rows += history_rows(run, WHEEL_ROWS)
     if run.last("slipping_area") if "slipping_area" in run.history else 0:
-        rows.append(row("Slipping", 100 * run.last("slipping_area") / area, "",
+        rows.append(Row("Slipping", 100 * run.last("slipping_area") / area, "",
                         "% of the contact area", 3))
     return rows
 
@@ -186,7 +197,7 @@ TENSION_ROWS = (
 def history_rows(run, columns):
     """Rows of the columns that are there and not zero."""
     units = units_of(run)
-    return [row(name, run.last(column), units[kind], remark)
+    return [Row(name, run.last(column), units[kind], remark)
             for column, name, kind, remark in columns
             if column in run.history and run.last(column)]
 
@@ -201,7 +212,7 @@ def place_in_history(run, column):
 def tension_rows(run):
     """The maximum tension and its place."""
     units = units_of(run)
-    return [row(name, run.last(column), units[kind], place_in_history(run, column))
+    return [Row(name, run.last(column), units[kind], place_in_history(run, column))
             for column, name, kind in TENSION_ROWS if column in run.history]
 
 
@@ -218,7 +229,7 @@ def displacement_rows(run):
         scale = np.abs(data["Points"]).max()
         place = ", ".join(number(value, 4, scale) for value in
                           data["Points"][at] - data["displacement"][at])
-        return [row(name, moved[at], unit,
+        return [Row(name, moved[at], unit,
                     f"magnitude, of the whole shell, on the {face} face at "
                     f"(x, y, z) = ({place}) of the undeformed shell")]
     probes = run.probes()
@@ -227,7 +238,7 @@ def displacement_rows(run):
         return []
     moved = np.linalg.norm(probes.positions("u_"), axis=1)
     at = int(np.argmax(moved))
-    return [row(name + " of a named point", moved[at], unit,
+    return [Row(name + " of a named point", moved[at], unit,
                 f"magnitude, at “{escape(probes['name'][at])}”; the shell may move "
                 f"more elsewhere: {path.name} is missing")]
 
@@ -239,7 +250,7 @@ def failure_rows(run):
     table_of_plies = run.plies() or {}
     for column, name in plies.INDICES.items():
         if column in run.history and np.isfinite(run.last(column)):
-            rows.append(row(f"Largest {name}", run.last(column), "",
+            rows.append(Row(f"Largest {name}", run.last(column), "",
                             place_in_history(run, column.removesuffix("_index"))
                             + "; a ply fails at 1"))
             continue
@@ -247,7 +258,7 @@ def failure_rows(run):
         if not np.isfinite(values).any():
             continue
         at = int(np.nanargmax(values))
-        rows.append(row(
+        rows.append(Row(
             f"Largest {name}, of the named points", values[at], "",
             f"at “{escape(table_of_plies['name'][at])}”, ply "
             f"{int(table_of_plies['ply'][at])}; a ply fails at 1. It may be larger "
@@ -270,7 +281,7 @@ def footprint_rows(run, footprint):
     rows = []
     for i, name in enumerate(("Length of the footprint", "Width of the footprint")):
         least, most = footprint.minimum_lengths[i], footprint.maximum_lengths[i]
-        rows.append(row(
+        rows.append(Row(
             name, footprint.lengths[i], units_of(run)["length"],
             f"{direction(footprint, i)}; between {number(least, 4)} (nodes in "
             f"contact) and {number(most, 4)} (with their neighbors)", 4))
