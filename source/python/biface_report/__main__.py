@@ -24,7 +24,7 @@ def parse_arguments():
     parser.add_argument("-o", "--output", metavar="FILE", type=Path,
                         help="the page (default: report.html, or comparison.html "
                              "of two, in the first OUTPUT_DIR)")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def page_about(first, others, step):
