@@ -104,7 +104,10 @@ class ProbeCurves:
         self.names = [branch_name(run, rows) for rows in branches(run, is_counted)]
         moved = {name: self._displacements(run, probes, name)
                  for name in dict.fromkeys(probes["name"])}
-        largest = max(np.nanmax(np.abs(values)) for values in moved.values())
+        moved = {name: values for name, values in moved.items()
+                 if np.isfinite(values[:-1][is_counted]).any()}
+        largest = max((np.nanmax(np.abs(values)) for values in moved.values()),
+                      default=0)
         for name, values in moved.items():
             moves = np.nanmax(np.abs(values[:-1][is_counted]), axis=0)
             if np.max(moves) <= ROUND_OFF * largest:

@@ -58,7 +58,13 @@ def find_footprint(run):
     normal = foundation.direction if foundation else normal_of_nodes(contact)
     if normal is None:
         return None
-    zone = zone_of_shell(run, foundation_in_step(run))
+    if run.has_points_in_cells:
+        # nodes around points in contact may be clear of the foundation
+        contact["active"] = contact["active"] * (contact["clearance"] < 0)
+    n_active = int((contact["active"] > 0).sum())
+    if n_active == 0:
+        return None
+    zone = zone_of_shell(run, foundation_in_step(run), n_active)
     footprint = Footprint(contact, normal,
                           run.setting("Mesh/Closed in alpha_2") == "true", zone)
     if zone is None and "footprint_length" in run.history:
@@ -120,10 +126,12 @@ def footprint_map(run, footprint):
     name = "Footprint"
     if not run.is_contact:
         return LeftOut(
-            name, f"The shell is not in contact in step {run.step}.")
+            name, "The shell is not in contact with the foundation in step "
+            f"{run.step}.")
     if footprint is None:
         path = run.path("contact")
         reason = (f"{path.name} is missing." if not path.exists() else
+                  "No node is in contact." if run.has_points_in_cells else
                   "parameters.prm is missing, and too few nodes are in contact to "
                   "find the direction of the foundation.")
         return LeftOut(name, reason)

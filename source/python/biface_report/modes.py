@@ -25,7 +25,7 @@ def modes(run):
     # traveling waves of wheels that roll or spin
     travel = found.get("travel", np.zeros(len(found)))
     travels = (np.nan_to_num(travel) != 0).any()
-    is_rigid = rigid_motions(found)
+    is_rigid, units = rigid_motions(found), units_of(run)
     rows = []
     for i in range(len(found)):
         row = [escape(found["stage"][i]), str(int(found["mode"][i])),
@@ -48,9 +48,10 @@ def modes(run):
              + (["Travel"] if travels else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
-        f"Natural frequencies [{units_of(run)['frequency']}] of the loaded shell at the end of each stage; "
+        f"Natural frequencies [{units['frequency']}] of the loaded shell at the end of each stage; "
         "effective masses of translations, of the mass of the shell, "
-        f"{plain_number(found['total_mass'][-1])}."
+        f"{plain_number(found['total_mass'][-1])}"
+        + (f"\u00a0{units['mass']}" if units.are_named else "") + "."
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
            "those against it." if travels else ""))
     all_modes = table("Modes, from modes.csv", heads, rows)
@@ -62,7 +63,6 @@ def modes(run):
             "with a frequency of zero within round-off: rigid motions, which are not "
             "drawn.")
     last = found.where(last & ~is_rigid)
-    units = units_of(run)
     unit = " " + units["frequency"] if units.are_named else ""
     pictures = None if len(last) == 0 else pictures_of(
         run, "modes", last, [f"{value:.5g}{unit}" for value in last["frequency"]],

@@ -64,7 +64,7 @@ def draw_shape(axes, path):
     view = view_axes(ELEVATION, AZIMUTH)
     seen = faces.reshape(-1, 3) @ view.T
     middle = (seen.max(0) + seen.min(0)) / 2 @ view
-    reach = 0.33 * np.ptp(seen[:, :2], axis=0).max()
+    reach = 0.36 * np.ptp(seen[:, :2], axis=0).max()
     for set_limits, center in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim),
                                   middle):
         set_limits(center - reach, center + reach)

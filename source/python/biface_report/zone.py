@@ -106,7 +106,7 @@ class Zone:
     def _segments(self):
         """Pieces of the edge: pairs of items, see outline()."""
         border = defaultdict(int)
-        for cell in self.cells:
+        for cell in self.cells[self.active[self.cells].any(1)]:
             sides = list(zip(cell, np.roll(cell, -1)))
             for a, b in sides:
                 border[min(a, b), max(a, b)] += 1
@@ -139,9 +139,9 @@ def loops(links):
     return result
 
 
-def zone_of_shell(run, foundation):
-    """The zone from shell-NNNN.vtu, or None if this file is missing or counts other
-    nodes than history.csv, such as those in contact with a body."""
+def zone_of_shell(run, foundation, n_active):
+    """The zone from shell-NNNN.vtu, or None if this file is missing or has another
+    number of nodes in contact, such as those in contact with a body."""
     path = run.path("shell", ending="vtu")
     if (foundation is None or not path.exists()
             or run.setting("Output/Write VTU") == "false"):
@@ -157,8 +157,10 @@ def zone_of_shell(run, foundation):
         return_index=True, return_inverse=True)
     cells = same[which].reshape(cells.shape)
     used, points = used[first], points[first]
+    clearance = foundation.clearance(points)
     active = data["active"][used] > 0.5
-    if active.sum() != run.last("contact_nodes"):
+    if run.has_points_in_cells:
+        active &= clearance < 0
+    if active.sum() != n_active:
         return None
-    return Zone(points, cells, foundation.clearance(points),
-                data["contact_pressure"][used], active)
+    return Zone(points, cells, clearance, data["contact_pressure"][used], active)
