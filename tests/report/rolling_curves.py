@@ -39,7 +39,8 @@ check(sides[0].get_xdata()[-1] < 0 < sides[1].get_xdata()[-1], "the slip angles"
 check(sides[0].get_ydata()[-1] > 0 > sides[1].get_ydata()[-1], "the side forces")
 check(aligning[0].get_ydata()[-1] < 0 < aligning[1].get_ydata()[-1],
       "the aligning moments")
-drag = rolling.draw_braking(found, braking, [slip], Units()).axes[0].lines[0].get_ydata()
+chart = rolling.draw_braking(found, braking, [slip], Units())
+drag = chart.axes[0].lines[0].get_ydata()
 check(drag[-1] < drag[0] <= 0, f"the drag {drag}")
 
 page = page_of(RUNS / "rolling_tire")

@@ -34,7 +34,7 @@ def modes(run):
         if grows:
             row.append(number(found["growth_rate"][i]))
         if turns:
-            row += [str(int(found[column][i])) for column in
+            row += [plain_number(found[column][i]) for column in
                     ("circumferential_waves", "meridional_half_waves")]
         if travels:
             row.append(plain_number(np.round(travel[i], 2)))
@@ -48,8 +48,8 @@ def modes(run):
              + (["Travel"] if travels else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
-        f"Natural frequencies [{units['frequency']}] of the loaded shell at the end of each stage; "
-        "effective masses of translations, of the mass of the shell, "
+        f"Natural frequencies [{units['frequency']}] of the loaded shell at the end of "
+        "each stage; effective masses of translations, of the mass of the shell, "
         f"{plain_number(found['total_mass'][-1])}"
         + (f"\u00a0{units['mass']}" if units.are_named else "") + "."
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
@@ -58,10 +58,9 @@ def modes(run):
     last = found["step"] == found["step"][-1]
     if (is_rigid & last).any():
         text += paragraph(
-            f"{count(int((is_rigid & last).sum()), 'mode')} of the stage "
-            f"{escape(found['stage'][-1])} "
-            "with a frequency of zero within round-off: rigid motions, which are not "
-            "drawn.")
+            f"Not drawn: {count(int((is_rigid & last).sum()), 'rigid motion')} of the "
+            f"stage {escape(found['stage'][-1])}, with a frequency of zero within "
+            "round-off.")
     last = found.where(last & ~is_rigid)
     unit = " " + units["frequency"] if units.are_named else ""
     pictures = None if len(last) == 0 else pictures_of(

@@ -174,14 +174,13 @@ FOOTPRINT_ROWS = (
     ("footprint_area", "Area of the footprint", "area",
      "of the deformed outer face, within the line of zero clearance"),
     ("mean_pressure", "Mean contact pressure", "pressure",
-     "force over this area"))
+     "force over this deformed area; may therefore exceed the mean by force"))
 PRESSURE_ROWS = (
     ("recovered_max_pressure", "Maximum pressure, recovered", "pressure",
      "with dual basis functions if the multiplier mass is lumped"),
     ("weighted_pressure", "Mean contact pressure by force", "pressure",
      "weighted by the force that it carries; per area of the undeformed middle "
-     "surface, so that it may be below the mean, which is per area of the deformed "
-     "outer face"),
+     "surface"),
     ("pressure_variation", "Variation of the contact pressure", "",
      "its standard deviation over this mean"),
     ("load_ratio", "Force over pressure times area", "",
