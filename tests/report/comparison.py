@@ -31,6 +31,10 @@ page = page_of(RUNS / "shell", other)
 check("Load and deflection: Only one of the runs has contact." in page.text,
       "the reason is not told")
 
+page = page_of(RUNS / "shell", RUNS / "seal")
+check("Footprint of seal" in page.headings and "Deformed sections" in page.headings,
+      "other meshes are not compared")
+
 panel = page_of(RUNS / "composite_panel", RUNS / "branches")
 check("Load and deflection" in panel.headings, "no curve of a named point")
 

@@ -24,4 +24,11 @@ for label, expected in (("length [mm]", "length [$10^{-7}$ mm]"),
     check(axes.get_ylabel() == expected, f"the label is {axes.get_ylabel()}")
     check(axes.get_xlabel() == "time [s]", f"the label is {axes.get_xlabel()}")
     check(not axes.yaxis.get_offset_text().get_visible(), "a power above the axis")
+# charts in a column have one label
+figure, (above, below) = plt.subplots(2, 1, sharex=True)
+for axes in (above, below):
+    axes.plot([0, 3e-7], [0, 1])
+embed(figure)
+check((above.get_xlabel(), below.get_xlabel()) == ("", "[$10^{-7}$]"),
+      "the labels of a column")
 check(" " not in plain_number(3.2e-9), "a number may break")

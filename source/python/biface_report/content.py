@@ -139,8 +139,8 @@ def footprint_map(run, footprint):
     where = ("" if foundation is None or foundation.shape == "plane" else
              f", seen along the direction in which the {foundation.name()} travels")
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
-            "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
-            "of the contact zone, the line of zero clearance"
+            "bilinear between the nodes. Dots: nodes in contact. Line: the "
+            "edge of the contact zone, the line of zero clearance"
             + (", estimated and stretched to the length and width of history.csv: "
                f"{run.path('shell', ending='vtu').name} is missing"
                if footprint.is_estimated else "")

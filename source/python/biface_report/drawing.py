@@ -89,6 +89,9 @@ def move_powers(figure):
             if not axis.get_offset_text().get_text() or not power:
                 continue
             axis.get_offset_text().set_visible(False)
+            # another one of the axes that share it has the numbers
+            if not any(text.get_visible() for text in axis.get_ticklabels()):
+                continue
             label, bracket, unit = axis.get_label_text().rpartition("[")
             factor = f"$10^{{{power}}}$"
             axis.set_label_text(f"{label}[{factor} {unit}" if bracket else

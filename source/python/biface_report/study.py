@@ -123,7 +123,9 @@ def main_effects(study):
     rows = []
     for output, response in responses_of.items():
         rows.append([escape(output)]
-                    + [number(response.effect(i), 4) for i in range(len(varying))]
+                    + [number(response.effect(i), 4,
+                              np.abs(study.values(output)).max())
+                       for i in range(len(varying))]
                     + [number(study.values(output).mean()),
                        plain_number(100 * response.explained, 3) + "\u00a0%"])
     html = table("Main effects", ["Output"] + [escape(v) for v in varying]
