@@ -5,7 +5,7 @@
 
 import sys
 
-from report_test import (PACKAGE, RUNS, check, copy_of, page_of, read_csv, require,
+from report_test import (PACKAGE, check, copy_of, page_of, read_csv, require,
                          scratch)
 
 require("matplotlib", "numpy")

@@ -5,7 +5,7 @@
 
 import sys
 
-from report_test import PACKAGE, RUNS, check, page_of, require
+from report_test import PACKAGE, RUNS, check, copy_of, page_of, require
 
 require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
@@ -21,6 +21,12 @@ check(all(cells[0] != "Loaded radius" for cells, _ in page.rows), "a loaded radi
 check("around the axis, through the nodes at y = 30" in page.text, "another section")
 check("Forces in wheel axes" in page_of(RUNS / "bias_tire").headings,
       "a tire has no wheel axes")
+
+directory = copy_of("seal")
+for path in directory.glob("shell-*.vtu"):
+    path.unlink()
+check("the section around the axis needs shell-0003.vtu" in page_of(directory).text,
+      "the missing section is not told")
 
 # the wall is 1.5 thick; after the contact the outer face ends where the ground is
 run = Results(RUNS / "seal")

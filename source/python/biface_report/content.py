@@ -209,8 +209,12 @@ def section_lines(run):
         return f"{run.path('profile', chosen[0]).name} is empty."
     alpha_2 = profiles[-1]["alpha_2"][0]
     surface = run.setting("Surface/Type")
+    text = f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}"
+    if is_straight(run):
+        text += (" (the section around the axis needs "
+                 f"{run.path('shell', ending='vtu').name} with four nodes around it)")
     return (chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
-            f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}")
+            text)
 
 
 def normal_of(run):

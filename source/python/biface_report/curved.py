@@ -17,6 +17,8 @@ ANGLE_OF_PIECE = 6
 MAXIMUM_PATCHES = 200000
 
 
+# Points that agree to as many decimals, relative to the shell, are the same
+SAME = 6
 # The sides of a cell along each coordinate
 SIDES = (([0, 1], [3, 2]), ([0, 3], [1, 2]))
 
@@ -31,6 +33,16 @@ def neighbors(cells, count):
             after[cells[:, first]] = cells[:, last]
             before[cells[:, last]] = cells[:, first]
     return result
+
+
+def joined(points, cells):
+    """The cells of a file in which each has points of its own, with each point once:
+    the numbers of the points that are kept, and the cells by places among these."""
+    used, which = np.unique(cells, return_inverse=True)
+    size = np.ptp(points[used], axis=0).max()
+    _, first, same = np.unique(np.round(points[used] / size, SAME), axis=0,
+                               return_index=True, return_inverse=True)
+    return used[first], same[which].reshape(cells.shape)
 
 
 def curved_line(points):

@@ -13,7 +13,7 @@ from vtk.util.numpy_support import (numpy_to_vtk, numpy_to_vtkIdTypeArray,
                                     vtk_to_numpy)
 
 from . import rendering
-from .curved import CurvedCells
+from .curved import CurvedCells, joined
 from .foundation import Foundation
 
 WIDTH, HEIGHT = 1000, 760
@@ -61,28 +61,21 @@ def face_surface(grid, outer, name):
     points = rendering.positions(grid)
     values = rendering.point_values(grid, name)
     values = np.linalg.norm(values, axis=1) if values.ndim > 1 else values
-    # each cell of the file has its own points: join them
-    size = np.ptp(points, axis=0).max()
-    used = np.unique(cells)
-    first, which = rendering.merge_points(points[used] / size, 6)
-    number = np.full(len(points), -1)
-    number[used] = which
-    curved = CurvedCells(points[used][first], number[cells])
-    # the pieces of a cell, then of all cells, joined
-    grid_of_points = curved.points()
-    at = np.arange(grid_of_points[..., 0].size).reshape(grid_of_points.shape[:3])
+    kept, cells = joined(points, cells)
+    curved = CurvedCells(points[kept], cells)
+    points, values = curved.points(), curved.values(values[kept])
+    at = np.arange(values.size).reshape(values.shape)
     pieces = np.stack([at[:, :-1, :-1], at[:, 1:, :-1], at[:, 1:, 1:],
                        at[:, :-1, 1:]], -1).reshape(-1, 4)
-    points = grid_of_points.reshape(-1, 3)
-    values = curved.values(values[used][first]).ravel()
-    first, which = rendering.merge_points(points / size, 6)
+    points = points.reshape(-1, 3)
+    kept, pieces = joined(points, pieces)
 
     data, polygons = vtk.vtkPolyData(), vtk.vtkCellArray()
     polygons.SetData(4, numpy_to_vtkIdTypeArray(
-        np.ascontiguousarray(which[pieces], dtype=np.int64).ravel(), deep=True))
-    data.SetPoints(rendering.to_vtk_points(points[first]))
+        np.ascontiguousarray(pieces, dtype=np.int64).ravel(), deep=True))
+    data.SetPoints(rendering.to_vtk_points(points[kept]))
     data.SetPolys(polygons)
-    data.GetPointData().SetScalars(numpy_to_vtk(values[first], deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(values.ravel()[kept], deep=True))
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()

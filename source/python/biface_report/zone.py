@@ -16,10 +16,7 @@ import numpy as np
 from biface import read_vtu
 from biface.vtu import corners
 
-from .curved import neighbors
-
-# Nodes of a file for ParaView closer than this, relative to the shell, are the same
-SAME_NODE = 6
+from .curved import joined, neighbors
 
 
 class Zone:
@@ -149,18 +146,12 @@ def zone_of_shell(run, foundation, n_active):
     data = read_vtu(path)
     cells = corners(data)
     cells = cells[data["outer_face"][cells[:, 0]] > 0.5]
-    # each cell of the file has its own points: join them
-    used, which = np.unique(cells, return_inverse=True)
-    points = data["Points"][used].astype(float)
-    _, first, same = np.unique(
-        np.round(points / np.ptp(points, axis=0).max(), SAME_NODE), axis=0,
-        return_index=True, return_inverse=True)
-    cells = same[which].reshape(cells.shape)
-    used, points = used[first], points[first]
+    kept, cells = joined(data["Points"], cells)
+    points = data["Points"][kept].astype(float)
     clearance = foundation.clearance(points)
-    active = data["active"][used] > 0.5
+    active = data["active"][kept] > 0.5
     if run.has_points_in_cells:
         active &= clearance < 0
     if active.sum() != n_active:
         return None
-    return Zone(points, cells, clearance, data["contact_pressure"][used], active)
+    return Zone(points, cells, clearance, data["contact_pressure"][kept], active)
