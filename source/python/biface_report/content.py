@@ -61,10 +61,9 @@ def find_footprint(run):
     if run.has_points_in_cells:
         # nodes around points in contact may be clear of the foundation
         contact["active"] = contact["active"] * (contact["clearance"] < 0)
-    n_active = int((contact["active"] > 0).sum())
-    if n_active == 0:
+    if not contact["active"].any():
         return None
-    zone = zone_of_shell(run, foundation_in_step(run), n_active)
+    zone = zone_of_shell(run, foundation_in_step(run), contact)
     footprint = Footprint(contact, normal,
                           run.setting("Mesh/Closed in alpha_2") == "true", zone)
     if zone is None and "footprint_length" in run.history:
@@ -141,9 +140,8 @@ def footprint_map(run, footprint):
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
             "bilinear between the nodes. Dots: nodes in contact. Line: the "
             "edge of the contact zone, the line of zero clearance"
-            + (", estimated and stretched to the length and width of history.csv: "
-               f"{run.path('shell', ending='vtu').name} is missing"
-               if footprint.is_estimated else "")
+            + (", estimated from the nodes of the zone alone and stretched to the "
+               "length and width of history.csv" if footprint.is_estimated else "")
             + ". Dash-dotted: the principal axes of the zone.")
     length, width = footprint.lengths
     if "footprint_length" in run.history:
@@ -210,9 +208,9 @@ def section_lines(run):
     alpha_2 = profiles[-1]["alpha_2"][0]
     surface = run.setting("Surface/Type")
     text = f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}"
-    if is_straight(run):
-        text += (" (the section around the axis needs "
-                 f"{run.path('shell', ending='vtu').name} with four nodes around it)")
+    path = run.path("shell", ending="vtu")
+    if is_straight(run) and not path.exists():
+        text += f" (the section around the axis is missing, as is {path.name})"
     return (chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
             text)
 

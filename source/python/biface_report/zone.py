@@ -18,6 +18,9 @@ from biface.vtu import corners
 
 from .curved import joined, neighbors
 
+# The precision of files for ParaView, relative to the shell
+NEAR = 1e-6
+
 
 class Zone:
     """Nodes and cells of a face, of which some nodes are in contact."""
@@ -136,9 +139,9 @@ def loops(links):
     return result
 
 
-def zone_of_shell(run, foundation, n_active):
-    """The zone from shell-NNNN.vtu, or None if this file is missing or has another
-    number of nodes in contact, such as those in contact with a body."""
+def zone_of_shell(run, foundation, contact):
+    """The zone from shell-NNNN.vtu, or None if this file is missing or does not have
+    the nodes in contact of contact-NNNN.csv."""
     path = run.path("shell", ending="vtu")
     if (foundation is None or not path.exists()
             or run.setting("Output/Write VTU") == "false"):
@@ -149,9 +152,10 @@ def zone_of_shell(run, foundation, n_active):
     kept, cells = joined(data["Points"], cells)
     points = data["Points"][kept].astype(float)
     clearance = foundation.clearance(points)
-    active = data["active"][kept] > 0.5
-    if run.has_points_in_cells:
-        active &= clearance < 0
-    if active.sum() != n_active:
+    # the others touch bodies, or are around points in contact
+    largest = (contact["clearance"][contact["active"] > 0].max()
+               + NEAR * np.ptp(points, axis=0).max())
+    active = (data["active"][kept] > 0.5) & (clearance <= largest)
+    if active.sum() != (contact["active"] > 0).sum():
         return None
     return Zone(points, cells, clearance, data["contact_pressure"][kept], active)
