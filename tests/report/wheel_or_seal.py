@@ -25,7 +25,8 @@ check("Forces in wheel axes" in page_of(RUNS / "bias_tire").headings,
 directory = copy_of("seal")
 for path in directory.glob("shell-*.vtu"):
     path.unlink()
-check("the section around the axis is missing, as is shell-0003.vtu" in page_of(directory).text,
+text = page_of(directory).text
+check("the section around the axis is missing, as is shell-0003.vtu" in text,
       "the missing section is not told")
 
 # the wall is 1.5 thick; after the contact the outer face ends where the ground is
