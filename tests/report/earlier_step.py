@@ -16,5 +16,6 @@ check("it has the steps 1 to 5" in complaint(RUNS / "bias_tire", "--step", "9"),
 
 # the first step is not in contact yet
 page = page_of(RUNS / "bias_tire", "--step", "1")
-check("The shell is not in contact in step 1." in page.text, "the footprint")
+check("The shell is not in contact with the foundation in step 1." in page.text,
+      "the footprint")
 check("only one step" in page.text, "the curve")

@@ -14,6 +14,7 @@ sys.path.insert(0, str(PACKAGE))
 
 from biface import Results
 from biface_report import rolling
+from biface_report.units import Units
 
 run = Results(RUNS / "rolling_tire")
 found = run.rolling()
@@ -33,12 +34,13 @@ check(all(slip[1:] < slip[:-1]), f"the slip {slip}")
 
 # ISO 8855: a wheel that moves to the left is pushed to the right, a braked one back
 sides, aligning = (axes.lines for axes in
-                   rolling.draw_cornering(found, cornering).axes)
+                   rolling.draw_cornering(found, cornering, Units()).axes)
 check(sides[0].get_xdata()[-1] < 0 < sides[1].get_xdata()[-1], "the slip angles")
 check(sides[0].get_ydata()[-1] > 0 > sides[1].get_ydata()[-1], "the side forces")
 check(aligning[0].get_ydata()[-1] < 0 < aligning[1].get_ydata()[-1],
       "the aligning moments")
-drag = rolling.draw_braking(found, braking, [slip]).axes[0].lines[0].get_ydata()
+chart = rolling.draw_braking(found, braking, [slip], Units())
+drag = chart.axes[0].lines[0].get_ydata()
 check(drag[-1] < drag[0] <= 0, f"the drag {drag}")
 
 page = page_of(RUNS / "rolling_tire")

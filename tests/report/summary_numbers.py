@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# The numbers of the summary are those of the last line of history.csv.
+# The numbers of the summary are those of the last line of history.csv; the remarks on
+# mean pressures name the areas.
 
-from report_test import RUNS, check_equal, page_of, read_csv, require
+from report_test import RUNS, check, check_equal, page_of, read_csv, require
 
 require("matplotlib")
 page = page_of(RUNS / "bias_tire")
@@ -27,3 +28,8 @@ for head, expected in (
         ("Steps", len(history)),
         ("Newton iterations", sum(int(row["iterations"]) for row in history))):
     check_equal(page.numbers(head)[0], expected, head)
+
+for head, area in (("Mean contact pressure", "deformed area"),
+                   ("Mean contact pressure by force", "undeformed middle surface")):
+    remark = next(cells[-1] for cells, _ in page.rows if cells[0] == head)
+    check(area in remark, f"{head}: {remark}")

@@ -104,12 +104,18 @@ class Results:
         """The file of a kind and step."""
         return self.directory / f"{kind}-{step or self.step:04d}.{ending}"
 
+    @property
+    def has_points_in_cells(self):
+        """Whether points in the cells make contact instead of the nodes."""
+        return self.setting("Contact/Points in cells", "0") != "0"
+
     def contact(self, step=None):
         """contact-NNNN.csv, or None if it is missing."""
         table = self._read_step("contact", CONTACT_COLUMNS, step)
         at = np.searchsorted(self.steps, step or self.step)
         expected = int(self.history["contact_nodes"][at])
-        if table is not None and (table["active"] > 0).sum() != expected:
+        if (table is not None and not self.has_points_in_cells
+                and (table["active"] > 0).sum() != expected):
             raise BifaceError(
                 f"{self.path('contact', step)} does not belong to history.csv, "
                 f"which has {expected} nodes in contact in this step, but it has "

@@ -2,9 +2,12 @@
 """Turns a directory of biface results into one page of HTML.
 
     command_line   what the commands have in common
+    units          what to call units
     loading        what changes from step to step
     foundation     the plane, drum or sphere, and where it stands
+    zone           the edge of the contact zone between the nodes
     footprint      the contact zone, projected along the direction of travel
+    curved         smooth curves and cells through nodes
     section        the plane of the deformed section
     drawing        the look of charts, and how they get into the page
     charts         curves
@@ -24,4 +27,5 @@
     summary        the head of the page and the table of numbers
     point_content  the sections on named points
     content        all other sections, and the whole page
+    comparison     the page about two runs
 """

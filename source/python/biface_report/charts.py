@@ -6,31 +6,31 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .buckling import kinds_of_steps
-from .drawing import BLUE, DISTINCT, GRAY, RED, headroom
-from .loading import counted_steps, rows_before, varying_load
-from .page import ROUND_OFF
+from .drawing import BLUE, DISTINCT, GRAY, RED, headroom, legend_below
+from .loading import branch_name, branches, counted_steps, varying_load
+from .page import ROUND_OFF, count
+from .units import units_of
 
 # More curves in one chart would be hard to tell apart
 MAXIMUM_CURVES = len(DISTINCT)
+# Lines of different points on the same branch
+LINES = ("-", "--", ":", "-.")
 # Names of more stages would cover each other
 MAXIMUM_STAGES = 10
+
+
+def contact_branches(run):
+    """The rows of the steps after first contact, see loading.branches()."""
+    return branches(run, (run.history["approach"] != 0) | run.in_contact)
 
 
 def contact_curves(run):
     """Approaches and forces of the steps after first contact, from 0: a curve,
     and another one for each branch."""
-    chosen = (run.history["approach"] != 0) | run.in_contact
-    before = rows_before(run)
-    curves = []
-    for row in np.flatnonzero(chosen):
-        start = before[row] if before[row] >= 0 and chosen[before[row]] else -1
-        if not curves or curves[-1][-1] != start:
-            curves.append([start])
-        curves[-1].append(row)
     # the row -1 is the origin
     approach, force = (np.append(run.history[column], 0)
                        for column in ("approach", "force"))
-    return [(approach[rows], force[rows]) for rows in curves]
+    return [(approach[rows], force[rows]) for rows in contact_branches(run)]
 
 
 def stiffness(run):
@@ -45,15 +45,35 @@ def stiffness(run):
 
 
 def draw_contact_curve(run):
-    """The force on the foundation against its approach."""
+    """The force on the foundation against its approach. Where there are several
+    branches, the longest ones have colors and names."""
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
-    for approach, force in contact_curves(run):
-        axes.plot(approach, force, "o-", color=BLUE, markersize=4, clip_on=False)
+    curves = contact_curves(run)
+    names = [branch_name(run, rows) for rows in contact_branches(run)]
+    longest = sorted(range(len(curves)), key=lambda i: -np.ptp(curves[i][0]))
+    colors = dict(zip(sorted(longest[:MAXIMUM_CURVES - 1]),
+                      DISTINCT if len(curves) > 1 else [BLUE]))
+    for i, (approach, force) in enumerate(curves):
+        axes.plot(approach, force, "o-", color=colors.get(i, GRAY), markersize=4,
+                  clip_on=False, label=names[i] if i in colors else None,
+                  zorder=2.5 if i in colors else 2)
+    others = len(curves) - len(colors)
+    if others:
+        axes.plot([], [], "o-", color=GRAY, markersize=4,
+                  label=count(others, "other branch", "other branches"))
     here = run.in_contact & np.isin(run.steps, list(kinds_of_steps(run)))
     mark_critical(axes, run.history["approach"][here], run.history["force"][here])
-    axes.set(xlabel="approach [length]", ylabel="force on the foundation [force]")
+    label_contact_curve(axes, units_of(run))
     headroom(axes)
+    if len(curves) > 1:
+        legend_below(axes)
     return figure
+
+
+def label_contact_curve(axes, units):
+    """The labels of a chart of the force on the foundation."""
+    axes.set(xlabel=units.label("approach", "length"),
+             ylabel=units.label("force on the foundation", "force"))
 
 
 def mark_critical(axes, x, y):
@@ -67,48 +87,73 @@ def mark_critical(axes, x, y):
 
 class ProbeCurves:
     """A load against the displacements of the named points: of each the component
-    that changes most."""
+    that changes most, on each branch."""
 
     def __init__(self, run, probes):
         """Points of the middle surface, see Run.probes()."""
+        self.units = units_of(run)
         self.load_name, loads = varying_load(run)
-        load_of = dict(zip(run.steps, loads))
-        steps = counted_steps(run)
-        starts_at_zero = steps[0] == run.steps[0]
-        self.curves, self.at_rest, self.critical = {}, [], {}
-        critical = list(kinds_of_steps(run))
-        largest = max(np.abs(probes["u_" + i]).max() for i in "xyz")
-        for name in dict.fromkeys(probes["name"]):
-            rows = probes.where((probes["name"] == name)
-                                & np.isin(probes["step"], steps))
-            if len(rows) == 0:
-                continue
-            moves = {i: np.abs(rows["u_" + i]).max() for i in "xyz"}
-            direction = max(moves, key=moves.get)
-            if moves[direction] <= ROUND_OFF * largest:
+        loads = np.append(loads, 0)
+        is_counted = np.isin(run.steps, counted_steps(run))
+        self.curves, self.at_rest = {}, []
+        critical = np.append(np.isin(run.steps, list(kinds_of_steps(run))), False)
+        # without a prestress, a curve starts at 0, the row -1
+        skipped = 0 if is_counted[0] else 1
+        chains = [rows[skipped if rows[0] < 0 else 0:]
+                  for rows in branches(run, is_counted)]
+        self.names = [branch_name(run, rows) for rows in branches(run, is_counted)]
+        moved = {name: self._displacements(run, probes, name)
+                 for name in dict.fromkeys(probes["name"])}
+        moved = {name: values for name, values in moved.items()
+                 if np.isfinite(values[:-1][is_counted]).any()}
+        largest = max((np.nanmax(np.abs(values)) for values in moved.values()),
+                      default=0)
+        for name, values in moved.items():
+            moves = np.nanmax(np.abs(values[:-1][is_counted]), axis=0)
+            if np.max(moves) <= ROUND_OFF * largest:
                 self.at_rest.append(name)
                 continue
-            origin = [0] if starts_at_zero else []
-            self.curves[name, direction] = (
-                np.append(origin, rows["u_" + direction]),
-                np.append(origin, [load_of[step] for step in rows["step"]]))
-            self.critical[name, direction] = np.append(
-                np.zeros(len(origin), bool), np.isin(rows["step"], critical))
+            i = int(np.argmax(moves))
+            self.curves[name, "xyz"[i]] = [
+                (values[rows, i], loads[rows], critical[rows]) for rows in chains]
+
+    @staticmethod
+    def _displacements(run, probes, name):
+        """Those of a point in all steps, NaN where they are missing, and 0."""
+        result = np.full((len(run.steps) + 1, 3), np.nan)
+        rows = probes.where(probes["name"] == name)
+        result[np.searchsorted(run.steps, rows["step"])] = rows.positions("u_")
+        result[-1] = 0
+        return result
+
+    def maximum(self):
+        """How many points are drawn at most."""
+        return MAXIMUM_CURVES if len(self.names) == 1 else len(LINES)
 
     def draw(self):
-        """The chart, with MAXIMUM_CURVES curves at most."""
+        """The chart: a color for each point or, where there are several branches,
+        for each of these."""
         figure, axes = plt.subplots(figsize=(5.6, 3.8))
-        curves = list(self.curves.items())[:MAXIMUM_CURVES]
-        for ((name, direction), (moved, load)), color in zip(curves, DISTINCT):
-            axes.plot(moved, load, "o-", color=color, markersize=4,
-                      label=f"{name}, $u_{direction}$", clip_on=False)
-            here = self.critical[name, direction]
-            mark_critical(axes, moved[here], load[here])
+        curves = list(self.curves.items())[:self.maximum()]
+        one = len(self.names) == 1
+        for i, ((name, direction), parts) in enumerate(curves):
+            for k, (moved, load, is_critical) in enumerate(parts):
+                axes.plot(moved, load, "o", linestyle=LINES[0 if one else i],
+                          color=DISTINCT[(i if one else k) % len(DISTINCT)],
+                          markersize=4, clip_on=False)
+                mark_critical(axes, moved[is_critical], load[is_critical])
         headroom(axes)
         axes.axhline(0, color="0.6", linewidth=0.8, zorder=1)
         axes.axvline(0, color="0.6", linewidth=0.8, zorder=1)
-        axes.set(xlabel="displacement [length]", ylabel=self.load_name)
-        axes.legend(fontsize=10)
+        for k, name in enumerate([] if one else self.names):
+            axes.plot([], [], color=DISTINCT[k % len(DISTINCT)], label=name)
+        for i, ((name, direction), _) in enumerate(curves):
+            axes.plot([], [], color=DISTINCT[i] if one else GRAY,
+                      linestyle=LINES[0 if one else i],
+                      label=f"{name}, $u_{direction}$")
+        axes.set(xlabel=self.units.label("displacement", "length"),
+                 ylabel=self.load_name)
+        legend_below(axes)
         return figure
 
 

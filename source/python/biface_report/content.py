@@ -20,11 +20,14 @@ from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
 from .rolling import rolling
-from .section import SectionPlane
+from .section import (SectionPlane, across_coordinate_line, is_straight,
+                      section_around)
 from .sensitivities import sensitivities
 from .stiffness import stiffness
 from .summary import introduction, summary, title
+from .units import units_of
 from .wheel import stick_slip, wheel_forces
+from .zone import zone_of_shell
 
 
 def report(run):
@@ -55,8 +58,17 @@ def find_footprint(run):
     normal = foundation.direction if foundation else normal_of_nodes(contact)
     if normal is None:
         return None
-    return Footprint(contact, normal,
-                     run.setting("Mesh/Closed in alpha_2") == "true")
+    if run.has_points_in_cells:
+        # nodes around points in contact may be clear of the foundation
+        contact["active"] = contact["active"] * (contact["clearance"] < 0)
+    if not contact["active"].any():
+        return None
+    zone = zone_of_shell(run, foundation_in_step(run), contact)
+    footprint = Footprint(contact, normal,
+                          run.setting("Mesh/Closed in alpha_2") == "true", zone)
+    if zone is None and "footprint_length" in run.history:
+        footprint.scale_to(run.last("footprint_length"), run.last("footprint_width"))
+    return footprint
 
 
 def curve(run):
@@ -80,7 +92,7 @@ def curve(run):
     found = charts.ProbeCurves(run, probes)
     if not found.curves:
         return LeftOut(name, "The named points do not move.")
-    more = len(found.curves) - charts.MAXIMUM_CURVES
+    more = len(found.curves) - found.maximum()
     caption = ("Displacements of the middle surface: for each named point, the "
                "component that changes most.")
     if more > 0:
@@ -113,10 +125,12 @@ def footprint_map(run, footprint):
     name = "Footprint"
     if not run.is_contact:
         return LeftOut(
-            name, f"The shell is not in contact in step {run.step}.")
+            name, "The shell is not in contact with the foundation in step "
+            f"{run.step}.")
     if footprint is None:
         path = run.path("contact")
         reason = (f"{path.name} is missing." if not path.exists() else
+                  "No node is in contact." if run.has_points_in_cells else
                   "parameters.prm is missing, and too few nodes are in contact to "
                   "find the direction of the foundation.")
         return LeftOut(name, reason)
@@ -124,9 +138,11 @@ def footprint_map(run, footprint):
     where = ("" if foundation is None or foundation.shape == "plane" else
              f", seen along the direction in which the {foundation.name()} travels")
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
-            "bilinear between the nodes. Dots: nodes in contact. Line: the edge "
-            "of the contact zone, drawn halfway between the last node in contact "
-            "and the next one. Dash-dotted: the principal axes of the zone.")
+            "bilinear between the nodes. Dots: nodes in contact. Line: the "
+            "edge of the contact zone, the line of zero clearance"
+            + (", estimated from the nodes of the zone alone and stretched to the "
+               "length and width of history.csv" if footprint.is_estimated else "")
+            + ". Dash-dotted: the principal axes of the zone.")
     length, width = footprint.lengths
     if "footprint_length" in run.history:
         length, width = (run.last(f"footprint_{which}")
@@ -137,7 +153,7 @@ def footprint_map(run, footprint):
         f"{plain_number(width, 4)} wide; the maximum pressure "
         f"is {plain_number(run.last('max_pressure'))}.")
     return Section("footprint", name, figure(
-        embed(maps.draw_footprint(footprint), "png"), alternative, text))
+        embed(maps.draw_footprint(footprint, units_of(run)), "png"), alternative, text))
 
 
 # ---------------------------------------------------------------- shape
@@ -146,32 +162,68 @@ def footprint_map(run, footprint):
 def sections_of_shell(run):
     """The deformed section in several steps."""
     name = "Deformed section"
+    found = section_lines(run)
+    if isinstance(found, str):
+        return LeftOut(name, found)
+    chosen, profiles, across, text = found
+    foundations = [foundation_if_known(run, step) for step in chosen]
+    drawing, is_to_scale, has_foundation = maps.draw_sections(
+        SectionPlane(profiles, normal_of(run), across), profiles,
+        step_labels(run, chosen), foundations, units_of(run))
+    return Section("section", name, figure(
+        embed(drawing), "Drawing of the deformed section of the shell, from step "
+        f"{chosen[0]} to step {chosen[-1]}.",
+        section_caption(run, text, is_to_scale, has_foundation)))
+
+
+def section_caption(run, text, is_to_scale, has_foundation):
+    """What a picture of sections shows, from the words of section_lines()."""
+    text += (", to scale." if is_to_scale else
+             ", <strong>the axes have different scales</strong>.")
+    if has_foundation:
+        text += f" Dashes: the {foundation_of(run).name()}."
+    return text + " Smooth between the nodes."
+
+
+def section_lines(run):
+    """The lines of the deformed section: along alpha_1, or around the axis where the
+    shell is straight along alpha_1. Steps, a table for each, the direction across their
+    plane, if it is known, and words; or only the reason why they are missing."""
+    if is_straight(run) and run.setting("Output/Write VTU") != "false":
+        steps = [step for step in run.steps
+                 if run.path("shell", step, "vtu").exists()]
+        chosen = maps.chosen_steps(steps)
+        lines = [section_around(run, step) for step in chosen]
+        if run.step in steps and all(line is not None for line in lines):
+            return chosen, lines, np.array([0, 1.0, 0]), (
+                "Outer and inner face around the axis, through the nodes at y = "
+                f"{plain_number(lines[0]['y'][0])} of the undeformed shell")
     steps = [step for step in run.steps if run.path("profile", step).exists()]
     if run.step not in steps:
-        return LeftOut(
-            name, f"{run.path('profile').name} is missing.")
+        return f"{run.path('profile').name} is missing."
     chosen = maps.chosen_steps(steps)
     profiles = [run.profile(step) for step in chosen]
     if min(map(len, profiles)) < 2:
-        return LeftOut(
-            name, f"{run.path('profile', chosen[0]).name} is empty.")
-    foundations = [None] * len(chosen)
-    normal = None
-    if run.in_contact.any() and foundation_of(run):
-        foundations = [foundation_in_step(run, step) for step in chosen]
-        normal = foundation_of(run).direction
-    plane = SectionPlane(profiles, normal, run.setting("Surface/Type"))
-    drawing, is_to_scale, has_foundation = maps.draw_sections(
-        plane, profiles, step_labels(run, chosen), foundations)
-    text = ("Outer and inner face along "
-            f"α<sub>2</sub> = {plain_number(profiles[-1]['alpha_2'][0])}, "
-            + ("to scale." if is_to_scale else
-               "<strong>the axes have different scales</strong>."))
-    if has_foundation:
-        text += f" Dashes: the {foundation_of(run).name()}."
-    return Section("section", name, figure(
-        embed(drawing), "Drawing of the deformed section of the shell, from step "
-        f"{chosen[0]} to step {chosen[-1]}.", text))
+        return f"{run.path('profile', chosen[0]).name} is empty."
+    alpha_2 = profiles[-1]["alpha_2"][0]
+    surface = run.setting("Surface/Type")
+    text = f"Outer and inner face along α<sub>2</sub> = {plain_number(alpha_2)}"
+    path = run.path("shell", ending="vtu")
+    if is_straight(run) and not path.exists():
+        text += f" (the section around the axis is missing, as is {path.name})"
+    return (chosen, profiles, surface and across_coordinate_line(surface, alpha_2),
+            text)
+
+
+def normal_of(run):
+    """The direction of the foundation, or None if the run has no contact."""
+    foundation = foundation_of(run) if run.in_contact.any() else None
+    return foundation.direction if foundation else None
+
+
+def foundation_if_known(run, step):
+    """The foundation where it stands in a step, or None."""
+    return (None if normal_of(run) is None else foundation_in_step(run, step))
 
 
 def shell(run):
@@ -196,7 +248,7 @@ def shell(run):
     text = (f"Displacements to scale; color: {what}. Seen {where}"
             + "from the direction ({:.2f}, {:.2f}, {:.2f}). ".format(
                 *direction).replace("-", "−")
-            + "Cells are drawn with straight edges.")
+            + "Between its nodes the shell is drawn smooth.")
     return Section("shell", name, figure(
         image, f"The deformed shell, colored by {what}.", text))
 

@@ -2,16 +2,15 @@
 """The contact zone, projected onto the plane normal to the foundation's direction.
 
 contact-NNNN.csv has the nodes in contact and all that share a cell with them, so
-that all four corners of every cell with a corner in contact are known. The edge of
-the zone is somewhere between the last node in contact and the next one; the
-outline is drawn halfway, which agrees with the contact area of history.csv.
+that all four corners of every cell with a corner in contact are known.
 """
 
-import matplotlib.figure
 import matplotlib.tri
 import numpy as np
+from matplotlib.path import Path
 
 from .foundation import plane_axes
+from .zone import Zone
 
 # Pieces into which the side of a cell is cut
 SUBDIVISIONS = 8
@@ -63,28 +62,43 @@ def bilinear_weights():
 class Footprint:
     """Pressures between nodes, outline, principal axes and lengths."""
 
-    def __init__(self, contact, normal, is_closed):
-        """From the table of contact-NNNN.csv with at least one node in contact.
-        Lengths are those of the table."""
+    def __init__(self, contact, normal, is_closed, zone=None):
+        """From the table of contact-NNNN.csv with at least one node in contact, and
+        the zone of the whole shell if that is known. Lengths are those of the
+        table."""
         self.axes, self.axis_names = plane_axes(normal)
         self.nodes = contact.positions() @ self.axes.T
         self.active = contact["active"] > 0
         self.pressure = contact["pressure"]
         cells = cells_in_contact(contact, is_closed)
         self._interpolate(cells)
-        self._find_outline()
-        self._find_principal_axes()
-        neighbors = self.nodes[np.unique(cells)]
-        self.lengths = self._extents(self.outline_points())
+        self.is_estimated = zone is None
+        if zone is None:
+            zone = Zone(contact.positions(), cells, contact["clearance"],
+                        self.pressure, self.active, is_whole=False)
+        self.outline = oriented([line @ self.axes.T for line in zone.outline()])
+        self._measure()
         self.minimum_lengths = self._extents(self.nodes[self.active])
-        self.maximum_lengths = self._extents(neighbors)
+        self.maximum_lengths = self._extents(self.nodes[np.unique(cells)])
+
+    def scale_to(self, length, width):
+        """Stretches the outline to a length normal to the y axis and a width along
+        it, about its middle: those that the program measured."""
+        across = self.axes[:, 1] / np.linalg.norm(self.axes[:, 1])
+        turned = np.array([across[::-1] * [1, -1], across])
+        points = np.concatenate(self.outline) @ turned.T
+        low, high = points.min(0), points.max(0)
+        factors = np.array([length, width]) / np.maximum(high - low, 1e-300)
+        middle = (low + high) / 2
+        self.outline = [((line @ turned.T - middle) * factors + middle) @ turned
+                        for line in self.outline]
+        self._measure()
 
     def _interpolate(self, cells):
         """Bilinear values on a fine triangulation of the cells."""
         weights, triangles = bilinear_weights()
         points = np.einsum("pc,kci->kpi", weights, self.nodes[cells])
         pressure = self.pressure[cells] @ weights.T
-        contact = self.active[cells].astype(float) @ weights.T
         shift = weights.shape[0] * np.arange(len(cells))
         # cells share the points on their sides: outlines are not interrupted
         points = points.reshape(-1, 2)
@@ -93,48 +107,60 @@ class Footprint:
                                     return_index=True, return_inverse=True)
         self.points = points[first]
         self.fine_pressure = pressure.ravel()[first]
-        self.fine_contact = contact.ravel()[first]
         self.triangles = which[triangles + shift[:, None, None]].reshape(-1, 3)
 
     def triangulation(self):
         """The fine triangulation, for pictures."""
         return matplotlib.tri.Triangulation(*self.points.T, self.triangles)
 
-    def _find_outline(self):
-        """Polylines halfway between nodes in contact and their neighbors."""
-        corners = self.points[self.triangles]
-        edges = corners[:, 1:] - corners[:, :1]
-        area = np.abs(edges[:, 0, 0] * edges[:, 1, 1]
-                      - edges[:, 0, 1] * edges[:, 1, 0]) / 2
-        values = self.fine_contact[self.triangles].mean(1)
-        self.centers = corners.mean(1)
-        self.weights = np.where(values > 0.5, area, 0)
-        contour = matplotlib.figure.Figure().subplots().tricontour(
-            self.triangulation(), self.fine_contact, levels=[0.5])
-        self.outline = contour.allsegs[0]
-
-    def outline_points(self):
-        """All points of the outline, and the nodes in contact: there is no outline
-        where the shell ends within the zone."""
-        return np.concatenate([*self.outline, self.nodes[self.active]])
-
-    def _find_principal_axes(self):
-        """Center and principal axes of the zone, the longer one first."""
-        total = self.weights.sum()
-        if total > 0:
-            self.center = self.weights @ self.centers / total
-            distance = self.centers - self.center
-            moments = (self.weights * distance.T) @ distance / total
-        else:
-            self.center = self.nodes[self.active].mean(0)
-            moments = np.eye(2)
+    def _measure(self):
+        """Center and principal axes of the zone, the longer one first, and the
+        lengths along them."""
+        area, self.center, moments = moments_within(self.outline)
+        if area <= 0:
+            self.center, moments = self.nodes[self.active].mean(0), np.eye(2)
         values, vectors = np.linalg.eigh(moments)
         self.is_round = values[1] - values[0] <= ROUND * values[1]
         self.principal = np.eye(2) if self.is_round else vectors.T[::-1]
         # both to the right, or up
         for axis in self.principal:
             axis *= np.sign(axis[np.argmax(np.abs(axis))])
+        self.lengths = self._extents(np.concatenate(self.outline))
 
     def _extents(self, points):
         """The extent of points along the principal axes."""
         return np.ptp(points @ self.principal.T, axis=0)
+
+
+def oriented(lines):
+    """Closed lines, those around a zone counterclockwise and those around a hole in
+    it clockwise."""
+    result = []
+    for line in lines:
+        is_hole = sum(Path(other).contains_point(line[0]) for other in lines
+                      if other is not line) % 2
+        is_clockwise = np.sum(cross_of(line)) < 0
+        result.append(line[::-1] if is_hole != is_clockwise else line)
+    return result
+
+
+def cross_of(line):
+    """Twice the areas of the triangles from the origin to the pieces of a line."""
+    return line[:-1, 0] * line[1:, 1] - line[1:, 0] * line[:-1, 1]
+
+
+def moments_within(lines):
+    """Area, center and central second moments over the area, of what oriented lines
+    enclose."""
+    area, first, second = 0, np.zeros(2), np.zeros((2, 2))
+    for line in lines:
+        a, b, cross = line[:-1], line[1:], cross_of(line)
+        area += cross.sum() / 2
+        first += cross @ (a + b) / 6
+        second += (np.einsum("k,ki,kj->ij", cross, a + b, a + b)
+                   + np.einsum("k,ki,kj->ij", cross, a, a)
+                   + np.einsum("k,ki,kj->ij", cross, b, b)) / 24
+    if area <= 0:
+        return 0, first, second
+    center = first / area
+    return area, center, second / area - np.outer(center, center)

@@ -6,9 +6,10 @@ import numpy as np
 
 from biface.parameters import stages
 
-# Columns of history.csv, what they are called, and their units
-LOADS = {"load_factor": ("load factor", ""),
-         "pressure": ("pressure", " [force/length²]")}
+from .units import units_of
+
+# Columns of history.csv, what they are called, and the kinds of their units
+LOADS = {"load_factor": ("load factor", ""), "pressure": ("pressure", "pressure")}
 
 # Digits of a value in a label, unless labels would be the same
 LABEL_DIGITS = 4
@@ -51,7 +52,7 @@ def varying_load(run):
     for stage in reversed(list(dict.fromkeys(run.history["stage"]))):
         column = changing_column(run, stage, LOADS)
         if column:
-            return "".join(LOADS[column]), run.history[column]
+            return units_of(run).label(*LOADS[column]), run.history[column]
     return "load factor", run.history["load_factor"]
 
 
@@ -80,17 +81,33 @@ def label_of_row(run, row, kind, kinds, rows):
     return f"{name} {run.history[kind][row]:.{digits}g}"
 
 
+def branches(run, chosen):
+    """The rows of some steps, chosen by an array of booleans, in curves: each goes
+    on without a gap, and its first row is that of the step from which it starts, -1
+    if that is not chosen."""
+    before = rows_before(run)
+    curves = []
+    for row in np.flatnonzero(chosen):
+        start = before[row] if before[row] >= 0 and chosen[before[row]] else -1
+        if not curves or curves[-1][-1] != start:
+            curves.append([start])
+        curves[-1].append(row)
+    return curves
+
+
+def branch_name(run, rows):
+    """The stages of a curve of branches()."""
+    return ", ".join(dict.fromkeys(run.history["stage"][rows[1:]]))
+
+
 def counted_steps(run):
-    """The steps on the way to the last one whose displacements are measured from
-    the same shape: other branches are left out, and a prestress is a new start."""
+    """The steps whose displacements are measured from the same shape as those of the
+    last one: a prestress is a new start."""
     before, names = rows_before(run), run.history["stage"]
     anew = [name for i, name in (stages(run.parameters) if run.parameters else [])
             if run.setting(f"Stage {i}/Start from prestress") == "true"]
-    steps, row = [], len(names) - 1
-    while row >= 0:
-        steps.insert(0, run.steps[row])
-        start = before[row]
-        if names[row] in anew and (start < 0 or names[start] != names[row]):
-            break
-        row = start
-    return np.array(steps)
+    origins = []
+    for row, start in enumerate(before):
+        is_anew = names[row] in anew and (start < 0 or names[start] != names[row])
+        origins.append(row if is_anew else origins[start] if start >= 0 else -1)
+    return run.steps[np.array(origins) == origins[-1]]

@@ -4,10 +4,12 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
-from matplotlib.transforms import ScaledTranslation
 
-from .drawing import shades
+from .curved import curved_line
+from .drawing import legend_below, shades
 
 # For pressures: no color is white, and all of them print well
 PRESSURE_COLORS = plt.get_cmap("YlOrRd")
@@ -22,40 +24,54 @@ MAXIMUM_SECTIONS = 6
 # ---------------------------------------------------------------- footprint
 
 
-def draw_footprint(footprint):
-    """The contact pressure, the outline of the zone and its principal axes. The
-    longer side of the zone is horizontal."""
-    order = [0, 1]
-    chosen = footprint.outline_points()
-    if np.ptp(chosen[:, 1]) > np.ptp(chosen[:, 0]):
-        order = [1, 0]
-    spread = np.ptp(footprint.points[:, order], axis=0)
+def frame(*footprints):
+    """What a picture of some footprints shows: the order of the axes, the longer side
+    of the zone first, and the lower and upper limits."""
+    points = np.concatenate([part for footprint in footprints for part in
+                             (*footprint.outline,
+                              footprint.nodes[footprint.active])])
+    order = [0, 1] if np.ptp(points[:, 0]) >= np.ptp(points[:, 1]) else [1, 0]
+    low, high = points[:, order].min(0), points[:, order].max(0)
+    margin = 0.05 * (high - low).max()
+    return order, low - margin, high + margin
+
+
+def draw_footprint(footprint, units, shown=None, maximum=None):
+    """The contact pressure, the outline of the zone and its principal axes. shown: a
+    frame(); maximum: the pressure at the end of the color bar."""
+    order, low, high = shown or frame(footprint)
+    spread = high - low
     width = 5.6
     height = np.clip(width * spread[1] / spread[0], 1.5, 6) + 1.6
     figure, axes = plt.subplots(figsize=(width, height))
     triangulation = footprint.triangulation()
     triangulation.x, triangulation.y = footprint.points[:, order].T
     colors = axes.tripcolor(triangulation, footprint.fine_pressure,
-                            shading="gouraud", cmap=PRESSURE_COLORS, vmin=0)
-    for line in footprint.outline:
-        axes.plot(*line[:, order].T, color="black", linewidth=1.3)
+                            shading="gouraud", cmap=PRESSURE_COLORS, vmin=0,
+                            vmax=maximum)
+    edge = PathPatch(Path.make_compound_path(
+        *(Path(line[:, order], closed=True) for line in footprint.outline)),
+        facecolor="none", edgecolor="black", linewidth=1.3)
+    axes.add_patch(edge)
+    colors.set_clip_path(edge)
     axes.plot(*footprint.nodes[footprint.active][:, order].T, ".",
               color="0.25", markersize=2.5)
     draw_principal_axes(axes, footprint, order)
     axes.set_aspect("equal")
-    axes.margins(0.03)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.grid(False)
     names = [footprint.axis_names[i] for i in order]
-    axes.set(xlabel=f"{names[0]} [length]", ylabel=f"{names[1]} [length]")
+    axes.set(xlabel=units.label(names[0], "length"),
+             ylabel=units.label(names[1], "length"))
     figure.colorbar(colors, ax=axes, orientation="horizontal", aspect=35,
                     pad=0.16 if height > 4 else 0.28,
-                    label="contact pressure [force/length²]")
+                    label=units.label("contact pressure", "pressure"))
     return figure
 
 
 def draw_principal_axes(axes, footprint, order):
     """Both axes, as long as the zone."""
-    points = footprint.outline_points() - footprint.center
+    points = np.concatenate(footprint.outline) - footprint.center
     for axis in footprint.principal:
         along = points @ axis
         ends = footprint.center + np.outer([along.min(), along.max()], axis)
@@ -73,19 +89,20 @@ def chosen_steps(steps):
     return [steps[i] for i in places]
 
 
-def draw_sections(plane, profiles, labels, foundations):
-    """Both faces of the section in several steps.
+def draw_sections(plane, profiles, labels, foundations, units, colors=None):
+    """Both faces of the section in several steps, or of several shells.
 
     profiles, labels and foundations are lists with one item per step; an unknown
     foundation is None. A section too slender to be seen to scale is stretched.
     Returns the figure, whether it is to scale, and whether it shows a
     foundation."""
     figure, axes = plt.subplots(figsize=(5.6, 4.6))
-    colors = shades(len(profiles))
-    sections = [[plane.project(profile.positions(f"{face}_"))
+    sections = [[curved_line(plane.project(profile.positions(f"{face}_")))
                  for face in ("outer", "inner")] for profile in profiles]
+    last = sections[-1:] if colors is None else sections
+    colors = shades(len(profiles)) if colors is None else colors
     for faces, label, color in zip(sections, labels, colors):
-        width = 2 if faces is sections[-1] else 1.1
+        width = 2 if any(faces is other for other in last) else 1.1
         axes.plot(*faces[0].T, color=color, linewidth=width, label=label)
         axes.plot(*faces[1].T, color=color, linewidth=width)
     # the foundation widens the picture only as far as it is near the shell
@@ -105,8 +122,9 @@ def draw_sections(plane, profiles, labels, foundations):
             has_foundation = True
     (left, low), (right, high) = limits
     names, is_down = plane.labels()
-    axes.set(xlim=(left, right), ylim=(low, high), xlabel=f"{names[0]} [length]",
-             ylabel=f"{names[1]} [length]")
+    axes.set(xlim=(left, right), ylim=(low, high),
+             xlabel=units.label(names[0], "length"),
+             ylabel=units.label(names[1], "length"))
     sides = sorted((right - left, high - low))
     is_to_scale = sides[1] < SLENDER * sides[0]
     if is_to_scale:
@@ -121,10 +139,7 @@ def draw_sections(plane, profiles, labels, foundations):
         # upward on paper is toward smaller values
         axes.yaxis.set_major_formatter(
             lambda value, _: f"{0 - value:g}".replace("-", "−"))
-    # at the same distance below the axes, however flat they are
-    below = ScaledTranslation(0, -42 / 72, figure.dpi_scale_trans)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2,
-                fontsize=10, bbox_transform=axes.transAxes + below)
+    legend_below(axes)
     return figure, is_to_scale, has_foundation
 
 

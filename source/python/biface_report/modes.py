@@ -5,9 +5,13 @@ from html import escape
 
 import numpy as np
 
-from .page import (LeftOut, Section, details, number, paragraph, plain_number,
+from .page import (LeftOut, Section, count, details, number, paragraph, plain_number,
                    table)
 from .shapes import pictures_of
+from .units import units_of
+
+# Frequencies are square roots of numbers that are exact to about ten digits
+RIGID = 1e-4
 
 
 def modes(run):
@@ -21,19 +25,21 @@ def modes(run):
     # traveling waves of wheels that roll or spin
     travel = found.get("travel", np.zeros(len(found)))
     travels = (np.nan_to_num(travel) != 0).any()
+    is_rigid, units = rigid_motions(found), units_of(run)
     rows = []
     for i in range(len(found)):
         row = [escape(found["stage"][i]), str(int(found["mode"][i])),
+               "≈ 0, rigid motion" if is_rigid[i] else
                number(found["frequency"][i], 6)]
         if grows:
             row.append(number(found["growth_rate"][i]))
         if turns:
-            row += [str(int(found[column][i])) for column in
+            row += [plain_number(found[column][i]) for column in
                     ("circumferential_waves", "meridional_half_waves")]
         if travels:
             row.append(plain_number(np.round(travel[i], 2)))
         total = found["total_mass"][i]
-        row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f} %"
+        row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f}\u00a0%"
                 for axis in "xyz"]
         rows.append(row)
     heads = (["Stage", "Mode", "Frequency"] + (["Growth rate"] if grows else [])
@@ -42,19 +48,38 @@ def modes(run):
              + (["Travel"] if travels else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
-        "Natural frequencies [1/time] of the loaded shell at the end of each stage; "
-        "effective masses of translations, of the mass of the shell, "
-        f"{plain_number(found['total_mass'][-1])}."
+        f"Natural frequencies [{units['frequency']}] of the loaded shell at the end of "
+        "each stage; effective masses of translations, of the mass of the shell, "
+        f"{plain_number(found['total_mass'][-1])}"
+        + (f"\u00a0{units['mass']}" if units.are_named else "") + "."
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
            "those against it." if travels else ""))
     all_modes = table("Modes, from modes.csv", heads, rows)
-    last = found.where(found["step"] == found["step"][-1])
-    pictures = pictures_of(
-        run, "modes", last, [f"{value:.5g}" for value in last["frequency"]],
+    last = found["step"] == found["step"][-1]
+    if (is_rigid & last).any():
+        text += paragraph(
+            f"Not drawn: {count(int((is_rigid & last).sum()), 'rigid motion')} of the "
+            f"stage {escape(found['stage'][-1])}, with a frequency of zero within "
+            "round-off.")
+    last = found.where(last & ~is_rigid)
+    unit = " " + units["frequency"] if units.are_named else ""
+    pictures = None if len(last) == 0 else pictures_of(
+        run, "modes", last, [f"{value:.5g}{unit}" for value in last["frequency"]],
         "Shapes of the first modes of vibration.",
         f"The first modes of the stage {escape(last['stage'][0])} with their "
         "frequencies")
     if pictures is None:
         return Section("modes", name, all_modes + text, True)
     return Section("modes", name, pictures + "\n" + text + details(
-        "All modes", all_modes))
+        "All modes", all_modes), True)
+
+
+def rigid_motions(found):
+    """Whether each mode is a rigid motion that nothing holds: its frequency is zero
+    within round-off, relative to the highest one of the stage, and it does not
+    grow."""
+    highest = {step: found["frequency"][found["step"] == step].max()
+               for step in found["step"]}
+    size = np.hypot(2 * np.pi * found["frequency"], found["growth_rate"])
+    limits = np.array([2 * np.pi * RIGID * highest[step] for step in found["step"]])
+    return size <= limits

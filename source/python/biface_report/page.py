@@ -15,6 +15,9 @@ LeftOut = namedtuple("LeftOut", "title reason")
 
 # Relative to its neighbors, anything smaller is round-off
 ROUND_OFF = 1e-9
+# Relative to the forces and displacements of a step, anything smaller is below what
+# the iteration resolves
+TOLERANCE = 1e-7
 
 
 def number(value, digits=5, scale=0):
@@ -38,7 +41,8 @@ def plain_number(value, digits=5):
         text = text.rstrip("0").rstrip(".") if "." in text else text
     else:
         mantissa = f"{value / 10**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
-        text = f"{mantissa} × 10<sup>{exponent}</sup>".replace("sup>-", "sup>−")
+        text = f"{mantissa}\u00a0×\u00a010<sup>{exponent}</sup>".replace(
+            "sup>-", "sup>−")
     return text.replace("-", "−", 1) if text.startswith("-") else text
 
 

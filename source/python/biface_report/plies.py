@@ -47,7 +47,7 @@ def scale(rows):
     return max(np.abs(rows[column]).max() for column in STRESSES)
 
 
-def draw_quantity(rows, column, colors):
+def draw_quantity(rows, column, colors, units):
     """Chart of one column through the thickness; rows are those of one point."""
     figure, axes = plt.subplots(figsize=(3.3, 3.3))
     low, high = rows["height"].min(), rows["height"].max()
@@ -69,7 +69,7 @@ def draw_quantity(rows, column, colors):
         axes.axvline(1, color="0.4", linewidth=1, linestyle="--", zorder=1)
         label = INDICES[column]
     else:
-        label = f"{STRESSES[column]}\n[force/length²]"
+        label = units.label(STRESSES[column] + "\n", "pressure")
         # round-off is drawn as zero
         least = ROUND_OFF * scale(rows)
         if np.abs(rows[column]).max() < least:
@@ -77,7 +77,7 @@ def draw_quantity(rows, column, colors):
             axes.set_xticks([0])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel(label, fontsize=10.5)
-    axes.set_ylabel("height [length]", fontsize=10.5)
+    axes.set_ylabel(units.label("height", "length"), fontsize=10.5)
     return figure
 
 

@@ -6,6 +6,7 @@ from html import escape
 from . import plies
 from .drawing import embed
 from .page import LeftOut, Section, figure, number, paragraph, table
+from .units import units_of
 
 
 def points(run):
@@ -27,7 +28,8 @@ def points(run):
              + [number(rows["u_" + axis][i], scale=scale) for axis in "xyz"]
              for i in range(len(rows))]
     return Section("points", name, table(
-        f"Displacements [length] of the middle surface in step {run.step}",
+        f"Displacements [{units_of(run)['length']}] of the middle surface in step "
+        f"{run.step}",
         ["Point"] + [f"<i>u<sub>{axis}</sub></i>" for axis in "xyz"], cells))
 
 
@@ -53,15 +55,16 @@ def ply_stresses(run):
         + (" A ply fails at an index of 1 (dashes)."
            if len(columns) > len(plies.STRESSES) else ""))]
     parts.append(material_key(colors))
+    units = units_of(run)
     for point in plies.points(values):
         rows = values.where(values["name"] == point)
         charts_of_point = "\n".join(
-            figure(embed(plies.draw_quantity(rows, column, colors)),
+            figure(embed(plies.draw_quantity(rows, column, colors, units)),
                     f"Chart of the {(plies.STRESSES | plies.INDICES)[column]} "
                     f"through the thickness at {point}.") for column in columns)
         parts += [f"<h3>{escape(point)}</h3>",
                   f'<div class="panels">\n{charts_of_point}\n</div>',
-                  ply_table(point, rows, columns)]
+                  ply_table(point, rows, columns, units)]
     return Section("plies", name, "\n".join(parts), True)
 
 
@@ -77,10 +80,10 @@ def css_color(color):
     return color if color.startswith("#") else "#595959"
 
 
-def ply_table(point, rows, columns):
+def ply_table(point, rows, columns, units):
     """The numbers of the charts."""
-    heads = ["Ply", "Material", "Angle", "Fiber tension<br><small>force/length"
-             "</small>"]
+    heads = ["Ply", "Material", "Angle",
+             f"Fiber tension<br><small>{units['tension']}</small>"]
     short = {"s_L": "<i>σ<sub>L</sub></i>", "s_T": "<i>σ<sub>T</sub></i>",
              "t_LT": "<i>τ<sub>LT</sub></i>",
              "maximum_stress_index": "Index,<br>maximum stress",
@@ -102,5 +105,5 @@ def ply_table(point, rows, columns):
                 cells.append(f"{number(low, 4, scale)} to "
                              f"{number(high, 4, scale)}")
         body.append(cells)
-    return table(f"Plies at {point}, innermost first; stresses [force/length²], "
-                 "maximum indices", heads, body)
+    return table(f"Plies at {point}, innermost first; stresses "
+                 f"[{units['pressure']}], maximum indices", heads, body)

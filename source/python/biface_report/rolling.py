@@ -10,6 +10,7 @@ import numpy as np
 from .drawing import DISTINCT, embed
 from .loading import rows_before
 from .page import LeftOut, Section, details, figure, number, paragraph, table
+from .units import units_of
 
 # A wheel rolls freely if its axle has less than this part of the moment of friction
 FREE = 1e-6
@@ -21,11 +22,11 @@ def rolling(run):
     found = run.rolling()
     if found is None or len(found) == 0:
         return LeftOut(name, "In no step does a wheel roll.")
-    parts = []
+    parts, units = [], units_of(run)
     cornering = curves(run, found, is_cornering)
     if cornering:
         parts.append(figure(
-            embed(draw_cornering(found, cornering)),
+            embed(draw_cornering(found, cornering, units)),
             "Charts of the lateral force and the aligning moment against the slip "
             "angle.",
             "Lateral force F<sub>y</sub> and aligning moment M<sub>z</sub> against the "
@@ -39,7 +40,7 @@ def rolling(run):
                    "rolling wheel from which the stage starts; −100 % is a locked "
                    "wheel")
         parts.append(figure(
-            embed(draw_braking(found, braking, slips)),
+            embed(draw_braking(found, braking, slips, units)),
             "Chart of the longitudinal force against the "
             + ("angular velocity." if slips is None else "longitudinal slip."),
             f"Longitudinal force F<sub>x</sub> against the {against}."))
@@ -144,26 +145,27 @@ def radius_scale(found):
 # ---------------------------------------------------------------- charts
 
 
-def draw_cornering(found, chosen):
+def draw_cornering(found, chosen, units):
     """Lateral force and aligning moment against the slip angle."""
     drawing, panels = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
     angles = [found["slip_angle"][rows] for rows in chosen]
     draw_curves(panels[0], found, chosen, angles, "F_y")
     draw_curves(panels[1], found, chosen, angles, "M_z")
-    panels[0].set_ylabel("$F_y$ [force]")
-    panels[1].set_ylabel("$M_z$ [force · length]")
+    panels[0].set_ylabel(units.label("$F_y$", "force"))
+    panels[1].set_ylabel(units.label("$M_z$", "moment"))
     for axes in panels:
         axes.set_xlabel("slip angle [degrees]")
     legend(panels[0], chosen)
     return drawing
 
 
-def draw_braking(found, chosen, slips):
+def draw_braking(found, chosen, slips, units):
     """The longitudinal force against the slip, or the angular velocity."""
     drawing, axes = plt.subplots(figsize=(5.6, 3.4))
     draw_curves(axes, found, chosen, slips or [found["angular_velocity"][rows]
                                                for rows in chosen], "F_x")
-    axes.set(ylabel="$F_x$ [force]", xlabel="angular velocity [radians/time]"
+    axes.set(ylabel=units.label("$F_x$", "force"),
+             xlabel=f"angular velocity [radians/{units['time']}]"
              if slips is None else "longitudinal slip κ [%]")
     legend(axes, chosen)
     return drawing

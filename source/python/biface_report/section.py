@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The plane that the deformed section is drawn in."""
+"""The line along which the deformed section is drawn, and its plane."""
 
 import matplotlib.figure
 import numpy as np
 
+from biface import Table, read_vtu
+
 from .foundation import axis_name
+
+# Relative to the size of the shell, nodes closer than this are on one line
+NEAR = 1e-5
 
 # Points along each side of the rectangle in which a foundation is looked for
 TRACE_POINTS = 401
@@ -14,17 +19,15 @@ class SectionPlane:
     """The plane nearest to all points of some profiles, with a horizontal and an
     upward axis; the foundation is below, if there is one."""
 
-    def __init__(self, profiles, normal=None, surface=None):
-        """From the tables of profiles, the normal of the foundation, and the
-        entry Surface/Type, if they are known."""
+    def __init__(self, profiles, normal=None, across=None):
+        """From the tables of profiles, the normal of the foundation, and that of the
+        plane, if they are known."""
         points = np.concatenate([profile.positions(f"{face}_")
                                  for profile in profiles
                                  for face in ("outer", "inner")])
         self.center = points.mean(0)
         _, _, axes = np.linalg.svd(points - self.center, full_matrices=False)
-        self.across = cartesian_if_near(
-            axes[2] if surface is None else
-            across_coordinate_line(surface, profiles[0]["alpha_2"][0]))
+        self.across = cartesian_if_near(axes[2] if across is None else across)
         if normal is not None and abs(normal @ self.across) < 0.7:
             up = -(normal - (normal @ self.across) * self.across)
         else:
@@ -66,6 +69,56 @@ class SectionPlane:
         contour = matplotlib.figure.Figure().subplots().contour(
             x, y, clearance, levels=[0])
         return [line for line in contour.allsegs[0] if len(line) > 1]
+
+
+def is_straight(run):
+    """Whether the shell is straight along alpha_1, as a cylinder is: its section is
+    around the axis."""
+    ends = [run.numbers(f"Surface/Straight line/{end}", 2)
+            for end in ("Start", "End")]
+    if (run.setting("Surface/Type") != "surface of revolution"
+            or run.setting("Surface/Meridian") != "straight line"
+            or any(end is None for end in ends)):
+        return False
+    radial, axial = np.abs(ends[1] - ends[0])
+    return axial > radial
+
+
+def section_around(run, step):
+    """The nodes around the axis in the middle of a shell that is_straight(), from
+    shell-NNNN.vtu: a table as of a profile, with the undeformed 'y'; None if there
+    are fewer than four."""
+    data = read_vtu(run.path("shell", step, "vtu"))
+    before = data["Points"] - data["displacement"]
+    axial = before[:, 1]
+    size = np.ptp(before, axis=0).max()
+    middle = axial[np.argmin(np.abs(axial - (axial.min() + axial.max()) / 2))]
+    on_line = np.abs(axial - middle) < NEAR * size
+    is_outer = data["outer_face"] > 0.5
+    outer, inner = (around_axis(before, data["Points"], on_line & face)
+                    for face in (is_outer, ~is_outer))
+    if len(outer) < 4 or len(outer) != len(inner):
+        return None
+    if run.setting("Mesh/Closed in alpha_2") == "true":
+        outer, inner = (np.concatenate([face, face[:1]]) for face in (outer, inner))
+    columns = {f"{name}_{axis}": face[:, i] for name, face in
+               (("outer", outer), ("inner", inner)) for i, axis in enumerate("xyz")}
+    return Table({"y": np.full(len(outer), middle), **columns})
+
+
+def around_axis(before, points, chosen):
+    """Points in the order of their angles before they moved, each angle once with the
+    smallest radius, starting after the largest gap."""
+    before, points = before[chosen], points[chosen]
+    radius = np.hypot(before[:, 0], before[:, 2])
+    angle = np.round(np.arctan2(before[:, 2], before[:, 0]), 6)
+    order = np.lexsort((radius, angle))
+    _, first = np.unique(angle[order], return_index=True)
+    order = order[first]
+    if len(order) < 2:
+        return points[order]
+    gaps = np.diff(angle[order], append=angle[order[0]] + 2 * np.pi)
+    return points[np.roll(order, -1 - int(np.argmax(gaps)))]
 
 
 def across_coordinate_line(surface, alpha_2):

@@ -9,13 +9,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from .drawing import BLUE, RED, embed
-from .page import (LeftOut, Section, count, details, figure, number, paragraph, table)
+from .page import (TOLERANCE, LeftOut, Section, count, details, figure, number,
+                   paragraph, table)
 
 # More would be too small to read
 MAXIMUM_PANELS = 8
 MAXIMUM_BARS = 12
 # Panels in a row
 COLUMNS = 2
+# Of forces, moments and displacements
+AXES = ("x", "y", "z", "1", "2", "3")
 # Characters in a line of a label
 LABEL_WIDTH = 22
 
@@ -32,9 +35,15 @@ def sensitivities(run):
     parts = []
     for step in dict.fromkeys(found["step"]):
         here = found.where(found["step"] == step)
-        if bars_of(here):
-            parts.append(chart(here))
-        parts += [paragraph(text) for text in omissions(here)]
+        noise = round_off(run, here)
+        shown = here.where(~np.isin(here["output"], noise))
+        if len(shown) and bars_of(shown):
+            parts.append(chart(shown))
+        if noise:
+            parts.append(paragraph(
+                "Without bars, since they are zero within round-off: "
+                f"{escape('; '.join(noise))}."))
+        parts += [paragraph(text) for text in omissions(shown)]
     parts.append(paragraph(
         "The logarithmic derivative is the relative change of the output by that of "
         "the entry: at 0.5, one percent more of the entry is half a percent more of "
@@ -49,6 +58,24 @@ def sensitivities(run):
         ["Stage", "Entry", "Value", "Output", "Value", "Derivative",
          "Logarithmic derivative"], rows), not bars_of(found)))
     return Section("sensitivities", name, "\n".join(parts), True)
+
+
+def round_off(run, found):
+    """The outputs of a stage that are not zero but round-off, relative to the
+    largest force, moment or displacement of the step."""
+    tables = {"F": run.forces(), "M": run.forces(), "u": run.probes()}
+    result = []
+    for output, value in dict(zip(found["output"], found["output_value"])).items():
+        letter, _, axis = output.rpartition(" ")[2].partition("_")
+        table_of = tables.get(letter)
+        if table_of is None or axis not in AXES or value == 0:
+            continue
+        here = table_of.where(table_of["step"] == found["step"][0])
+        largest = max((np.abs(here[f"{letter}_{i}"]).max() for i in AXES
+                       if f"{letter}_{i}" in here and len(here)), default=0)
+        if abs(value) < TOLERANCE * largest:
+            result.append(output)
+    return result
 
 
 def bars_of(found):

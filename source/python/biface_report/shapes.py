@@ -21,11 +21,11 @@ def pictures_of(run, series, found, values, alternative, caption):
     """Pictures of the first shapes of a stage, from SERIES-NNNN-MMM.vtu; None if
     these files are missing.
 
-    found: the rows of the stage; values: what is written above each picture, after
-    the number of the shape."""
+    found: the rows of the shapes of a stage; values: what is written above each
+    picture, after the number of the shape."""
     step = int(found["step"][0])
-    paths = [run.directory / f"{series}-{step:04d}-{i + 1:03d}.vtu"
-             for i in range(min(N_PICTURES, len(found)))]
+    numbers = found["mode"][:N_PICTURES].astype(int)
+    paths = [run.directory / f"{series}-{step:04d}-{i:03d}.vtu" for i in numbers]
     if run.setting("Output/Write VTU") == "false" or not all(
             path.exists() for path in paths):
         return None
@@ -35,7 +35,7 @@ def pictures_of(run, series, found, values, alternative, caption):
     for i, path in enumerate(paths):
         axes = picture.add_subplot(lines, columns, i + 1, projection="3d")
         draw_shape(axes, path)
-        axes.set_title(f"{i + 1}: {values[i]}", fontsize=9, y=1.03)
+        axes.set_title(f"{numbers[i]}: {values[i]}", fontsize=12, y=1.0)
     picture.subplots_adjust(0, 0, 1, 0.92, 0.02, 0.12)
     return figure(
         embed(picture, "png"), alternative,
@@ -55,7 +55,8 @@ def draw_shape(axes, path):
                        points[cells[:, 3]] - points[cells[:, 1]])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     along = (shape[cells].mean(1) * normals).sum(1)
-    limit = max(np.abs(along).max(), 1e-12)
+    # a shape without motion along the normal is white, not the color of round-off
+    limit = max(np.abs(along).max(), 1e-6 * np.abs(shape).max())
     axes.add_collection3d(Poly3DCollection(
         faces, facecolors=plt.get_cmap("RdBu_r")(0.5 + along / (2 * limit)),
         edgecolors=(0, 0, 0, 0.15), linewidths=0.2))
@@ -63,7 +64,7 @@ def draw_shape(axes, path):
     view = view_axes(ELEVATION, AZIMUTH)
     seen = faces.reshape(-1, 3) @ view.T
     middle = (seen.max(0) + seen.min(0)) / 2 @ view
-    reach = 0.33 * np.ptp(seen[:, :2], axis=0).max()
+    reach = 0.36 * np.ptp(seen[:, :2], axis=0).max()
     for set_limits, center in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim),
                                   middle):
         set_limits(center - reach, center + reach)

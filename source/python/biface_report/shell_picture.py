@@ -9,9 +9,11 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import (numpy_to_vtk, numpy_to_vtkIdTypeArray,
+                                    vtk_to_numpy)
 
 from . import rendering
+from .curved import CurvedCells, joined
 from .foundation import Foundation
 
 WIDTH, HEIGHT = 1000, 760
@@ -52,32 +54,33 @@ def view_of_shell(points, area):
 
 def face_surface(grid, outer, name):
     """A face as a smooth surface, with the values of a field, or magnitudes of
-    vectors, as scalars."""
+    vectors, as scalars; and the sides of its cells as arrays of points."""
     cells = rendering.corners(grid, 4)
     is_outer = rendering.point_values(grid, "outer_face")
     cells = cells[is_outer[cells[:, 0]] == outer]
     points = rendering.positions(grid)
     values = rendering.point_values(grid, name)
     values = np.linalg.norm(values, axis=1) if values.ndim > 1 else values
-    # each cell of the file has its own points: join them
-    size = np.ptp(points, axis=0).max()
-    used = np.unique(cells)
-    first, which = rendering.merge_points(points[used] / size, 6)
-    number = np.full(len(points), -1)
-    number[used] = which
+    kept, cells = joined(points, cells)
+    curved = CurvedCells(points[kept], cells)
+    points, values = curved.points(), curved.values(values[kept])
+    at = np.arange(values.size).reshape(values.shape)
+    pieces = np.stack([at[:, :-1, :-1], at[:, 1:, :-1], at[:, 1:, 1:],
+                       at[:, :-1, 1:]], -1).reshape(-1, 4)
+    points = points.reshape(-1, 3)
+    kept, pieces = joined(points, pieces)
 
     data, polygons = vtk.vtkPolyData(), vtk.vtkCellArray()
-    for corners in number[cells]:
-        polygons.InsertNextCell(4, corners)
-    data.SetPoints(rendering.to_vtk_points(points[used][first]))
+    polygons.SetData(4, numpy_to_vtkIdTypeArray(
+        np.ascontiguousarray(pieces, dtype=np.int64).ravel(), deep=True))
+    data.SetPoints(rendering.to_vtk_points(points[kept]))
     data.SetPolys(polygons)
-    data.GetPointData().SetScalars(
-        numpy_to_vtk(values[used][first], deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(values.ravel()[kept], deep=True))
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
     normals.Update()
-    return normals.GetOutput()
+    return normals.GetOutput(), curved.lines()
 
 
 def area_vector(surface):
@@ -88,14 +91,6 @@ def area_vector(surface):
     areas = np.cross(corners[:, 2] - corners[:, 0],
                      corners[:, 3] - corners[:, 1]) / 2
     return areas.sum(0) / np.linalg.norm(areas, axis=1).sum()
-
-
-def mesh_actor(surface):
-    """The sides of the cells."""
-    edges = vtk.vtkExtractEdges()
-    edges.SetInputData(surface)
-    edges.Update()
-    return rendering.line_actor(edges.GetOutput(), (0, 0, 0), 0.6, 0.3)
 
 
 def colored_actor(surface, colors, limits):
@@ -163,19 +158,20 @@ def main():
     parser.add_argument("picture", type=Path, help="the PNG to write")
     parser.add_argument("--foundation", type=json.loads,
                         help="the arguments of Foundation: color by pressure")
+    parser.add_argument("--label", default="", help="of the color bar")
     arguments = parser.parse_args()
 
     grid = rendering.read_grid(arguments.shell)
     foundation = arguments.foundation and Foundation(**arguments.foundation)
     name = "contact_pressure" if foundation else "displacement"
-    outer, inner = (face_surface(grid, face, name) for face in (1, 0))
+    (outer, sides), (inner, _) = (face_surface(grid, face, name)
+                                  for face in (1, 0))
     limits = (0, max(outer.GetScalarRange()[1], inner.GetScalarRange()[1]))
     shown = np.concatenate([rendering.positions(face)
                             for face in (outer, inner)])
     if foundation:
         patch = foundation_patch(outer, foundation)
         colors = plt.get_cmap("plasma")
-        label = "contact pressure [force/length²]"
         threshold = 0.01 * limits[1]
         actors = [rendering.lit_actor(rendering.below(outer, threshold), OUTSIDE),
                   rendering.lit_actor(inner, INSIDE),
@@ -184,17 +180,18 @@ def main():
         direction, up = view_of_contact(foundation.direction)
         shown = np.concatenate([shown, patch.reshape(-1, 3)])
     else:
-        colors, label = plt.get_cmap("viridis"), "displacement [length]"
+        colors = plt.get_cmap("viridis")
         actors = [colored_actor(face, colors, limits)
                   for face in (outer, inner)]
         direction, up = view_of_shell(shown, area_vector(outer))
-    actors.append(mesh_actor(outer))
+    actors.append(rendering.line_actor(rendering.line_data(sides), (0, 0, 0), 0.6,
+                                       0.3))
     camera = rendering.fitted_camera(shown, direction, up, WIDTH / HEIGHT,
                                      right_margin=0.17)
     figure = rendering.figure_of(
         rendering.render(actors, (WIDTH, HEIGHT), camera))
     rendering.add_color_bar(figure, [0.86, 0.2, 0.024, 0.6], colors, limits,
-                            label)
+                            arguments.label)
     add_directions(figure, direction, up)
     figure.savefig(arguments.picture)
     print(*direction)

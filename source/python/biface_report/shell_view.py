@@ -11,6 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from .foundation import foundation_in_step
+from .units import units_of
 
 
 class NoPicture(Exception):
@@ -28,6 +29,9 @@ def draw_shell(run, target):
     foundation = foundation_in_step(run) if run.is_contact else None
     if foundation:
         command += ["--foundation", json.dumps(foundation.as_dict())]
+    quantity = (("contact pressure", "pressure") if foundation else
+                ("displacement", "length"))
+    command += ["--label", units_of(run).label(*quantity)]
     path = [str(Path(__file__).resolve().parents[1]),
             os.environ.get("PYTHONPATH", "")]
     environment = dict(os.environ,

@@ -6,6 +6,8 @@ from html import escape
 import numpy as np
 
 from .page import LeftOut, Section, number, paragraph, table
+from .units import units_of
+from .wheel import is_wheel
 
 # A direction is along an axis if it deviates less than this
 ALONG = 1e-6
@@ -19,11 +21,11 @@ def stiffness(run):
     if found is None or len(found) == 0:
         return LeftOut(name, "In no step does the foundation move in contact while "
                        "all other loads rest.")
-    rows = []
+    rows, units = [], units_of(run)
     for first, last in stages_of(found):
         at = {column: values[last] for column, values in found.items()}
         is_turn = at["motion"] == "turn"
-        unit = "force · length/degree" if is_turn else "force/length"
+        unit = units["moment"] + "/degree" if is_turn else units["stiffness"]
         across = coupling(run, at)
         rows.append(
             [escape(at["stage"]), number(at["pressure"]), number(at["force"]),
@@ -65,13 +67,6 @@ def motion_name(run, at):
     if is_wheel(run) and abs(along[1]) < ALONG:
         return "longitudinal"
     return "slide along ({:.3g}, {:.3g}, {:.3g})".format(*along).replace("-", "−")
-
-
-def is_wheel(run):
-    """Whether the shell is one around the y axis, pressed across it."""
-    outward = run.numbers("Contact/Direction", 3)
-    return (run.setting("Surface/Type") == "surface of revolution"
-            and outward is not None and abs(outward[1]) < ALONG)
 
 
 def direction_of(at):

@@ -7,9 +7,13 @@ from html import escape
 import matplotlib.pyplot as plt
 import numpy as np
 
+from biface.parameters import read_parameters
+from biface.tables import read_text
+
 from .drawing import BLUE, GRAY, RED, STYLE, embed
-from .page import (LeftOut, Section, count, details, figure, missing, number,
+from .page import (TOLERANCE, LeftOut, Section, count, details, figure, missing, number,
                    page, paragraph, plain_number, table)
+from .units import Units
 
 # More charts of one row or column would be too small
 MAXIMUM_CHARTS = 6
@@ -31,8 +35,28 @@ def report(study):
     failed = n - int(study.is_ok.sum())
     text = (f"Study in the directory {escape(name)}, {count(n, 'sample')}"
             + (f", {failed} of them failed" if failed else "") + ".")
-    return page(f"biface: study {name}", paragraph(text, "facts")
-                + paragraph("Units are those of the input.", "facts"), sections)
+    facts = [text, units_of_study(study).sentence()]
+    constant = [output for output in study.outputs if output not in drawn(study)]
+    if constant and study.is_ok.any():
+        facts.append("Without charts, since they do not vary beyond the tolerance of "
+                     f"the iteration: {escape(', '.join(constant))}.")
+    return page(f"biface: study {name}",
+                "".join(paragraph(fact, "facts") for fact in facts), sections)
+
+
+def units_of_study(study):
+    """The units of its base file."""
+    path = study.directory / "base.prm"
+    entry = (read_parameters(read_text(path)).find("Units") if path.exists()
+             else None)
+    return Units(entry and entry.value)
+
+
+def drawn(study):
+    """The outputs that vary beyond the tolerance of the iteration."""
+    return [output for output in study.outputs if study.is_ok.any()
+            and not np.ptp(study.values(output))
+            <= TOLERANCE * np.abs(study.values(output)).max()]
 
 
 # ---------------------------------------------------------------- effects
@@ -81,11 +105,11 @@ def fits(study):
     """The response of each output, or None if there are too few samples."""
     varying = [name for name in study.variables
                if np.ptp(study.values(name) if study.is_ok.any() else [0]) > 0]
-    if study.is_ok.sum() < len(varying) + 2 or not varying or not study.outputs:
+    if study.is_ok.sum() < len(varying) + 2 or not varying or not drawn(study):
         return None
     inputs = np.stack([study.values(name) for name in varying], -1)
     return varying, {name: Response(inputs, study.values(name))
-                     for name in study.outputs}
+                     for name in drawn(study)}
 
 
 def main_effects(study):
@@ -93,15 +117,17 @@ def main_effects(study):
     name = "Main effects"
     found = fits(study)
     if found is None:
-        return LeftOut(name, "It needs outputs, and two more samples than variables "
-                       "that vary.")
+        return LeftOut(name, "It needs outputs that vary, and two more samples than "
+                       "variables that vary.")
     varying, responses_of = found
     rows = []
     for output, response in responses_of.items():
         rows.append([escape(output)]
-                    + [number(response.effect(i), 4) for i in range(len(varying))]
+                    + [number(response.effect(i), 4,
+                              np.abs(study.values(output)).max())
+                       for i in range(len(varying))]
                     + [number(study.values(output).mean()),
-                       plain_number(100 * response.explained, 3) + " %"])
+                       plain_number(100 * response.explained, 3) + "\u00a0%"])
     html = table("Main effects", ["Output"] + [escape(v) for v in varying]
                  + ["Mean", "Explained"], rows)
     shown = list(responses_of)[:MAXIMUM_CHARTS]
@@ -148,10 +174,10 @@ def responses(study):
     name = "Responses"
     found = fits(study)
     if found is None:
-        return LeftOut(name, "It needs outputs, and two more samples than variables "
-                       "that vary.")
+        return LeftOut(name, "It needs outputs that vary, and two more samples than "
+                       "variables that vary.")
     varying, responses_of = found
-    rows, columns = study.outputs[:MAXIMUM_CHARTS], varying[:MAXIMUM_CHARTS]
+    rows, columns = list(responses_of)[:MAXIMUM_CHARTS], varying[:MAXIMUM_CHARTS]
     drawing, axes = grid_of_charts(rows, columns)
     for line, output in zip(axes, rows):
         for i, (each, variable) in enumerate(zip(line, columns)):
@@ -172,9 +198,9 @@ def responses(study):
 def scatter(study):
     """Outputs against each other."""
     name = "Outputs against each other"
-    outputs = study.outputs[:MAXIMUM_CHARTS]
+    outputs = drawn(study)[:MAXIMUM_CHARTS]
     if len(outputs) < 2 or study.is_ok.sum() < 2:
-        return LeftOut(name, "It needs two outputs and two samples.")
+        return LeftOut(name, "It needs two outputs that vary and two samples.")
     drawing, axes = grid_of_charts(outputs[1:], outputs[:-1])
     for i, line in enumerate(axes):
         for j, each in enumerate(line):

@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The head of the page, and the table of its most important numbers."""
 
+from collections import namedtuple
 from html import escape
 
 import numpy as np
 
+from biface import read_vtu
 from biface.parameters import stages
 
 from . import charts, plies
 from .page import Section, count, number, paragraph, plain_number, table
-
-UNITS = {"length": "length", "force": "force", "area": "length²",
-         "pressure": "force/length²", "stiffness": "force/length",
-         "seconds": "s", "energy": "force · length",
-         "tension": "force/length", "": ""}
+from .units import units_of
+from .wheel import is_wheel
 
 
 def title(run):
@@ -36,8 +35,7 @@ def introduction(run):
     facts.append(f"step {run.step} of {run.last_step}")
     facts.append(f"stage “{escape(run.last('stage'))}”")
     result = [paragraph(", ".join(facts) + ".", "facts"),
-              paragraph("Units are those of the input: [length] and [force] are "
-                        "its units of length and force. Angles are in degrees.", "facts")]
+              paragraph(units_of(run).sentence(), "facts")]
     result += [paragraph(escape(text), "warning") for text in warnings(run)]
     return "\n".join(result)
 
@@ -87,68 +85,83 @@ def unfinished(run):
 # ---------------------------------------------------------------- numbers
 
 
-def row(name, value, kind="", remark="", digits=5):
-    """One line: the name, the value with the unit of its kind, and a remark."""
-    unit = f' <span class="unit">[{UNITS[kind]}]</span>' if UNITS[kind] else ""
-    return [name, number(value, digits) + unit, remark]
+# A line of the table: what it is, its value, unit, and a remark in HTML
+Row = namedtuple("Row", "name value unit remark digits", defaults=["", "", 5])
+
+
+def in_brackets(unit):
+    """A unit behind a number or a name, in HTML."""
+    return f' <span class="unit">[{unit}]</span>' if unit else ""
 
 
 def summary(run, footprint):
     """The table of numbers; the footprint is None without contact."""
-    rows = (contact_rows(run, footprint) if run.is_contact else
-            displacement_rows(run))
-    history = run.history
-    if history["pressure"].any():
-        rows.append(row("Pressure on the shell", run.last("pressure"),
-                        "pressure"))
-    if history["load_factor"].any():
-        rows.append(row("Load factor", run.last("load_factor"), "",
-                        "of dead loads and prescribed displacements"))
-    rows += tension_rows(run)
-    rows += failure_rows(run)
-    if "strain_energy" in history:
-        rows.append(row("Strain energy", run.last("strain_energy"), "energy"))
-    if "slack_cords" in history:
-        rows.append(row("Slack cords", 100 * run.last("slack_cords"), "",
-                        "% by volume, of those that can go slack", 3))
-    rows += [row("Steps", len(run.steps), "",
-                 count(len(dict.fromkeys(history["stage"])), "stage")),
-             row("Newton iterations", history["iterations"].sum(), "",
-                 f"at most {int(history['iterations'].max())} in a step"),
-             row("Wall time", history["seconds"].sum(), "seconds",
-                 "of all steps so far", 3)]
-    text = table(f"Step {run.step}, stage {run.last('stage')}", [], rows)
+    text = table(f"Step {run.step}, stage {run.last('stage')}", [],
+                 [[row.name, number(row.value, row.digits) + in_brackets(row.unit),
+                   row.remark] for row in rows_of(run, footprint)])
     text = text.replace('<div class="scroll"', '<div class="scroll summary"', 1)
     return Section("summary", "Summary", text, True)
 
 
+def rows_of(run, footprint):
+    """The lines of the table."""
+    units = units_of(run)
+    rows = (contact_rows(run, footprint) if run.is_contact else
+            displacement_rows(run))
+    history = run.history
+    if history["pressure"].any():
+        rows.append(Row("Pressure on the shell", run.last("pressure"),
+                        units["pressure"]))
+    if history["load_factor"].any():
+        rows.append(Row("Load factor", run.last("load_factor"), "",
+                        "of dead loads and prescribed displacements"))
+    rows += tension_rows(run)
+    rows += failure_rows(run)
+    if "strain_energy" in history:
+        rows.append(Row("Strain energy", run.last("strain_energy"),
+                        units["energy"]))
+    if "slack_cords" in history:
+        rows.append(Row("Slack cords", 100 * run.last("slack_cords"), "",
+                        "% by volume, of those that can go slack", 3))
+    rows += [Row("Steps", len(run.steps), "",
+                 count(len(dict.fromkeys(history["stage"])), "stage")),
+             Row("Newton iterations", history["iterations"].sum(), "",
+                 f"at most {int(history['iterations'].max())} in a step"),
+             Row("Wall time", history["seconds"].sum(), "s",
+                 "of all steps so far", 3)]
+    return rows
+
+
 def contact_rows(run, footprint):
     """Numbers of a step in contact."""
+    units = units_of(run)
     force, area = run.last("force"), run.last("contact_area")
-    rows = [row("Force on the foundation", force, "force"),
-            row("Approach of the foundation", run.last("approach"), "length",
-                "since it first touched the shell")]
+    rows = [Row("Force on the foundation", force, units["force"]),
+            Row("Approach of the foundation", run.last("approach"),
+                units["length"], "since it first touched the shell")]
     slope = charts.stiffness(run)
     if slope is not None:
-        rows.append(row("Stiffness", slope, "stiffness",
+        rows.append(Row("Stiffness", slope, units["stiffness"],
                         "increment of force over increment of approach"))
-    rows.append(row("Contact area", area, "area",
+    rows.append(Row("Contact area", area, units["area"],
                     f"{count(int(run.last('contact_nodes')), 'node')}, on the "
                     "undeformed middle surface"))
     has_footprint = "footprint_length" in run.history
     if has_footprint:
         rows += history_rows(run, FOOTPRINT_ROWS)
     elif area > 0:
-        rows.append(row("Mean contact pressure", force / area, "pressure",
-                        "force over contact area"))
-    rows.append(row("Maximum contact pressure", run.last("max_pressure"),
-                    "pressure", "at a node" + place_of_peak(run)))
+        rows.append(Row("Mean contact pressure", force / area,
+                        units["pressure"], "force over contact area"))
+    rows.append(Row("Maximum contact pressure", run.last("max_pressure"),
+                    units["pressure"], "at a node" + place_of_peak(run)))
     if has_footprint:
         rows += history_rows(run, PRESSURE_ROWS)
     elif footprint is not None:
-        rows += footprint_rows(footprint)
+        rows += footprint_rows(run, footprint)
+    if is_wheel(run):
+        rows += history_rows(run, WHEEL_ROWS)
     if run.last("slipping_area") if "slipping_area" in run.history else 0:
-        rows.append(row("Slipping", 100 * run.last("slipping_area") / area, "",
+        rows.append(Row("Slipping", 100 * run.last("slipping_area") / area, "",
                         "% of the contact area", 3))
     return rows
 
@@ -156,24 +169,25 @@ def contact_rows(run, footprint):
 # Columns of the history, what to call them, kind of unit, remark
 FOOTPRINT_ROWS = (
     ("footprint_length", "Length of the footprint", "length",
-     "in the plane of the wheel, normal to the y axis, to the line of zero "
-     "clearance"),
+     "normal to the y axis, to the line of zero clearance"),
     ("footprint_width", "Width of the footprint", "length", "across it"),
     ("footprint_area", "Area of the footprint", "area",
      "of the deformed outer face, within the line of zero clearance"),
     ("mean_pressure", "Mean contact pressure", "pressure",
-     "force over the area of the footprint"))
+     "force over this deformed area; may therefore exceed the mean by force"))
 PRESSURE_ROWS = (
     ("recovered_max_pressure", "Maximum pressure, recovered", "pressure",
      "with dual basis functions if the multiplier mass is lumped"),
     ("weighted_pressure", "Mean contact pressure by force", "pressure",
-     "weighted by the force that it carries"),
+     "weighted by the force that it carries; per area of the undeformed middle "
+     "surface"),
     ("pressure_variation", "Variation of the contact pressure", "",
      "its standard deviation over this mean"),
     ("load_ratio", "Force over pressure times area", "",
-     "1 if the gas carries all of the load"),
+     "1 if the gas carries all of the load"))
+WHEEL_ROWS = (
     ("loaded_radius", "Loaded radius", "length",
-     "from the origin to the foundation"))
+     "from the origin to the foundation"),)
 TENSION_ROWS = (
     ("max_cord_tension", "Maximum cord tension", "force"),
     ("max_fiber_tension", "Maximum fiber tension", "tension"))
@@ -181,47 +195,73 @@ TENSION_ROWS = (
 
 def history_rows(run, columns):
     """Rows of the columns that are there and not zero."""
-    return [row(name, run.last(column), kind, remark)
+    units = units_of(run)
+    return [Row(name, run.last(column), units[kind], remark)
             for column, name, kind, remark in columns
             if column in run.history and run.last(column)]
 
 
+def place_in_history(run, column):
+    """Where a maximum of the history is, from the columns beside it."""
+    return (f"α<sub>1</sub> = {plain_number(run.last(column + '_alpha_1'))}, "
+            f"α<sub>2</sub> = {plain_number(run.last(column + '_alpha_2'))}, "
+            f"ply {int(run.last(column + '_ply'))}")
+
+
 def tension_rows(run):
     """The maximum tension and its place."""
-    return [row(name, run.last(column), kind,
-                f"α<sub>1</sub> = {plain_number(run.last(column + '_alpha_1'))}, "
-                f"α<sub>2</sub> = {plain_number(run.last(column + '_alpha_2'))}, "
-                f"ply {int(run.last(column + '_ply'))}")
+    units = units_of(run)
+    return [Row(name, run.last(column), units[kind], place_in_history(run, column))
             for column, name, kind in TENSION_ROWS if column in run.history]
 
 
 def displacement_rows(run):
-    """The largest displacement of a named point, if there are any."""
+    """The largest displacement of the shell, or only of the named points if there
+    is no file of the whole shell."""
+    name, unit = "Largest displacement", units_of(run)["length"]
+    path = run.path("shell", ending="vtu")
+    if path.exists() and run.setting("Output/Write VTU") != "false":
+        data = read_vtu(path)
+        moved = np.linalg.norm(data["displacement"], axis=1)
+        at = int(np.argmax(moved))
+        face = "outer" if data["outer_face"][at] > 0.5 else "inner"
+        scale = np.abs(data["Points"]).max()
+        place = ", ".join(number(value, 4, scale) for value in
+                          data["Points"][at] - data["displacement"][at])
+        return [Row(name, moved[at], unit,
+                    f"magnitude, of the whole shell, on the {face} face at "
+                    f"(x, y, z) = ({place}) of the undeformed shell")]
     probes = run.probes()
-    if probes is None:
-        return []
-    probes = probes.where(probes["step"] == run.step)
+    probes = [] if probes is None else probes.where(probes["step"] == run.step)
     if len(probes) == 0:
         return []
     moved = np.linalg.norm(probes.positions("u_"), axis=1)
     at = int(np.argmax(moved))
-    return [row("Largest displacement", moved[at], "length",
-                f"magnitude, at the named point “{escape(probes['name'][at])}”")]
+    return [Row(name + " of a named point", moved[at], unit,
+                f"magnitude, at “{escape(probes['name'][at])}”; the shell may move "
+                f"more elsewhere: {path.name} is missing")]
 
 
 def failure_rows(run):
-    """The largest value of each failure index at the named points."""
+    """The largest value of each failure index in the shell, or only at the named
+    points where the history has none."""
     rows = []
     table_of_plies = run.plies() or {}
     for column, name in plies.INDICES.items():
+        if column in run.history and np.isfinite(run.last(column)):
+            rows.append(Row(f"Largest {name}", run.last(column), "",
+                            place_in_history(run, column.removesuffix("_index"))
+                            + "; a ply fails at 1"))
+            continue
         values = table_of_plies.get(column, np.array([np.nan]))
         if not np.isfinite(values).any():
             continue
         at = int(np.nanargmax(values))
-        rows.append(row(
-            f"Largest {name}", values[at], "",
+        rows.append(Row(
+            f"Largest {name}, of the named points", values[at], "",
             f"at “{escape(table_of_plies['name'][at])}”, ply "
-            f"{int(table_of_plies['ply'][at])}; a ply fails at 1"))
+            f"{int(table_of_plies['ply'][at])}; a ply fails at 1. It may be larger "
+            "elsewhere: history.csv has no maximum"))
     return rows
 
 
@@ -235,13 +275,13 @@ def place_of_peak(run):
             f"α<sub>2</sub> = {plain_number(contact['alpha_2'][at])}")
 
 
-def footprint_rows(footprint):
+def footprint_rows(run, footprint):
     """Length and width, each with its bounds."""
     rows = []
     for i, name in enumerate(("Length of the footprint", "Width of the footprint")):
         least, most = footprint.minimum_lengths[i], footprint.maximum_lengths[i]
-        rows.append(row(
-            name, footprint.lengths[i], "length",
+        rows.append(Row(
+            name, footprint.lengths[i], units_of(run)["length"],
             f"{direction(footprint, i)}; between {number(least, 4)} (nodes in "
             f"contact) and {number(most, 4)} (with their neighbors)", 4))
     return rows

@@ -11,6 +11,7 @@ from .drawing import BLUE, GRAY, RED, embed
 from .footprint import Footprint
 from .foundation import axis_name, foundation_in_step, foundation_of, unit
 from .page import LeftOut, Section, figure, number, paragraph, table
+from .units import units_of
 
 # The axle of a surface of revolution
 AXLE = np.array([0.0, 1.0, 0.0])
@@ -34,11 +35,6 @@ class WheelAxes:
         left = unit(AXLE - (AXLE @ up) * up)
         self.axes = np.array([np.cross(left, up), left, up])
 
-    @staticmethod
-    def fit(direction):
-        """Whether a wheel about the y axis can stand on this ground."""
-        return abs(unit(direction) @ AXLE) < LYING
-
     def contact_center(self, foundation):
         """Where the line from the center of the wheel down in its middle plane, the
         plane of symmetry across the axle, meets the ground."""
@@ -55,13 +51,33 @@ class WheelAxes:
         return self.axes @ force, self.axes @ about_point
 
 
+def is_wheel(run):
+    """Whether the shell goes all the way around the y axis, is no tube along it, and
+    the ground, if any, is across it."""
+    direction = run.numbers("Contact/Direction", 3)
+    return (run.setting("Surface/Type") == "surface of revolution"
+            and run.setting("Mesh/Closed in alpha_2") == "true"
+            and not is_tube(run)
+            and direction is not None and np.any(direction)
+            and abs(unit(direction) @ AXLE) < LYING)
+
+
+def is_tube(run):
+    """Whether the shell is a cylinder or cone that is longer than its diameter."""
+    ends = [run.numbers(f"Surface/Straight line/{end}", 2)
+            for end in ("Start", "End")]
+    if (run.setting("Surface/Meridian") != "straight line"
+            or any(end is None for end in ends)):
+        return False
+    (radius_1, axial_1), (radius_2, axial_2) = ends
+    return abs(axial_2 - axial_1) > 2 * max(radius_1, radius_2)
+
+
 def wheel_axes(run):
     """The axes of a run, or None if it is no wheel on the ground."""
     foundation = foundation_of(run)
-    if (run.setting("Surface/Type") != "surface of revolution"
-            or foundation is None or not WheelAxes.fit(foundation.direction)):
-        return None
-    return WheelAxes(foundation.direction)
+    return (None if foundation is None or not is_wheel(run)
+            else WheelAxes(foundation.direction))
 
 
 def wheel_forces(run):
@@ -75,7 +91,7 @@ def wheel_forces(run):
     forces = run.forces()
     if forces is None or center is None:
         return LeftOut(name, "forces.csv is missing.")
-    rows = []
+    rows, units = [], units_of(run)
     for i, step in enumerate(run.steps):
         foundation = (foundation_in_step(run, step) if run.in_contact[i] else None)
         here = forces.where((forces["step"] == step)
@@ -107,7 +123,8 @@ def wheel_forces(run):
     heads = ["", "Stage"] + [f"{letter}<sub>{axis}</sub>" for letter in "FM"
                                  for axis in "xyz"] + ["Loaded radius"]
     return Section("wheel", name, table(
-        "Forces and moments on the wheel [force, force · length]", heads, rows)
+        f"Forces and moments on the wheel [{units['force']}, {units['moment']}]",
+        heads, rows)
         + text, True)
 
 
@@ -132,14 +149,14 @@ def stick_slip(run, footprint):
         return None
     slips = contact["slipping"][active] > 0
     html = figure(
-        embed(draw_stick_slip(footprint, slips, tractions)),
+        embed(draw_stick_slip(footprint, slips, tractions, units_of(run))),
         f"Map of the contact zone: {int(slips.sum())} of {len(slips)} nodes slip.",
         f"Nodes in contact: {int((~slips).sum())} stick, {int(slips.sum())} slip at "
         "the limit of friction. Arrows: the traction of friction on the shell.")
     return Section("friction", name, html)
 
 
-def draw_stick_slip(footprint: Footprint, slips, tractions):
+def draw_stick_slip(footprint: Footprint, slips, tractions, units):
     """The figure; the longer side of the zone is horizontal."""
     nodes = footprint.nodes[footprint.active]
     order = [0, 1] if np.ptp(nodes[:, 0]) >= np.ptp(nodes[:, 1]) else [1, 0]
@@ -156,6 +173,7 @@ def draw_stick_slip(footprint: Footprint, slips, tractions):
     axes.set_aspect("equal")
     axes.margins(0.08)
     names = [footprint.axis_names[i] for i in order]
-    axes.set(xlabel=f"{names[0]} [length]", ylabel=f"{names[1]} [length]")
+    axes.set(xlabel=units.label(names[0], "length"),
+             ylabel=units.label(names[1], "length"))
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=2)
     return drawing

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Smooth curves and cells through the nodes of a mesh.
+
+A side of a cell is a cubic whose tangent at each end is that of the circle through
+this node and its two neighbors on the line of the mesh, so that circles are circles,
+however long the cells are. The tangent is turned from the straight side at most by as
+much as the line turns at the other end: a straight side that ends at a bend or at a
+fold stays straight.
+"""
+
+import numpy as np
+
+# Pieces of a side: at most, and so many that each turns by this angle in degrees
+MAXIMUM_PIECES = 8
+ANGLE_OF_PIECE = 6
+# Pieces of all cells at most
+MAXIMUM_PATCHES = 200000
+
+
+# Points that agree to as many decimals, relative to the shell, are the same
+SAME = 6
+# The sides of a cell along each coordinate
+SIDES = (([0, 1], [3, 2]), ([0, 3], [1, 2]))
+
+
+def neighbors(cells, count):
+    """For each coordinate the nodes before and after each of a count of nodes on its
+    line of the mesh, -1 for none; from the nodes of each cell in the order around it,
+    which starts along the same coordinate in all cells."""
+    result = np.full((2, 2, count), -1)
+    for (before, after), sides in zip(result, SIDES):
+        for first, last in sides:
+            after[cells[:, first]] = cells[:, last]
+            before[cells[:, last]] = cells[:, first]
+    return result
+
+
+def joined(points, cells):
+    """The cells of a file in which each has points of its own, with each point once:
+    the numbers of the points that are kept, and the cells by places among these."""
+    used, which = np.unique(cells, return_inverse=True)
+    size = np.ptp(points[used], axis=0).max()
+    _, first, same = np.unique(np.round(points[used] / size, SAME), axis=0,
+                               return_index=True, return_inverse=True)
+    return used[first], same[which].reshape(cells.shape)
+
+
+def curved_line(points):
+    """A curve through points, one per row, with MAXIMUM_PIECES pieces between two."""
+    at = np.arange(len(points))
+    before, after = at - 1, np.append(at[1:], -1)
+    sides = Sides(points, np.stack([at[:-1], at[1:]], -1), before, after)
+    pieces = sides.points(MAXIMUM_PIECES)
+    return np.concatenate([pieces[:, :-1].reshape(-1, points.shape[1]), points[-1:]])
+
+
+class CurvedCells:
+    """The cells of a face with curved sides."""
+
+    def __init__(self, points, cells):
+        """From the nodes, one per row, each once, and the nodes of each cell in the
+        order around it, which starts along the same coordinate in all cells."""
+        self.cells = cells
+        self.nodes = points
+        self.sides, self.numbers = [], []
+        for sides, (before, after) in zip(SIDES, neighbors(cells, len(points))):
+            ends, numbers = np.unique(
+                np.concatenate([cells[:, ends] for ends in sides]), axis=0,
+                return_inverse=True)
+            self.sides.append(Sides(points, ends, before, after))
+            self.numbers.append(numbers.reshape(2, -1))
+        turn = 2 * max(np.degrees(side.angles).max() for side in self.sides)
+        self.n_pieces = int(np.clip(
+            np.ceil(turn / ANGLE_OF_PIECE), 1,
+            min(MAXIMUM_PIECES, max(1, np.sqrt(MAXIMUM_PATCHES / len(cells))))))
+
+    def points(self):
+        """Points of each cell in a grid of n_pieces + 1 along both coordinates: of
+        the shape cells x n x n x 3. They blend the curves of the four sides (a Coons
+        patch)."""
+        first, second = (side.points(self.n_pieces)[numbers] for side, numbers in
+                         zip(self.sides, self.numbers))
+        s = np.linspace(0, 1, self.n_pieces + 1)[:, None]
+        t = s[:, 0][None, :, None]
+        s = s[:, None]
+        low, high = first[0][:, :, None], first[1][:, :, None]
+        left, right = second[0][:, None], second[1][:, None]
+        return ((1 - t) * low + t * high + (1 - s) * left + s * right
+                - self.values(self.nodes))
+
+    def values(self, values):
+        """Values at the nodes, one per row, at points(): bilinear."""
+        s = np.linspace(0, 1, self.n_pieces + 1)
+        weights = np.stack([np.multiply.outer(a, b) for a, b in
+                            ((1 - s, 1 - s), (s, 1 - s), (s, s), (1 - s, s))])
+        return np.einsum("kst,ck...->cst...", weights, values[self.cells])
+
+    def lines(self):
+        """Points of each side, once: of the shape sides x (n_pieces + 1) x 3."""
+        return np.concatenate([side.points(self.n_pieces) for side in self.sides])
+
+
+class Sides:
+    """Curved sides of cells along one coordinate."""
+
+    def __init__(self, points, ends, before, after):
+        """From the nodes, the two ends of each side, and for each node the one before
+        and after it on its line, -1 for none."""
+        self.start, self.end = points[ends[:, 0]], points[ends[:, 1]]
+        chord = self.end - self.start
+        self.lengths = np.linalg.norm(chord, axis=1, keepdims=True)
+        chord = normalized(chord)
+        tangents, turns = at_nodes(points, before, after)
+        is_inner = (before >= 0) & (after >= 0)
+        self.tangents, self.angles = [], []
+        for i in (0, 1):
+            at, other = ends[:, i], ends[:, 1 - i]
+            # at the end of a line, the tangent of the same circle as at the other end
+            mirrored = (2 * (tangents[other] * chord).sum(1, keepdims=True) * chord
+                        - tangents[other])
+            tangent = np.where(is_inner[at, None], tangents[at],
+                               np.where(is_inner[other, None], mirrored, chord))
+            limit = np.where(is_inner[other], turns[other], np.pi)
+            limit = np.where(is_inner[at], limit, turns[other])
+            tangent, angle = turned_at_most(tangent, chord, limit)
+            self.tangents.append(tangent)
+            self.angles.append(angle)
+
+    def points(self, count):
+        """Points of each side, of the shape sides x (count + 1) x dimensions."""
+        s = np.linspace(0, 1, count + 1)
+        # the length of the tangent with which the cubic is closest to an arc
+        first, last = (2 * self.lengths * tangent / (1 + np.cos(angle))[:, None]
+                       for tangent, angle in zip(self.tangents, self.angles))
+        weights = (1 - 3 * s**2 + 2 * s**3, s * (1 - s)**2,
+                   3 * s**2 - 2 * s**3, s**2 * (s - 1))
+        return sum(weight[None, :, None] * vectors[:, None] for weight, vectors in
+                   zip(weights, (self.start, first, self.end, last)))
+
+
+def normalized(vectors):
+    """Unit vectors; 0 for 0."""
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / np.where(lengths > 0, lengths, 1)
+
+
+def at_nodes(points, before, after):
+    """The tangent at each node of the circle through it and its neighbors, and the
+    angle by which the line turns there."""
+    forward, backward = points[after] - points, points - points[before]
+    squares = [(part**2).sum(1, keepdims=True) for part in (forward, backward)]
+    tangents = normalized(sum(part / np.where(square > 0, square, 1)
+                              for part, square in zip((forward, backward), squares)))
+    cosine = (normalized(forward) * normalized(backward)).sum(1)
+    return tangents, np.arccos(np.clip(cosine, -1, 1))
+
+
+def turned_at_most(tangents, chords, limits):
+    """Tangents turned toward the chords until the angle between both is at most a
+    limit, and this angle; at most a right angle."""
+    cosine = (tangents * chords).sum(1)
+    angles = np.arccos(np.clip(cosine, -1, 1))
+    across = normalized(tangents - cosine[:, None] * chords)
+    angles = np.minimum(np.minimum(angles, limits), np.pi / 2)
+    return (np.cos(angles)[:, None] * chords + np.sin(angles)[:, None] * across,
+            angles)
