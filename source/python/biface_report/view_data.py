@@ -37,7 +37,7 @@ class Part:
         """states names what each of the files shows; motion is the field by which
         the points of a file have moved, or None for the shapes of a series."""
         self.name, self.states, self.fields = name, states, []
-        data = [read(path, motion or "mode") for path in paths]
+        data = [read_vtu(path) for path in paths]
         points = [arrays["Points"].astype(float) for arrays in data]
         for path, found in zip(paths, points):
             if len(found) != len(points[0]):
@@ -98,22 +98,6 @@ class Part:
                 "groups": self.groups, "fields": self.fields,
                 "base": packed(self.base.astype("<f4")),
                 "nodes": packed(self.node[self.quads].astype("<i4"))}
-
-
-def read(path, needed):
-    """The arrays of a file, checked."""
-    data = read_vtu(path)
-    kind, corners = ("ply", 8) if "ply" in data else ("outer_face", 4)
-    for name in ("connectivity", kind, needed):
-        if name not in data:
-            raise BifaceError(f"{path} is damaged: it has no array {name}.")
-    points, cells = data["Points"], data["connectivity"]
-    if (not np.isfinite(points).all() or len(cells) % corners
-            or ((cells < 0) | (cells >= len(points))).any()
-            or any(len(data[name]) != len(points) for name in data
-                   if name not in MESH)):
-        raise BifaceError(f"{path} is damaged: its arrays do not fit together.")
-    return data
 
 
 def quads_of(data):
