@@ -10,16 +10,12 @@ set -eu
 
 packages="cmake g++ ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-pthread openmpi-bin"
-report="python3-matplotlib python3-scipy xvfb xauth"
-# ParaView brings its own VTK and conflicts with Debian's
-status=$(dpkg-query -W -f '${db:Status-Status}' python3-paraview \
-  2>/dev/null) || :
-[ "$status" = installed ] || report="$report python3-vtk9"
+report="python3-matplotlib python3-scipy libjs-three"
 case ${1-} in
   "") ;;
   report) packages="$packages $report" ;;
-  tests) packages="$packages $report numdiff clang clang-format-14 doxygen lld
-    texlive-binaries" ;;
+  tests) packages="$packages $report chromium chromium-driver numdiff clang
+    clang-format-14 doxygen lld texlive-binaries" ;;
   *)
     echo "Usage: doc/install.sh [report | tests]" >&2
     exit 1

@@ -71,7 +71,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # the second line is what biface-report and biface-rubber need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
-  "python3-matplotlib, python3-scipy, python3-vtk9 | python3-paraview, xvfb, xauth")
+  "python3-matplotlib, python3-scipy, libjs-three")
 # for those who link the library
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libdeal.ii-dev, cmake, paraview")
 include(CPack)

@@ -7,7 +7,6 @@ display; a virtual one (xvfb-run) is sufficient.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -15,9 +14,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
-
-from biface_report.rendering import (
+from rendering import (
     add_color_bar, corners, figure_of, fixed_camera, merge_points, point_values,
     positions, read_grid, render, to_vtk_points, use_colors)
 

@@ -11,7 +11,6 @@ local basis. The picture does the same.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -19,9 +18,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
-
-from biface_report.rendering import (
+from rendering import (
     add_color_bar, figure_of, fixed_camera, line_actor, line_data, lit_actor,
     point_values, positions, read_grid, render, to_vtk_points, zone_actor)
 

@@ -51,12 +51,11 @@ rng = np.random.default_rng(1)
 for shape, radius in (("plane", 1), ("drum", 60), ("drum", -60), ("sphere", 45),
                       ("sphere", -45)):
     name = f"the {shape} of radius {radius}"
-    start = Foundation(shape, DIRECTION, POINT, radius, [0.2, 1, 0.1])
+    start, moved = (Foundation(shape, DIRECTION, POINT, radius, [0.2, 1, 0.1], travel)
+                    for travel in (0, TRAVEL))
     # points on the side of the shell
     points = POINT - TRAVEL * UNIT - 2 * UNIT + rng.uniform(-5, 5, (20, 3))
-    found = start.at_clearances(
-        points, exact_clearance(Foundation(**start.as_dict() | {"travel": TRAVEL}),
-                                points))
+    found = start.at_clearances(points, exact_clearance(moved, points))
     check(abs(found.travel - TRAVEL) < 1e-9, f"{name} traveled {found.travel}")
     check(np.allclose(found.clearance(points), exact_clearance(found, points),
                       atol=1e-9), f"clearances of {name}")

@@ -29,6 +29,13 @@ def require(*modules):
             sys.exit(77)
 
 
+def require_three():
+    """Skips the test if the library of the view is missing."""
+    if not Path("/usr/share/javascript/three/three.min.js").exists():
+        print("skipped: three.js is missing (Debian: libjs-three)")
+        sys.exit(77)
+
+
 def scratch():
     """A directory that is removed when the test ends."""
     directory = tempfile.mkdtemp(dir=RUNS)
@@ -43,9 +50,9 @@ def copy_of(run):
     return target
 
 
-def report(directory, *words, launcher=BUILD / "biface-report"):
+def report(directory, *words, launcher=BUILD / "biface-report", target=None):
     """Runs biface-report; returns its exit code, its error messages, the page."""
-    target = scratch() / "page.html"
+    target = target or scratch() / "page.html"
     done = subprocess.run([launcher, directory, "-o", target, *words],
                           capture_output=True, text=True, check=False)
     page = target.read_text(encoding="utf-8") if target.exists() else ""
@@ -89,13 +96,13 @@ def check_equal(computed, expected, what):
 
 
 class Page(HTMLParser):
-    """The visible contents of the page: text, pictures, rows of tables. The
+    """The contents of the page: text, pictures, rows of tables, scripts. The
     parser fails if elements are not closed in order."""
 
     def __init__(self, text):
         super().__init__()
         self.open, self.rows, self.images, self.text = [], [], [], ""
-        self.addresses, self.headings = [], []
+        self.addresses, self.headings, self.scripts = [], [], []
         self.source = text
         self.feed(text)
         self.close()
@@ -125,6 +132,9 @@ class Page(HTMLParser):
         self.open.pop()
 
     def handle_data(self, data):
+        if "script" in self.open:
+            self.scripts.append(data)
+            return
         self.text += data
         if self.open and self.open[-1] in ("h1", "h2", "h3"):
             self.headings[-1] += data

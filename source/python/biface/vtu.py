@@ -12,6 +12,19 @@ from .tables import read_text
 
 TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt32": "<u4",
          "Int64": "<i8", "UInt64": "<u8", "UInt8": "u1", "Int8": "i1"}
+# Arrays with values of cells; all others have them at points
+OF_CELLS = ("connectivity", "offsets", "types")
+
+
+class Arrays(dict):
+    """The arrays of a file by name. One that is missing is an error of the file."""
+
+    def __init__(self, path, arrays):
+        super().__init__(arrays)
+        self.path = path
+
+    def __missing__(self, name):
+        raise BifaceError(f"{self.path} is damaged: it has no array {name}.")
 
 
 def read_vtu(path):
@@ -35,9 +48,15 @@ def read_vtu(path):
                 array = array + n_points
             parts.setdefault(name, []).append(array)
         n_points += n
-    if "Points" not in parts:
-        raise BifaceError(f"{path} is damaged: it has no points.")
-    return {name: np.concatenate(arrays) for name, arrays in parts.items()}
+    result = Arrays(path, {name: np.concatenate(arrays)
+                           for name, arrays in parts.items()})
+    count, cells = len(result["Points"]), result["connectivity"]
+    if (not np.isfinite(result["Points"]).all()
+            or ((cells < 0) | (cells >= count)).any()
+            or any(len(array) != count for name, array in result.items()
+                   if name not in OF_CELLS)):
+        raise BifaceError(f"{path} is damaged: its arrays do not fit together.")
+    return result
 
 
 def decode(text, kind, layout, path):

@@ -12,7 +12,7 @@
     drawing        the look of charts, and how they get into the page
     charts         curves
     maps           pictures of the footprint and the section
-    shapes         pictures of modes and of shapes of buckling
+    shapes         pictures and views of modes and of shapes of buckling
     modes          modes of vibration
     buckling       buckling loads and critical points
     stiffness      stiffnesses against motions of the foundation
@@ -20,9 +20,11 @@
     rolling        forces over the slip angle and the slip
     sensitivities  derivatives by numbers of the parameter file
     plies          charts of ply stresses
-    rendering      common parts of VTK pictures
-    shell_picture  draws the deformed shell
-    shell_view     runs shell_picture in a process of its own
+    view           views of the shell that turn
+    view_data      the contents of VTU files for them
+    bodies         the foundation and other rigid bodies in them
+    sectors        copies of a sector that fill a turn
+    view*.js       draw them in the browser
     page           HTML
     summary        the head of the page and the table of numbers
     point_content  the sections on named points

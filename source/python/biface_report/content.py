@@ -2,16 +2,14 @@
 """The sections of the page. A section whose files are missing is replaced by one
 sentence that says so."""
 
-import tempfile
 from html import escape
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-from . import charts, maps, shell_view
+from . import charts, maps, view
 from .buckling import buckling, critical_points, kinds_of_steps
-from .drawing import STYLE, embed, embed_png
+from .drawing import STYLE, embed
 from .footprint import Footprint, normal_of_nodes
 from .foundation import foundation_in_step, foundation_of
 from .loading import counted_steps, step_labels
@@ -34,16 +32,17 @@ def report(run):
     """The page of a run."""
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
-    parts = [summary(run, footprint), curve(run), footprint_map(run, footprint),
-             stick_slip(run, footprint), wheel_forces(run), rolling(run),
-             stiffness(run), sections_of_shell(run), shell(run), modes(run),
-             buckling(run), critical_points(run), sensitivities(run), points(run),
-             iterations(run), ply_stresses(run), input_of_run(run)]
+    parts = [summary(run, footprint), view.shell(run), curve(run),
+             footprint_map(run, footprint), stick_slip(run, footprint),
+             wheel_forces(run), rolling(run), stiffness(run),
+             sections_of_shell(run), modes(run), buckling(run),
+             critical_points(run), sensitivities(run), points(run), iterations(run),
+             ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]
     absent = [part for part in parts if isinstance(part, LeftOut)]
     if absent:
         sections.append(missing(absent))
-    return page(title(run), introduction(run), sections)
+    return page(title(run), introduction(run), sections, view.scripts(sections))
 
 
 # ---------------------------------------------------------------- contact
@@ -224,33 +223,6 @@ def normal_of(run):
 def foundation_if_known(run, step):
     """The foundation where it stands in a step, or None."""
     return (None if normal_of(run) is None else foundation_in_step(run, step))
-
-
-def shell(run):
-    """The picture of the whole shell."""
-    path = run.path("shell", ending="vtu")
-    name = "Deformed shell"
-    if run.setting("Output/Write VTU") == "false" or not path.exists():
-        reason = ("Output/Write VTU is false."
-                  if run.setting("Output/Write VTU") == "false"
-                  else f"{path.name} is missing.")
-        return LeftOut(name, reason)
-    with tempfile.TemporaryDirectory() as directory:
-        target = Path(directory) / "shell.png"
-        try:
-            foundation, direction = shell_view.draw_shell(run, target)
-        except shell_view.NoPicture as error:
-            return LeftOut(name, str(error))
-        image = embed_png(target.read_bytes(), 800)
-    what = "contact pressure" if foundation else "magnitude of the displacement"
-    where = (f"through the {foundation.name()}, part of which is drawn as glass, "
-             if foundation else "")
-    text = (f"Displacements to scale; color: {what}. Seen {where}"
-            + "from the direction ({:.2f}, {:.2f}, {:.2f}). ".format(
-                *direction).replace("-", "−")
-            + "Between its nodes the shell is drawn smooth.")
-    return Section("shell", name, figure(
-        image, f"The deformed shell, colored by {what}.", text))
 
 
 # ---------------------------------------------------------------- run

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-# Intervals along each side of a patch, and between two of its lines
-PATCH_CELLS, LINE_CELLS = 48, 8
+# Intervals along each side of a patch
+PATCH_CELLS = 48
 
 
 class Foundation:
@@ -27,12 +27,6 @@ class Foundation:
         """What to call it."""
         hollow = "hollow " if self.shape != "plane" and self.radius < 0 else ""
         return hollow + self.shape
-
-    def as_dict(self):
-        """The arguments that make the same foundation, as lists and numbers."""
-        return {"shape": self.shape, "direction": list(self.direction),
-                "point": list(self.point), "radius": float(self.radius),
-                "axis": list(self.axis), "travel": self.travel}
 
     def at_clearances(self, points, clearances):
         """The same foundation with the travel that gives points, one a row,
@@ -68,8 +62,12 @@ class Foundation:
 
         low and high are corners of a rectangle in the plane that touches the
         foundation, products of points with the patch_axes(). It is wrapped round
-        the foundation: lengths along its middle lines are kept."""
+        the foundation, at most once: lengths along its middle lines are kept."""
         first, second = self.patch_axes()
+        reach = {"plane": np.inf, "drum": np.pi * abs(self.radius) * np.array(
+            [1, np.inf]), "sphere": np.pi * abs(self.radius)}[self.shape]
+        middle = self.patch_axes() @ self._nearest()
+        low, high = np.maximum(low, middle - reach), np.minimum(high, middle + reach)
         u, v = np.meshgrid(*(np.linspace(low[i], high[i], PATCH_CELLS + 1)
                              for i in range(2)), indexing="ij")
         nearest, normal = self._nearest(), self._normal()
@@ -85,13 +83,6 @@ class Foundation:
         angle = np.minimum(length / size, np.pi)
         return (self._center() + along - self.radius * np.cos(angle) * normal
                 + size * np.sin(angle) * flat / length)
-
-    def patch_lines(self, patch):
-        """Lines that show the shape of a patch: its edge, and some across it
-        unless it is plane."""
-        step = PATCH_CELLS if self.shape == "plane" else LINE_CELLS
-        chosen = range(0, PATCH_CELLS + 1, step)
-        return [patch[i] for i in chosen] + [patch[:, i] for i in chosen]
 
     def _across(self, vectors):
         """The part of vectors that the distance depends on."""

@@ -104,7 +104,7 @@ def section_html(section):
             f"{section.html}\n</section>")
 
 
-def page(title, introduction, sections):
+def page(title, introduction, sections, scripts=""):
     """The whole page."""
     style = (Path(__file__).parent / "style.css").read_text(encoding="utf-8")
     links = "\n".join(f'<li><a href="#{section.name}">{escape(section.title)}'
@@ -133,6 +133,6 @@ def page(title, introduction, sections):
 <main>
 {body}
 </main>
-</body>
+{scripts}</body>
 </html>
 """

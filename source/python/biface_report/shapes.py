@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of the first shapes of a series: modes of vibration, or of buckling."""
+"""Pictures of the first shapes of a series, modes of vibration or of buckling, and
+the view of all."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -7,6 +8,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from biface.vtu import corners, read_vtu
 
+from . import view
 from .drawing import embed
 from .page import figure
 
@@ -40,7 +42,8 @@ def pictures_of(run, series, found, values, alternative, caption):
     return figure(
         embed(picture, "png"), alternative,
         f"{caption}, the displacements enlarged; color: displacement of the outer "
-        "face along its normal.")
+        "face along its normal.") + "\n" + view.shapes(
+            run, series, found, values, view_axes(ELEVATION, AZIMUTH)[2], (0, 0, 1))
 
 
 def draw_shape(axes, path):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Common parts of pictures drawn by VTK, also of those in the documentation.
-Needs VTK and a display; a virtual one (xvfb-run) will do."""
+"""Common parts of pictures drawn by VTK. Needs VTK and a display; a virtual one
+(xvfb-run) will do."""
 
 import matplotlib
 
@@ -91,16 +91,6 @@ def lit_actor(data, color):
     appearance.SetSpecular(0.12)
     appearance.SetSpecularPower(25)
     return actor
-
-
-def below(data, threshold):
-    """The part of a surface where its scalars do not exceed a threshold."""
-    clip = vtk.vtkClipPolyData()
-    clip.SetInputData(data)
-    clip.SetValue(threshold)
-    clip.InsideOutOn()
-    clip.Update()
-    return clip.GetOutput()
 
 
 def zone_actor(data, threshold, colors, limits):
@@ -197,30 +187,6 @@ def fixed_camera(position, focal_point, view_angle):
         camera.SetFocalPoint(focal_point)
         camera.SetViewUp(0, 0, 1)
         camera.SetViewAngle(view_angle)
-    return place
-
-
-def fitted_camera(points, direction, up, aspect, right_margin):
-    """A camera for render() without perspective that shows all points and leaves a
-    share of the width free at the right. direction points to the camera."""
-    def place(renderer):
-        right = np.cross(up, direction)
-        right /= np.linalg.norm(right)
-        above = np.cross(direction, right)
-        seen = np.stack([points @ right, points @ above], -1)
-        low, high = seen.min(0), seen.max(0)
-        width, height = 1.08 * (high - low)
-        scale = max(height, width / (aspect * (1 - right_margin)))
-        middle = (low + high) / 2 + [right_margin / 2 * aspect * scale, 0]
-        depth = points @ direction
-        focus = (middle[0] * right + middle[1] * above
-                 + depth.mean() * direction)
-        camera = renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetParallelScale(scale / 2)
-        camera.SetFocalPoint(focus)
-        camera.SetPosition(focus + (np.ptp(depth) + scale) * direction)
-        camera.SetViewUp(above)
     return place
 
 
