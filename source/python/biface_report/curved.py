@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Smooth curves and cells through the nodes of a mesh.
+"""Smooth curves through the nodes of a mesh.
 
-A side of a cell is a cubic whose tangent at each end is that of the circle through
+Between two nodes, a curve is a cubic whose tangent at each end is that of the circle through
 this node and its two neighbors on the line of the mesh, so that circles are circles,
 however long the cells are. The tangent is turned from the straight side at most by as
 much as the line turns at the other end: a straight side that ends at a bend or at a
@@ -10,13 +10,8 @@ fold stays straight.
 
 import numpy as np
 
-# Pieces of a side: at most, and so many that each turns by this angle in degrees
-MAXIMUM_PIECES = 8
-ANGLE_OF_PIECE = 6
-# Pieces of all cells at most
-MAXIMUM_PATCHES = 200000
-
-
+# Pieces between two nodes
+N_PIECES = 8
 # Points that agree to as many decimals, relative to the shell, are the same
 SAME = 6
 # The sides of a cell along each coordinate
@@ -46,62 +41,16 @@ def joined(points, cells):
 
 
 def curved_line(points):
-    """A curve through points, one per row, with MAXIMUM_PIECES pieces between two."""
+    """A curve through points, one per row, with N_PIECES pieces between two."""
     at = np.arange(len(points))
     before, after = at - 1, np.append(at[1:], -1)
     sides = Sides(points, np.stack([at[:-1], at[1:]], -1), before, after)
-    pieces = sides.points(MAXIMUM_PIECES)
+    pieces = sides.points(N_PIECES)
     return np.concatenate([pieces[:, :-1].reshape(-1, points.shape[1]), points[-1:]])
 
 
-class CurvedCells:
-    """The cells of a face with curved sides."""
-
-    def __init__(self, points, cells):
-        """From the nodes, one per row, each once, and the nodes of each cell in the
-        order around it, which starts along the same coordinate in all cells."""
-        self.cells = cells
-        self.nodes = points
-        self.sides, self.numbers = [], []
-        for sides, (before, after) in zip(SIDES, neighbors(cells, len(points))):
-            ends, numbers = np.unique(
-                np.concatenate([cells[:, ends] for ends in sides]), axis=0,
-                return_inverse=True)
-            self.sides.append(Sides(points, ends, before, after))
-            self.numbers.append(numbers.reshape(2, -1))
-        turn = 2 * max(np.degrees(side.angles).max() for side in self.sides)
-        self.n_pieces = int(np.clip(
-            np.ceil(turn / ANGLE_OF_PIECE), 1,
-            min(MAXIMUM_PIECES, max(1, np.sqrt(MAXIMUM_PATCHES / len(cells))))))
-
-    def points(self):
-        """Points of each cell in a grid of n_pieces + 1 along both coordinates: of
-        the shape cells x n x n x 3. They blend the curves of the four sides (a Coons
-        patch)."""
-        first, second = (side.points(self.n_pieces)[numbers] for side, numbers in
-                         zip(self.sides, self.numbers))
-        s = np.linspace(0, 1, self.n_pieces + 1)[:, None]
-        t = s[:, 0][None, :, None]
-        s = s[:, None]
-        low, high = first[0][:, :, None], first[1][:, :, None]
-        left, right = second[0][:, None], second[1][:, None]
-        return ((1 - t) * low + t * high + (1 - s) * left + s * right
-                - self.values(self.nodes))
-
-    def values(self, values):
-        """Values at the nodes, one per row, at points(): bilinear."""
-        s = np.linspace(0, 1, self.n_pieces + 1)
-        weights = np.stack([np.multiply.outer(a, b) for a, b in
-                            ((1 - s, 1 - s), (s, 1 - s), (s, s), (1 - s, s))])
-        return np.einsum("kst,ck...->cst...", weights, values[self.cells])
-
-    def lines(self):
-        """Points of each side, once: of the shape sides x (n_pieces + 1) x 3."""
-        return np.concatenate([side.points(self.n_pieces) for side in self.sides])
-
-
 class Sides:
-    """Curved sides of cells along one coordinate."""
+    """Curved sides of cells, or pieces of a line."""
 
     def __init__(self, points, ends, before, after):
         """From the nodes, the two ends of each side, and for each node the one before
