@@ -136,6 +136,7 @@ namespace Biface
   {
     if (const auto unbalance = run.start())
       print(run, *unbalance, out);
+    trust_nested = true;
     for (const auto &analysis : analyses)
       analysis->start_stage(run, before);
   }
@@ -283,8 +284,18 @@ namespace Biface
   {
     announce(run, trial, out);
     const NewtonIteration iteration = newton.parameters.iteration;
-    Attempt               attempt =
-      attempt_step(newton, run, trial, predict(run, trial, true), iteration);
+    const InitialGuess    guess     = predict(run, trial, true);
+    Attempt attempt = attempt_step(newton, run, trial, guess, iteration);
+    if (attempt.result.failed() && guess.zone_given)
+      {
+        out << "  not converged: " << attempt.result.failure.message
+            << "; starting from the last steps instead" << std::endl;
+        const unsigned int spent = attempt.result.iterations;
+        trust_nested             = false;
+        attempt                  = attempt_step(
+          newton, run, trial, predict(run, trial, true), iteration);
+        attempt.result.iterations += spent;
+      }
     if (attempt.result.failed() && iteration == NewtonIteration::mixed)
       {
         out << "  not converged: " << attempt.result.failure.message
@@ -314,7 +325,8 @@ namespace Biface
     const Instant to{from.stage, from.fraction + trial.size};
     if (trial.size == 0)
       return guess;
-    guess.zone_given = nested.predict(equations.mesh, from, to, guess.state);
+    guess.zone_given =
+      trust_nested && nested.predict(equations.mesh, from, to, guess.state);
     if (!guess.zone_given && secant && parameters.predict)
       run.progress.predictor.predict(guess.state, guess.mu, trial.size);
     return guess;

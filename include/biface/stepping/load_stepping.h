@@ -181,6 +181,8 @@ namespace Biface
     const StageAnalyses         analyses;
     CriticalPointSearch         critical_points;
     dealii::ConditionalOStream &out;
+    /** False in a stage once the coarser mesh has misled one of its steps. */
+    bool trust_nested = true;
 
     /** The forces on the nodes at the end of the last step; null in the first
      * step of this run of a stage. */
