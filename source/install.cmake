@@ -66,11 +66,13 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Finite elements for layered shells such as inflated tires in contact with a
 rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
-Program, library with headers, and examples.")
+Program, library with headers, Python package, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# the second line is what biface-report and biface-rubber need
+# the second line is what the Python package needs, the third what biface-report and
+# biface-rubber need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
+  "python3-numpy, python3-pandas, "
   "python3-matplotlib, python3-scipy, python3-vtk9 | python3-paraview, xvfb, xauth")
 # for those who link the library
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libdeal.ii-dev, cmake, paraview")
