@@ -42,7 +42,8 @@ install(FILES doc/biface.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
-  FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib PATTERN paraview/biface.py
+  FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
+  PATTERN paraview/biface.py PATTERN python/tutorial.py
   PATTERN aircraft_tires.csv PATTERN real_tires.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

@@ -14,7 +14,7 @@ Everything that goes wrong raises a BifaceError, whose text is one sentence. Nam
 entries are "Section/Entry", those of results are the columns of doc/output.md; units
 are those of the parameter file. doc/python.md is a tutorial.
 
-    running     run and sweep: start the program
+    running     run, sweep, run_study: start the program
     model       Model: values and gradients for optimizers
     results     Results: the files of a run
     study       Study: the table of a sweep
@@ -32,12 +32,12 @@ from .model import Model
 from .parameters import Parameters, read_parameters, write_parameters
 from .program import find_program
 from .results import Results
-from .running import run, sweep
+from .running import run, run_study, sweep
 from .study import Study
 from .tables import Table, read_table
 from .vtu import read_vtu
 
 __all__ = ["BifaceError", "EntryDescription", "Model", "NotConverged", "Parameters",
            "Results", "RunError", "Study", "Table", "entries", "find_program",
-           "read_parameters", "read_table", "read_vtu", "run", "sweep",
-           "write_parameters"]
+           "read_parameters", "read_table", "read_vtu", "run", "run_study",
+           "sweep", "write_parameters"]

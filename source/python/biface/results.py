@@ -143,7 +143,7 @@ class Results:
 
     def path(self, kind: str, step: int | None = None, ending: str = "csv") -> Path:
         """The file of a kind, such as "shell", and a step."""
-        return self.directory / f"{kind}-{step or self.step:04d}.{ending}"
+        return self.directory / f"{kind}-{int(step or self.step):04d}.{ending}"
 
     def contact(self, step: int | None = None, body: str | None = None) \
             -> Table | None:
@@ -179,7 +179,7 @@ class Results:
         "connectivity", four corners of a quadrilateral or eight of a hexahedron:
         kind "shell" or "plies", or, with the number of the mode, "modes" or
         "buckling"."""
-        name = f"{kind}-{self._checked(step):04d}"
+        name = f"{kind}-{int(self._checked(step)):04d}"
         path = self.directory / f"{name if mode is None else f'{name}-{mode:03d}'}.vtu"
         return read_vtu(path) if path.exists() else None
 
@@ -248,7 +248,8 @@ class Results:
         result: dict[str, dict[str, float]] = {}
         if table is not None and len(table) > 0:
             for row in table.where(step=table["step"][-1]).rows():
-                result.setdefault(row["output"], {})[row["entry"]] = row["derivative"]
+                result.setdefault(row["output"], {})[row["entry"]] = float(
+                    row["derivative"])
         return result
 
     def setting(self, entry, otherwise=None):

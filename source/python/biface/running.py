@@ -64,7 +64,7 @@ def sweep(file: str | os.PathLike, variables: Mapping[str, Sequence[float]],
           program: str | os.PathLike | None = None,
           progress: bool | Progress = False, restart: bool = False) -> Study:
     """Runs a parameter file with other values of some of its numbers, as a study of
-    the program, and returns the table of the samples.
+    the program, and returns the table of the samples; see doc/studies.md.
 
     file       the parameter file
     variables  the values of each variable: an entry such as "Stage 2/Travel", or
@@ -99,7 +99,17 @@ def sweep(file: str | os.PathLike, variables: Mapping[str, Sequence[float]],
     study_file = output / "sweep.prm"
     write_parameters(study_file, {
         f"Study/{name}": value for name, value in {**study, **(options or {})}.items()})
-    words = [study_file, "--study", "--output", output, *overrides(settings)]
+    return run_study(study_file, settings, output, ranks=ranks, program=program,
+                     progress=progress, restart=restart)
+
+
+def run_study(file: str | os.PathLike, settings: Mapping[str, object] | None = None,
+              output: str | os.PathLike = "study", *, ranks: int = 1,
+              program: str | os.PathLike | None = None,
+              progress: bool | Progress = False, restart: bool = False) -> Study:
+    """Runs the study that a file with a section `Study` describes, and returns the
+    table of the samples. The arguments and errors are those of sweep()."""
+    words = [file, "--study", "--output", output, *overrides(settings)]
     if restart:
         words.append("--restart")
     code, message = execute(words, ranks, program, printing(progress))

@@ -74,4 +74,4 @@ class Study(Table):
 
     def results(self, sample: int) -> Results:
         """The results of a sample, counted from 1."""
-        return Results(self.directory / f"sample-{sample:04d}")
+        return Results(self.directory / f"sample-{int(sample):04d}")
