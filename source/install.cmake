@@ -36,15 +36,17 @@ install(FILES
   ${CMAKE_BINARY_DIR}/bifaceConfigVersion.cmake
   DESTINATION ${_cmake_dir})
 
-# ---- manual, pages, examples
+# ---- manual, completion, pages, examples
 
 install(FILES doc/biface.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES source/completion/biface
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
   PATTERN paraview/biface.py PATTERN python/tutorial.py
-  PATTERN aircraft_tires.csv PATTERN real_tires.py
+  PATTERN aircraft_tires.csv PATTERN real_tires.py PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   FILES_MATCHING PATTERN *.prm PATTERN *.csv)
