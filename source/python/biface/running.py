@@ -26,7 +26,8 @@ def run(file: str | os.PathLike, settings: Mapping[str, object] | None = None,
     file      the parameter file
     settings  entries with other values than in the file, such as
               {"Stage 2/Travel": 30}: numbers, booleans, texts, or lists of these
-    output    the directory of the results
+    output    the directory of the results; files of an earlier run that this one
+              does not write stay there
     ranks     number of MPI ranks, by mpirun if more than one
     program   the program; see find_program() for the default
     progress  True prints a line for each step; a function is called with it
