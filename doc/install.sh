@@ -19,7 +19,7 @@ case ${1-} in
   "") ;;
   report) packages="$packages $report" ;;
   tests) packages="$packages $report numdiff clang clang-format-14 doxygen lld
-    texlive-binaries" ;;
+    python3-pandas texlive-binaries" ;;
   *)
     echo "Usage: doc/install.sh [report | tests]" >&2
     exit 1

@@ -64,7 +64,11 @@ def is_same(value, default):
 
 def read_parameters(path: str | os.PathLike) -> Parameters:
     """The entries that a parameter file sets."""
-    text = read_text(path)
+    return parse_parameters(read_text(path))
+
+
+def parse_parameters(text: str) -> Parameters:
+    """The entries that the text of a parameter file sets."""
     result = Parameters(text)
     origin = ORIGIN.match(text.split("\n", 1)[0])
     if origin:

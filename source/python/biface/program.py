@@ -53,20 +53,17 @@ def execute(words, ranks=1, program=None, progress=None):
         raise BifaceError(f"The number of ranks is {ranks}, but must be 1 or more.")
     command = [find_program(program), *map(os.fspath, words)]
     if ranks > 1:
+        if not shutil.which("mpirun"):
+            raise BifaceError("mpirun is missing, which several ranks need (Debian: "
+                              "openmpi-bin).")
         command = ["mpirun", "-n", str(int(ranks)), *command]
     if not progress:
         command.append("--quiet")
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as errors:
-        try:
-            # in a session of its own, so that Ctrl-C reaches the program once
-            process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=errors, text=True, errors="replace", env=environment(),
-                start_new_session=True)
-        except OSError as error:
-            raise BifaceError(f"{command[0]} cannot be started "
-                              f"({error.strerror}); ranks > 1 need Open MPI "
-                              "(Debian: openmpi-bin).") from None
+        # in a session of its own, so that Ctrl-C reaches the program once
+        process = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors,
+            text=True, errors="replace", env=environment(), start_new_session=True)
         try:
             for line in process.stdout:
                 if progress and (match := re.match("  ((step )?[0-9]+ of .*)", line)):
