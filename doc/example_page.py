@@ -3,12 +3,16 @@
 an example with entries changed, and tables."""
 
 import argparse
-import csv
-import math
-import subprocess
+import sys
 from pathlib import Path
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "prm"
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "source/python"))
+import biface
+
+EXAMPLES = ROOT / "prm"
 
 
 def parse_arguments(page, description):
@@ -32,37 +36,18 @@ class Runs:
         self.program, self.scratch = arguments.program, arguments.scratch
 
     def run(self, name, example, entries, may_stop=False):
-        """The directory of the results."""
-        directory = self.scratch / name
-        command = [self.program, "--quiet", EXAMPLES / example,
-                   "--output", directory, "--set", "Output/Write VTU=false"]
-        for entry, value in entries.items():
-            command += ["--set", f"{entry}={value}"]
-        subprocess.run(command, check=not may_stop, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL if may_stop else None)
-        return directory
+        """The results."""
+        return biface.run(EXAMPLES / example, {"Output/Write VTU": False, **entries},
+                          self.scratch / name, program=self.program,
+                          may_stop=may_stop)
 
 
-def lines_of(path):
-    """The lines of a CSV file as dictionaries."""
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def last_step(directory, stage):
-    """The number of the last step of a stage."""
-    return max(int(line["step"])
-               for line in lines_of(directory / "history.csv")
-               if line["stage"] == stage)
-
-
-def section(directory, step, face):
+def section(results, step, face):
     """Axial coordinate and distance from the axis of a face along its profile
     after a step."""
-    points = lines_of(directory / f"profile-{step:04d}.csv")
-    return ([float(p[f"{face}_y"]) for p in points],
-            [math.hypot(float(p[f"{face}_x"]), float(p[f"{face}_z"]))
-             for p in points])
+    profile = results.profile(step)
+    return (profile[f"{face}_y"],
+            np.hypot(profile[f"{face}_x"], profile[f"{face}_z"]))
 
 
 def table(header, rows):

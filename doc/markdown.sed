@@ -8,3 +8,4 @@ s|<img src="doc/figures/|<img src="|
 s/\[\([^]]*\)\](references\.bib#\([A-Za-z0-9]*\))/\1 @cite \2/g
 s,](\(\.\./\)\?prm/\(tutorial/\)\?,](,g
 s|](paraview/|](|g
+s|](python/|](|g

@@ -36,14 +36,17 @@ install(FILES
   ${CMAKE_BINARY_DIR}/bifaceConfigVersion.cmake
   DESTINATION ${_cmake_dir})
 
-# ---- manual, pages, examples
+# ---- manual, completion, pages, examples
 
 install(FILES doc/biface.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES source/completion/biface
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
-  FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib PATTERN paraview/biface.py
-  PATTERN aircraft_tires.csv PATTERN real_tires.py
+  FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
+  PATTERN paraview/biface.py PATTERN python/tutorial.py
+  PATTERN aircraft_tires.csv PATTERN real_tires.py PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   FILES_MATCHING PATTERN *.prm PATTERN *.csv)
@@ -66,12 +69,13 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Finite elements for layered shells such as inflated tires in contact with a
 rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
-Program, library with headers, and examples.")
+Program, library with headers, Python package, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# the second line is what biface-report and biface-rubber need
+# the second line is what the Python package needs, the third what biface-report and
+# biface-rubber need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
-  "python3-matplotlib, python3-scipy, libjs-three")
+  "python3-numpy, python3-pandas, python3-matplotlib, python3-scipy, libjs-three")
 # for those who link the library
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libdeal.ii-dev, cmake, paraview")
 include(CPack)

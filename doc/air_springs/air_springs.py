@@ -13,8 +13,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import (Runs, last_step, lines_of, parse_arguments, section,
-                          table)
+from example_page import Runs, parse_arguments, section, table
 
 PAGE = """<!-- Written by doc/air_springs/air_springs.py: cmake --build build --target air_springs -->
 
@@ -104,26 +103,20 @@ class Spring:
     """A path: change of height in mm, force in N, pressure in MPa, volume in
     mm^3, by the step."""
 
-    def __init__(self, directory, travel, sectors, plates=("alpha_1 max",)):
-        force = {}
-        for line in lines_of(directory / "forces.csv"):
-            if line["body"] in plates:
-                step = int(line["step"])
-                force[step] = (force.get(step, 0) -
-                               sectors * float(line["F_y"]))
-        self.directory, self.points = directory, {}
-        for line in lines_of(directory / "history.csv"):
-            step = int(line["step"])
-            self.points[step] = (travel * float(line["load_factor"]),
-                                 force[step], float(line["pressure"]),
-                                 sectors * float(line["volume"]))
+    def __init__(self, results, travel, sectors, plates=("alpha_1 max",)):
+        self.results = results
+        history, forces = results.history, results.forces()
+        force = -sectors * sum(forces.where(body=plate)["F_y"] for plate in plates)
+        points = zip(travel * history["load_factor"], force, history["pressure"],
+                     sectors * history["volume"])
+        self.points = dict(zip(results.steps, points))
 
     def inflated(self):
-        return self.points[last_step(self.directory, "inflation")]
+        return self.points[self.results.stage("inflation").step]
 
     def path(self):
         """Both branches in the order of the height."""
-        start = last_step(self.directory, "inflation")
+        start = self.results.stage("inflation").step
         return sorted(self.points[step] for step in self.points
                       if step >= start)
 
@@ -181,9 +174,9 @@ def draw(springs, picture):
         spring = of_gas["no exchange of heat"]
         for stage, color in (("compression", "C3"), ("inflation", "0.4"),
                              ("rebound", "C0")):
-            step = last_step(spring.directory, stage)
+            step = spring.results.stage(stage).step
             for face in ("outer", "inner"):
-                y, r = section(spring.directory, step, face)
+                y, r = section(spring.results, step, face)
                 axes[0][column].plot(
                     r, y, color=color, linewidth=0.9,
                     label=stage if face == "outer" else None)
@@ -203,13 +196,6 @@ def draw(springs, picture):
         axes[1][column].legend(fontsize="small")
     axes[0][0].legend(fontsize="small", loc="upper right")
     figure.savefig(picture, dpi=110)
-
-
-def last_forces(directory, body):
-    """Force and moment at the end."""
-    line = [line for line in lines_of(directory / "forces.csv")
-            if line["body"] == body][-1]
-    return {name: float(line[name]) for name in line if name[1:2] == "_"}
 
 
 def main():
@@ -264,13 +250,13 @@ def main():
         common = {**TURN, "Body piston/Friction": friction,
                   "Number of stages": 2, "Stage 2/Load factor": 1,
                   "Stage 2/Steps": 4, "Output/Moment center": "0, 120, 0"}
-        aside = last_forces(runs.run(f"aside_{friction}", "air_spring.prm", {
-            **common, "Supports/alpha_1 max":
-                "x both = 2; y both; z both"}), "alpha_1 max")
-        tilted = last_forces(runs.run(f"tilted_{friction}", "air_spring.prm", {
-            **common, "Supports/alpha_1 max":
-                "x both = 0.01*(y - 120); y both = -0.01*x; z both"}),
-            "alpha_1 max")
+        aside, tilted = (
+            runs.run(f"{name}_{friction}", "air_spring.prm", {
+                **common, "Supports/alpha_1 max": motion,
+            }).forces().where(body="alpha_1 max").row(-1)
+            for name, motion in (
+                ("aside", "x both = 2; y both; z both"),
+                ("tilted", "x both = 0.01*(y - 120); y both = -0.01*x; z both")))
         sides.append([f"{friction:g}", f"{aside['F_x'] / 2:.1f}",
                       f"{tilted['M_z'] / -0.01 / 1000:.0f}"])
 

@@ -8,7 +8,6 @@ brick.
 """
 
 import argparse
-import csv
 import math
 import os
 import platform
@@ -17,6 +16,9 @@ import subprocess
 import sys
 import textwrap
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import EXAMPLES, biface, table
 
 # -------------------------------------- the tire of prm/bias_tire_true_pressure.prm
 
@@ -334,8 +336,7 @@ def run_biface(program, directory, mass, refined=1):
     """The results of biface, by consistent or lumped multipliers; inflation, then
     a stage to each of the approaches, which biface counts from the inflated
     tire."""
-    template = Path(__file__).resolve().parents[2] / (
-        "prm/bias_tire_true_pressure.prm")
+    template = EXAMPLES / "bias_tire_true_pressure.prm"
     name = f"{mass}_{refined}"
 
     def run(stages, output):
@@ -357,41 +358,27 @@ def run_biface(program, directory, mass, refined=1):
             command += ["--set", f"{entry}={value}"]
         return measured(command + [str(template)], directory, output + ".log")
 
-    def rows(file):
-        with open(directory / file, encoding="utf-8") as lines_:
-            return list(csv.DictReader(lines_))
-
     common = {"Strain theory": "nonlinear", "Pressure": PRESSURE, "Steps": 1}
     run([{"Name": "hold", **common, "Contact": "false", "Travel": 0}],
         name + "_inflated")
-    inflation = next(
-        float(row["outer_x"]) - CROWN
-        for row in rows(f"{name}_inflated/profile-0001.csv")
-        if float(row["alpha_1"]) == 0)
+    profile = biface.Results(directory / f"{name}_inflated").profile()
+    inflation = profile.where(alpha_1=0)["outer_x"][0] - CROWN
     # stages end where the plane has traveled so far in all
     seconds, memory = run(
         [{"Name": f"contact {delta}", **common, "Contact": "true",
           "Travel": inflation + delta} for delta in APPROACHES], name)
-    steps = rows(f"{name}/history.csv")
-    stages = list(dict.fromkeys(step["stage"] for step in steps))
-    last = {step["stage"]: step for step in steps}
-    contact = [last[stage] for stage in stages[1:]]
+    results = biface.Results(directory / name)
+    stages = [results.stage(stage) for stage in results.stages]
     return {"inflation": inflation,
-            "forces": [float(step["force"]) for step in contact],
-            "sizes": [[float(step["footprint_" + size])
+            "forces": [stage.last("force") for stage in stages[1:]],
+            "sizes": [[stage.last("footprint_" + size)
                        for size in ("length", "width", "area")]
-                      for step in contact],
-            "iterations": [sum(int(step["iterations"]) for step in steps
-                               if step["stage"] == stage) for stage in stages],
+                      for stage in stages[1:]],
+            "iterations": [int(stage.history["iterations"].sum()) for stage in stages],
             "seconds": seconds, "memory": memory}
 
 
 # ----------------------------------------------------------------------- the page
-
-
-def table(header, rows):
-    rows = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
 def fill(text):

@@ -4,15 +4,24 @@
 
 import argparse
 import re
-import subprocess
+import resource
 import sys
 import textwrap
 from pathlib import Path
 
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import EXAMPLES, biface, table
+
 import even_footprint as even
-from even_footprint import read
+from biface_report import sensitivities as sensitivity_report
+from biface_report import study as study_report
+from biface_report.drawing import STYLE, Picture
 
 PAGE = """<!-- Written by doc/design/design.py: cmake --build build --target design -->
 
@@ -160,26 +169,24 @@ that later ones read.
 """
 
 
-def table(rows):
-    """A table in Markdown; the first column is text."""
-    lines = [rows[0], ["---"] + ["---:"] * (len(rows[0]) - 1)] + rows[1:]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+def cpu_seconds():
+    """The CPU time of all runs so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
-def draw_modes(plt, lines):
+def draw_modes(modes):
     """A bar for each frequency, with its wave numbers; equal ones share a bar."""
     # the least distances of labels in a row, and of different frequencies
     label_width, same = 11, 1e-4
     figure, axes = plt.subplots(figsize=(8.5, 3.6))
-    names = list(dict.fromkeys(line["stage"] for line in lines))
+    names = list(dict.fromkeys(modes["stage"]))
     for row, name in enumerate(names):
         bars = []
-        for line in lines:
-            if line["stage"] != name:
-                continue
-            frequency = float(line["frequency"])
-            waves = (f"{line['circumferential_waves']}, "
-                     f"{line['meridional_half_waves']}")
+        for line in modes.where(stage=name).rows():
+            frequency = line["frequency"]
+            waves = (f"{line['circumferential_waves']:g}, "
+                     f"{line['meridional_half_waves']:g}")
             if bars and frequency - bars[-1][0] < same * frequency:
                 bars[-1][2] += 1
             else:
@@ -203,90 +210,76 @@ class Pages:
 
     def __init__(self, arguments):
         self.program = arguments.program
-        self.prm = arguments.prm
         self.scratch = arguments.scratch
         self.pictures = arguments.output / "design"
         self.pictures.mkdir(parents=True, exist_ok=True)
 
-    def run(self, name, file, *settings):
-        """Runs a parameter file; returns the directory of the results."""
-        directory = self.scratch / name
-        words = [word for setting in settings for word in ("--set", setting)]
-        subprocess.run([self.program, "--quiet", "--output", directory, *words,
-                        file], check=True)
-        return directory
+    def run(self, name, file, settings=None):
+        """Runs a parameter file."""
+        return biface.run(file, {"Output/Write VTU": False, **(settings or {})},
+                          self.scratch / name, program=self.program)
 
     def save(self, figure, name):
         """Writes a picture."""
         figure.savefig(self.pictures / f"{name}.png", dpi=110,
                        bbox_inches="tight", metadata={"Software": None})
 
-    def modes(self, plt):
+    def modes(self):
         """The chart of frequencies; returns the lowest ones."""
-        directory = self.run("modes", self.prm / "tire_modes.prm",
-                             "Output/Write VTU=false")
-        lines = read(directory / "modes.csv")
-        draw_modes(plt, lines)
+        modes = self.run("modes", EXAMPLES / "tire_modes.prm").modes()
+        draw_modes(modes)
         self.save(plt.gcf(), "modes")
-        names = list(dict.fromkeys(line["stage"] for line in lines))
-        return {name: "{:.1f}".format(min(
-            float(line["frequency"]) for line in lines if line["stage"] == name))
-            for name in names}
+        return {name: f"{modes.where(stage=name)['frequency'].min():.1f}"
+                for name in modes["stage"]}
 
     def buckling(self):
         """The table of buckling loads under a vacuum."""
-        text = (self.prm / "bias_tire_true_pressure.prm").read_text(encoding="utf-8")
+        text = (EXAMPLES / "bias_tire_true_pressure.prm").read_text(encoding="utf-8")
         # the inflation only
         text = re.sub(r"^subsection Stage 2$.*?^end$", "", text,
                       flags=re.MULTILINE | re.DOTALL)
         file = self.scratch / "vacuum.prm"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
-        directory = self.run("vacuum", file, "Number of stages=1",
-                             "Stage 1/Pressure=-1e-4", "Stage 1/Buckling=4",
-                             "Element/Strain sampling=means",
-                             "Output/Write VTU=false")
-        rows = [["Shape", "pressure, MPa", "waves around the tire"]]
-        for line in read(directory / "buckling.csv"):
-            rows.append([line["mode"], f"{float(line['pressure']):.4f}".replace(
-                "-", "−"), line["circumferential_waves"]])
-        return table(rows)
+        buckling = self.run("vacuum", file, {
+            "Number of stages": 1, "Stage 1/Pressure": -1e-4, "Stage 1/Buckling": 4,
+            "Element/Strain sampling": "means"}).buckling()
+        return table(["Shape", "pressure, MPa", "waves around the tire"], [
+            [f"{line['mode']:g}", f"{line['pressure']:.4f}".replace("-", "−"),
+             f"{line['circumferential_waves']:g}"] for line in buckling.rows()])
 
-    def sensitivities(self, plt):
+    def sensitivities(self):
         """The tornado chart of the tire on the ground."""
-        from biface import Results
-        from biface_report import sensitivities as report
-        directory = self.run(
-            "sensitivities", self.prm / "bias_tire_true_pressure.prm",
-            "Contact/Multiplier mass=lumped", "Stage 2/Steps=2",
-            "Newton/Residual tolerance=1e-11", "Output/Write VTU=false",
-            "Sensitivities/Entries=pressure: Stage 1/Pressure, Stage 2/Pressure; "
-            "angle: Laminate/Plies[2], -Laminate/Plies[4], Laminate/Plies[6], "
-            "-Laminate/Plies[8]; cords: Material cord/E_L; rubber: factor of "
-            "Material cord/G_LT, Material cord/G_TT; profile: Surface/Circular arc/Radius; "
-            "approach: Stage 2/Travel",
-            "Sensitivities/Outputs=force, mean_pressure, footprint_length, "
-            "max_fiber_tension")
-        self.save(report.draw(report.bars_of(Results(directory).sensitivities())),
-                  "sensitivities")
+        results = self.run(
+            "sensitivities", EXAMPLES / "bias_tire_true_pressure.prm", {
+                "Contact/Multiplier mass": "lumped", "Stage 2/Steps": 2,
+                "Newton/Residual tolerance": 1e-11,
+                "Sensitivities/Entries":
+                "pressure: Stage 1/Pressure, Stage 2/Pressure; "
+                "angle: Laminate/Plies[2], -Laminate/Plies[4], Laminate/Plies[6], "
+                "-Laminate/Plies[8]; cords: Material cord/E_L; rubber: factor of "
+                "Material cord/G_LT, Material cord/G_TT; profile: "
+                "Surface/Circular arc/Radius; approach: Stage 2/Travel",
+                "Sensitivities/Outputs":
+                "force, mean_pressure, footprint_length, max_fiber_tension"})
+        self.save(sensitivity_report.draw(
+            sensitivity_report.bars_of(results.sensitivities())), "sensitivities")
         plt.close("all")
 
     def cost(self):
         """The table of times relative to a contact step."""
-        directory = self.run(
-            "cost", self.prm / "tire_modes.prm", "Output/Write VTU=false",
-            "Stage 1/Modes=0", "Stage 2/Modes=0", "Stage 3/Modes=10",
-            "Stage 3/Buckling=2",
-            "Sensitivities/Entries=Stage 2/Pressure; Stage 3/Travel; "
+        results = self.run("cost", EXAMPLES / "tire_modes.prm", {
+            "Stage 1/Modes": 0, "Stage 2/Modes": 0, "Stage 3/Modes": 10,
+            "Stage 3/Buckling": 2,
+            "Sensitivities/Entries": "Stage 2/Pressure; Stage 3/Travel; "
             "Laminate/Plies[2]; Laminate/Plies[4]; Material cord/E_L; "
             "Material cord/E_T; Material cord/G_LT; Material cord/G_TT; "
             "Surface/Circular arc/Radius; Contact/Regularization",
-            "Sensitivities/Outputs=force, mean_pressure, max_pressure, "
-            "footprint_length, footprint_area, max_fiber_tension")
-        steps = [float(line["seconds"]) for line in read(directory / "history.csv")
-                 if line["approach"] and float(line["approach"]) > 0]
-        log = (directory / "run.log").read_text(encoding="utf-8")
-        rows = [["", "contact steps"]]
+            "Sensitivities/Outputs": "force, mean_pressure, max_pressure, "
+            "footprint_length, footprint_area, max_fiber_tension"})
+        steps = results.history["seconds"][results.history["approach"] > 0]
+        log = (results.directory / "run.log").read_text(encoding="utf-8")
+        rows = []
         for section, what in [("Modes", "ten modes"),
                               ("Buckling", "two buckling loads"),
                               ("Sensitivities",
@@ -294,48 +287,44 @@ class Pages:
             seconds = float(re.search(
                 rf"\| {section} +\| +[0-9]+ \| +([0-9.e+-]+)s", log).group(1))
             rows.append([what, f"{seconds / np.mean(steps):.1f}"])
-        return table(rows)
+        return table(["", "contact steps"], rows)
 
-    def study(self, plt, ranks):
+    def study(self, ranks):
         """The chart of main effects."""
-        from biface import Study
-        from biface_report import study as report
-        from biface_report.drawing import Picture
-        directory = self.scratch / "study"
-        subprocess.run([*ranks, self.program, "--study", "--quiet", "--output",
-                        directory, self.prm / "study_of_footprint.prm"], check=True)
-        study = Study(directory)
+        study = biface.run_study(EXAMPLES / "study_of_footprint.prm",
+                                 output=self.scratch / "study", ranks=ranks,
+                                 program=self.program)
         drawn = []
-        report.embed = lambda figure, kind="svg": (drawn.append(figure),
-                                                   Picture("", 0))[1]
-        report.main_effects(study)
+        study_report.embed = lambda figure, kind="svg": (drawn.append(figure),
+                                                         Picture("", 0))[1]
+        study_report.main_effects(study)
         self.save(drawn[0], "effects")
         plt.close("all")
 
-    def even(self, plt, ranks):
+    def even(self, ranks):
         """The map of the objective with the path of the optimizer; returns the
         tables of derivatives and of designs."""
-        base = self.prm / "bias_tire_true_pressure.prm"
-        tires = {derivatives: even.Tire(
-            self.program, base, self.scratch / f"even_{derivatives}",
-            derivatives) for derivatives in (True, False)}
-        points = {key: even.optimize(tire) for key, tire in tires.items()}
-        runs = {key: len(tire.points) for key, tire in tires.items()}
-        seconds = {key: tire.seconds for key, tire in tires.items()}
-        check = [["derivative of", "by", "program", "whole runs"]] + [
-            [f"`{name}`", entry, f"{own:.6f}".replace("-", "−"),
-             f"{other:.6f}".replace("-", "−")]
-            for name, entry, own, other in even.check(tires[True], tires[False])]
-        self.draw_even(plt, tires[True].points, even.sample(
-            self.program, base, self.scratch / "even", ranks))
+        base = EXAMPLES / "bias_tire_true_pressure.prm"
+        tires, points, runs, seconds = {}, {}, {}, {}
+        for key in (True, False):
+            start = cpu_seconds()
+            tires[key] = even.tire(self.program, base, self.scratch / f"even_{key}",
+                                   key)
+            points[key] = even.optimize(tires[key], key)
+            runs[key], seconds[key] = len(tires[key].runs), cpu_seconds() - start
+        path = list(tires[True].runs)
+        check = [[f"`{name}`", entry, f"{own:.6f}".replace("-", "−"),
+                  f"{other:.6f}".replace("-", "−")]
+                 for name, entry, own, other in even.check(tires[True], tires[False])]
+        self.draw_even(path, even.sample(self.program, base, self.scratch / "even",
+                                         ranks))
 
-        rows = [["Design", "angle", "radius, mm", "weighted pressure, MPa",
-                 "mean pressure, MPa", "variation", "tension, N/mm",
-                 "approach, mm"]]
-        results = []
+        header = ["Design", "angle", "radius, mm", "weighted pressure, MPa",
+                  "mean pressure, MPa", "variation", "tension, N/mm", "approach, mm"]
+        rows, results = [], []
         for name, point in (("base", even.BASE.values()), ("best", points[True])):
             angle, radius = point
-            results.append(tires[True](point)[0])
+            results.append(tires[True].results(point).history.row(-1))
             rows.append([name, f"{angle:.2f}°", f"{radius:.2f}"] + [
                 f"{results[-1][column]:.{digits}f}" for column, digits in
                 ((even.OBJECTIVE, 4), ("mean_pressure", 4),
@@ -356,10 +345,11 @@ class Pages:
             f"the pressure by {gains[1]:.0f} %, without more tension"
             + (f"; the {on_bound} is on the bound of its range, which limits the "
                "gain." if on_bound else "."))
-        return table(check), "\n\n".join(
-            (textwrap.fill(text[0], 88), table(rows), textwrap.fill(text[1], 88)))
+        return (table(["derivative of", "by", "program", "whole runs"], check),
+                "\n\n".join((textwrap.fill(text[0], 88), table(header, rows),
+                             textwrap.fill(text[1], 88))))
 
-    def draw_even(self, plt, path, samples):
+    def draw_even(self, path, samples):
         """The chart of the optimization."""
         figure, axes = plt.subplots(figsize=(6, 4.4))
         x, y = (np.linspace(*values, 60) for values in even.RANGES.values())
@@ -371,10 +361,8 @@ class Pages:
         axes.contour(x, y, [[limited((a, b)) for a in x] for b in y],
                      [limited(list(even.BASE.values()))], colors="#555555",
                      linestyles="--")
-        axes.scatter([float(line["angle"]) for line in samples],
-                     [float(line["radius"]) for line in samples], s=18,
-                     c=[float(line[even.OBJECTIVE]) for line in samples],
-                     cmap="viridis")
+        axes.scatter(samples["angle"], samples["radius"], s=18,
+                     c=samples[even.OBJECTIVE], cmap="viridis")
         axes.plot(*zip(*path), ".-", color="#c0392b", linewidth=1)
         axes.plot(*path[-1], "x", color="#c0392b", markersize=11,
                   markeredgewidth=3, clip_on=False, zorder=5)
@@ -387,29 +375,20 @@ class Pages:
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", required=True, help="the program biface")
-    parser.add_argument("--prm", type=Path, required=True)
-    parser.add_argument("--report", type=Path, required=True,
-                        help="the folder of the package biface_report")
     parser.add_argument("--scratch", type=Path, required=True)
     parser.add_argument("--output", type=Path, required=True,
                         help="where to write design.md")
-    parser.add_argument("--mpirun", default="mpirun -n 2")
+    parser.add_argument("--ranks", type=int, default=2, help="of the studies")
     arguments = parser.parse_args()
-    sys.path.insert(0, str(arguments.report))
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    from biface_report.drawing import STYLE
     plt.rcParams.update(STYLE)
 
-    ranks = arguments.mpirun.split()
     pages = Pages(arguments)
-    lowest = pages.modes(plt)
+    lowest = pages.modes()
     buckling = pages.buckling()
-    pages.sensitivities(plt)
+    pages.sensitivities()
     cost = pages.cost()
-    pages.study(plt, ranks)
-    check, best = pages.even(plt, ranks)
+    pages.study(arguments.ranks)
+    check, best = pages.even(arguments.ranks)
     (arguments.output / "design.md").write_text(PAGE.format(
         unloaded=lowest["unloaded"], inflated=lowest["inflated"], buckling=buckling,
         force=even.FORCE, check=check, best=best,

@@ -26,6 +26,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
+from biface import Results
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save, shades
 
 # Force (N) at an approach (mm), from the independent program
@@ -58,16 +59,9 @@ ASPECT = MERIDIAN_RADIUS / (MERIDIAN_RADIUS + CENTER_RADIUS)
 # ---------------------------------------------------------------- results
 
 
-def read_csv(path):
-    """The columns of one of biface's CSV files, by name."""
-    return np.genfromtxt(path, delimiter=",", names=True, dtype=None,
-                         encoding="utf-8")
-
-
 def read_history(directory):
     """The steps of the contact stage."""
-    history = read_csv(directory / "history.csv")
-    return history[history["stage"] == "contact"]
+    return Results(directory).stage("contact").history
 
 
 def step_at(directory, approach):
@@ -84,8 +78,8 @@ def force_at(directory, approach):
 
 def read_profile(directory, approach):
     """The deformed meridian at an approach (mm); 0 is the inflated tire."""
-    step = 1 if approach == 0 else step_at(directory, approach)
-    return read_csv(directory / f"profile-{step:04d}.csv")
+    return Results(directory).profile(
+        1 if approach == 0 else step_at(directory, approach))
 
 
 def node_key(psi, three_phi):
@@ -108,11 +102,10 @@ def read_table(path):
 
 def read_pressures(directory, approach):
     """The computed pressure (MPa) at each node in contact, like read_table()."""
-    nodes = read_csv(directory / f"contact-{step_at(directory, approach):04d}.csv")
+    nodes = Results(directory).contact(step_at(directory, approach)).where(active=1)
     return {
         node_key(node["alpha_1"], 3 * node["alpha_2"]): float(node["pressure"])
-        for node in nodes
-        if node["active"]
+        for node in nodes.rows()
     }
 
 
@@ -136,8 +129,7 @@ class NodalAreas:
 
     def __init__(self, directory, approach):
         """Reads the lines of the mesh from a contact-NNNN.csv."""
-        nodes = read_csv(directory
-                         / f"contact-{step_at(directory, approach):04d}.csv")
+        nodes = Results(directory).contact(step_at(directory, approach))
         self.psi = np.unique(np.round(nodes["alpha_1"], 6))
         self.phi = np.unique(np.round(nodes["alpha_2"], 6))
 

@@ -4,7 +4,6 @@
 its crown at some points of the path."""
 
 import argparse
-import csv
 import sys
 from pathlib import Path
 
@@ -17,27 +16,17 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
+from biface import Results
 from biface_report.drawing import BLUE, GRAY, STYLE, save
 
 # The force (N) for a load factor of 1, and the radius of the roof (mm)
 FORCE, RADIUS = 1000, 2540
 
 
-def read(path):
-    """The columns of a CSV file, by name."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return {name: [row[name] for row in rows] for name in rows[0]}
-
-
 def center_path(results):
     """Steps, deflection and force of the center."""
-    probes = read(results / "probes.csv")
-    chosen = [i for i, (name, face) in enumerate(zip(probes["name"], probes["face"]))
-              if (name, face) == ("center", "middle")]
-    return ([int(probes["step"][i]) for i in chosen],
-            np.array([-float(probes["u_x"][i]) for i in chosen]),
-            np.array([FORCE * float(probes["load_factor"][i]) for i in chosen]))
+    center = results.probes().where(name="center")
+    return center["step"], -center["u_x"], FORCE * center["load_factor"]
 
 
 def points_of_interest(deflection, force):
@@ -53,11 +42,10 @@ def points_of_interest(deflection, force):
 def crown_line(results, step):
     """Distance along the axis and height above the undeformed crown, on both sides
     of the plane of symmetry."""
-    profile = read(results / f"profile-{step:04d}.csv")
-    middle = [np.mean([np.array(profile[face + axis], dtype=float)
-                       for face in ("outer_", "inner_")], axis=0)
-              for axis in "yx"]
-    along, height = middle[0], middle[1] - RADIUS
+    profile = results.profile(step)
+    along, height = ((profile["outer_" + axis] + profile["inner_" + axis]) / 2
+                     for axis in "yx")
+    height -= RADIUS
     return (np.concatenate([-along[::-1], along]),
             np.concatenate([height[::-1], height]))
 
@@ -65,7 +53,7 @@ def crown_line(results, step):
 def main():
     """Draw the results of one run."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("roof", type=Path, help="a directory of results")
+    parser.add_argument("roof", type=Results, help="a directory of results")
     parser.add_argument("picture", type=Path, help="the PNG to write")
     arguments = parser.parse_args()
     plt.rcParams.update(STYLE)

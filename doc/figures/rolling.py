@@ -15,10 +15,11 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from rough_ground import draw_footprint, legend_of_footprints, read
+from rough_ground import draw_footprint, legend_of_footprints
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
+from biface import Results
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 
 FRICTION = 0.5
@@ -87,8 +88,7 @@ def draw_slip(results, rolling, path):
                                     sharex=True, sharey=True)
     for axes, (stage, which, title) in zip(all_axes, PICTURES):
         row = step_of(rolling, stage, which)
-        draw_footprint(axes, read(
-            results / f"contact-{int(rolling['step'][row]):04}.csv"))
+        draw_footprint(axes, results.contact(rolling["step"][row]))
         axes.set_title(title, fontsize=9)
         axes.set_xlabel("$y$ (to the left), mm")
     all_axes[0].set_ylabel("forward ($z$), mm")
@@ -98,11 +98,11 @@ def draw_slip(results, rolling, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("results", type=Path)
+    parser.add_argument("results", type=Results)
     parser.add_argument("output", type=Path)
     arguments = parser.parse_args()
     plt.rcParams.update(STYLE)
-    rolling = read(arguments.results / "rolling.csv")
+    rolling = arguments.results.rolling()
     draw_cornering(rolling, arguments.output / "cornering.png")
     draw_braking(rolling, arguments.output / "braking.png")
     draw_slip(arguments.results, rolling, arguments.output / "rolling_slip.png")

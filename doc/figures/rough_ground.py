@@ -7,7 +7,6 @@
 """
 
 import argparse
-import csv
 import sys
 from pathlib import Path
 
@@ -16,6 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
+from biface import Results
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 
 FRICTION = 0.5
@@ -27,32 +27,11 @@ HALF_WIDTH = 60
 PICTURES = (("pressing", 0), ("slide", 4.5), ("slide", 12), ("back", 6))
 
 
-def read(path):
-    """A table by columns: arrays of numbers, or of words."""
-    with open(path, encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    columns = {}
-    for name in rows[0]:
-        words = [row[name] for row in rows]
-        try:
-            columns[name] = np.array(words, dtype=float)
-        except ValueError:
-            columns[name] = np.array(words)
-    return columns
-
-
-def side_forces(results):
-    """Stage, slide, force along y and vertical force, per step."""
-    history, forces = (read(results / name)
-                       for name in ("history.csv", "forces.csv"))
-    ground = forces["body"] == "foundation"
-    return (history["stage"], history["slide_y"], forces["F_y"][ground],
-            history["force"])
-
-
 def draw_side_force(results, path):
     """The force against the slide, there and back."""
-    stage, slide, side, vertical = side_forces(results)
+    stage, slide, vertical = (results.history[name]
+                              for name in ("stage", "slide_y", "force"))
+    side = results.forces().where(body="foundation")["F_y"]
     figure, axes = plt.subplots(figsize=(5.2, 3.4))
     for name, label, color in (("slide", "slide", BLUE),
                                ("back", "way back", RED)):
@@ -95,14 +74,13 @@ def legend_of_footprints(figure, axes):
 
 def draw_stick_slip(results, path):
     """The nodes in contact from above, and the tractions of friction."""
-    history = read(results / "history.csv")
+    history = results.history
     figure, all_axes = plt.subplots(1, len(PICTURES), figsize=(10, 3.9),
                                     sharex=True, sharey=True)
     for axes, (stage, slide) in zip(all_axes, PICTURES):
         chosen = np.flatnonzero((history["stage"] == stage)
                                 & np.isclose(history["slide_y"], slide))[-1]
-        draw_footprint(axes, read(
-            results / f"contact-{int(history['step'][chosen]):04}.csv"))
+        draw_footprint(axes, results.contact(history["step"][chosen]))
         axes.set_title(f"{stage}, {slide:g} mm", fontsize=9)
         axes.set_xlabel("$y$ (to the left), mm")
     all_axes[0].set_ylabel("$z$, mm")
@@ -112,7 +90,7 @@ def draw_stick_slip(results, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("results", type=Path)
+    parser.add_argument("results", type=Results)
     parser.add_argument("output", type=Path)
     arguments = parser.parse_args()
     plt.rcParams.update(STYLE)

@@ -17,8 +17,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "source/python"), str(ROOT / "doc")]
 
+from biface import Results
 from biface_report.drawing import BLUE, GRAY, STYLE, save, shades
-from example_page import lines_of, section
+from example_page import section
 
 # The balloon: shear modulus (MPa), thickness and radius (mm)
 MU, THICKNESS, RADIUS = 0.4, 0.3, 50
@@ -28,7 +29,7 @@ def draw_sections(axes, results, steps, whole):
     """Both faces after some steps, with their mirror images if whole."""
     for step, color in zip(steps, shades(len(steps))):
         for face in ("inner", "outer"):
-            y, r = (np.array(values) for values in section(results, step, face))
+            y, r = section(results, step, face)
             for x_sign, y_sign in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
                 if whole or x_sign == y_sign == 1:
                     axes.plot(x_sign * r, y_sign * y, color=color, linewidth=1.3)
@@ -38,12 +39,10 @@ def draw_sections(axes, results, steps, whole):
 
 def draw_pressure(axes, results, steps):
     """The pressure over the stretch of the equator during the inflation."""
-    rows = [row for row in lines_of(results / "history.csv")
-            if row["stage"] == "inflation"]
-    radius = [float(row["u_x"]) for row in lines_of(results / "probes.csv")
-              if (row["name"], row["face"]) == ("equator", "middle")]
-    stretch = [1] + [1 + u / RADIUS for u, _ in zip(radius, rows)]
-    pressure = [0] + [1e3 * float(row["pressure"]) for row in rows]
+    inflation = results.stage("inflation")
+    radius = inflation.probes().where(name="equator")["u_x"]
+    stretch = np.append(1, 1 + radius / RADIUS)
+    pressure = np.append(0, 1e3 * inflation.history["pressure"])
     axes.plot(stretch, pressure, "-", color=BLUE, label="computed")
     exact = np.linspace(1, 3, 200)
     axes.plot(exact, 2e3 * MU * THICKNESS / RADIUS * (1 / exact - exact ** -7), "--",
@@ -65,14 +64,14 @@ def main():
 
     figure, (path, balloon, bellows) = plt.subplots(
         1, 3, figsize=(12, 4), gridspec_kw={"width_ratios": [1.1, 1, 0.4], "wspace": 0.32})
-    rows = lines_of(arguments.balloon / "history.csv")
-    last = max(int(row["step"]) for row in rows if row["stage"] == "inflation")
+    results = Results(arguments.balloon)
+    last = results.stage("inflation").step
     steps = [1, 4, 6, last // 2 + 1, last]
-    draw_pressure(path, arguments.balloon, steps)
-    draw_sections(balloon, arguments.balloon, steps, whole=True)
-    steps = [int(row["step"]) for row in lines_of(arguments.bellows / "history.csv")
-             if float(row["load_factor"]) in (0, 0.5, 1)]
-    draw_sections(bellows, arguments.bellows, steps, whole=False)
+    draw_pressure(path, results, steps)
+    draw_sections(balloon, results, steps, whole=True)
+    results = Results(arguments.bellows)
+    steps = results.steps[np.isin(results.history["load_factor"], (0, 0.5, 1))]
+    draw_sections(bellows, results, steps, whole=False)
     bellows.set_xlim(75, None)
     for axes, title in ((path, "balloon"), (balloon, "balloon"), (bellows, "bellows")):
         axes.set_title(title)

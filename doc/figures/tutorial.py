@@ -4,7 +4,7 @@
 laminate theory, and section, force and footprint of the tire."""
 
 import argparse
-import csv
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -14,18 +14,11 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
+
+from biface import Results
+
 BLUE, ORANGE, GRAY = "#0072b2", "#d55e00", "0.6"
-
-
-def read(path):
-    """The lines of a CSV file, by the names of their columns."""
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def column(rows, name):
-    """A column as an array."""
-    return np.array([float(row[name]) for row in rows])
 
 
 def tube_strains(angle, n_1=0.25, n_2=0.5, thickness=1.2):
@@ -49,10 +42,9 @@ def draw_tube(axes, runs):
     axes.plot(angles, 50 * strains[:, 1], color=BLUE, label="radius")
     axes.plot(angles, 100 * strains[:, 0], color=ORANGE, label="length")
     for run in runs:
-        angle = float(read(run / "plies-0001.csv")[0]["angle"])
-        rows = {row["name"]: row for row in read(run / "probes.csv")
-                if row["face"] == "middle"}
-        radius, length = float(rows["middle"]["u_3"]), float(rows["end"]["u_1"])
+        angle = run.plies(1)["angle"][0]
+        rows = {row["name"]: row for row in run.probes().rows()}
+        radius, length = rows["middle"]["u_3"], rows["end"]["u_1"]
         axes.plot(angle, radius, "o", color=BLUE)
         axes.plot(angle, length, "o", color=ORANGE)
         theory = tube_strains(angle) * [100, 50]
@@ -67,8 +59,7 @@ def draw_tube(axes, runs):
 
 def middle(rows, component):
     """Positions of the middle of the wall."""
-    return (column(rows, "inner_" + component)
-            + column(rows, "outer_" + component)) / 2
+    return (rows["inner_" + component] + rows["outer_" + component]) / 2
 
 
 def draw_section(axes, torus, tire):
@@ -78,7 +69,7 @@ def draw_section(axes, torus, tire):
               label="as built")
     for run, step, color, label in ((torus, 1, BLUE, "inflated (step 3)"),
                                     (tire, 11, ORANGE, "at 20 mm (step 5)")):
-        rows = read(run / f"profile-{step:04d}.csv")
+        rows = run.profile(step)
         axes.plot(middle(rows, "y"), middle(rows, "x"), color=color, label=label)
     axes.set_aspect("equal")
     axes.legend(frameon=False, loc="lower center", fontsize="small")
@@ -90,12 +81,12 @@ def draw_force(axes, coarse, tire):
     """The force against the approach."""
     for run, style, color, label in ((coarse, "s-", GRAY, "coarse (step 4)"),
                                      (tire, "o-", ORANGE, "step 5")):
-        rows = [row for row in read(run / "history.csv")
-                if row["stage"] == "contact"]
-        axes.plot(np.append(0, column(rows, "approach")),
-                  np.append(0, column(rows, "force")), style, color=color,
+        contact = run.stage("contact")
+        axes.plot(np.append(0, contact.history["approach"]),
+                  np.append(0, contact.history["force"]), style, color=color,
                   markersize=4, label=label)
-        print(f"{label}: {rows[-1]['force']} N on {rows[-1]['contact_area']} mm^2")
+        print(f"{label}: {contact.last('force')} N on "
+              f"{contact.last('contact_area')} mm^2")
     axes.legend(frameon=False)
     axes.set(xlabel="approach (mm)", ylabel="force (N)", title="load-deflection",
              xlim=(0, None), ylim=(0, None))
@@ -103,9 +94,8 @@ def draw_force(axes, coarse, tire):
 
 def draw_footprint(figure, axes, tire):
     """The contact pressure at the nodes in contact."""
-    rows = [row for row in read(tire / "contact-0011.csv") if row["active"] == "1"]
-    dots = axes.scatter(column(rows, "z"), column(rows, "y"),
-                        c=column(rows, "pressure"), s=14)
+    nodes = tire.contact(11).where(active=1)
+    dots = axes.scatter(nodes["z"], nodes["y"], c=nodes["pressure"], s=14)
     figure.colorbar(dots, ax=axes, label="pressure (MPa)")
     axes.set_aspect("equal")
     axes.set(xlabel="z (mm)", ylabel="y (mm)", title="footprint at 20 mm")
@@ -115,9 +105,9 @@ def main():
     """Draw both pictures."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     for name in ("torus", "coarse", "tire"):
-        parser.add_argument(name, type=Path, help="a directory of results")
+        parser.add_argument(name, type=Results, help="a directory of results")
     parser.add_argument("output", type=Path, help="where the PNG files go")
-    parser.add_argument("tubes", type=Path, nargs="+",
+    parser.add_argument("tubes", type=Results, nargs="+",
                         help="directories of results, one for each angle")
     arguments = parser.parse_args()
 

@@ -10,10 +10,10 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import (EXAMPLES, Runs, last_step, lines_of,
-                          parse_arguments, section, table)
+from example_page import EXAMPLES, Runs, parse_arguments, section, table
 
 EXAMPLE = "mounted_tire.prm"
 MOUNTING_PRESSURE = 0.02
@@ -181,37 +181,38 @@ ROLLING = {
 
 def roll(runs):
     """What the page says of the wheel that rolls."""
-    directory = runs.run("rolling", EXAMPLE, ROLLING)
-    rows = [[f"{float(line['slip_angle']):g}",
-             f"{float(line['rolling_radius']):.2f}",
-             *(f"{float(line[name]):.1f}" for name in ("F_x", "F_y", "F_z")),
-             f"{float(line['M_z']) / 1000:.2f}"]
-            for line in lines_of(directory / "rolling.csv")]
-    iterations = [int(line["iterations"])
-                  for line in lines_of(directory / "history.csv")
-                  if line["stage"] in ("free rolling", "slip angle")]
+    results = runs.run("rolling", EXAMPLE, ROLLING)
+    rolling = results.rolling()
+    rows = [[f"{line['slip_angle']:g}", f"{line['rolling_radius']:.2f}",
+             *(f"{line[name]:.1f}" for name in ("F_x", "F_y", "F_z")),
+             f"{line['M_z'] / 1000:.2f}"] for line in rolling.rows()]
+    iterations = results.history["iterations"][np.isin(results.steps, rolling["step"])]
     options = [f'--set "{entry}={value}"' for entry, value in ROLLING.items()]
     pairs = (" ".join(options[i:i + 2]) for i in range(0, len(options), 2))
     return {
         "rolling_options": " \\\n      ".join(pairs),
         "rolling": table(["Slip angle, °", "R_e, mm", "F_x, N", "F_y, N",
                           "F_z, N", "M_z, N m"], rows),
-        "rolling_iterations": f"{min(iterations)} to {max(iterations)}"}
+        "rolling_iterations": f"{min(iterations):.0f} to {max(iterations):.0f}"}
 
 
 def ring_integral(points, weight):
     """The integral of the contact pressure times a function of the distance from
     the axle, all around, over the line of nodes alpha_2 = -5 of one bead."""
-    line = [(float(p["y"]), math.hypot(float(p["x"]), float(p["z"])),
-             float(p["true_pressure"])) for p in points
-            if float(p["alpha_2"]) == -5 and float(p["y"]) > 0]
-    return sum(math.hypot(y1 - y0, r1 - r0) * math.pi
-               * (p0 * r0 * weight(r0) + p1 * r1 * weight(r1))
-               for (y0, r0, p0), (y1, r1, p1) in zip(line, line[1:]))
+    line = line_of_bead(points)
+    y, r = line["y"], np.hypot(line["x"], line["z"])
+    values = line["true_pressure"] * r * weight(r)
+    return math.pi * (np.hypot(np.diff(y), np.diff(r))
+                      * (values[1:] + values[:-1])).sum()
+
+
+def line_of_bead(points):
+    """The nodes alpha_2 = -5 of one bead."""
+    return points.where(points["y"] > 0, alpha_2=-5)
 
 
 def unseat(runs, friction, pressure, steps=INFLATION_STEPS):
-    """The run in which flanges push the beads off their seats: its directory."""
+    """The run in which flanges push the beads off their seats."""
     bodies = {"Body seats/Shape": "revolved", "Body seats/Axis": "0, 1, 0",
               "Body seats/Friction": friction, "Body seats/Profile":
                   "-80 178.8435, -32 174.6441 5, -24 155, 24 155, "
@@ -235,22 +236,20 @@ def unseat(runs, friction, pressure, steps=INFLATION_STEPS):
         "Stage 2/Steps": 4 * UNSEATING_WAY})
 
 
-def unseating_curve(directory):
+def unseating_curve(results):
     """Ways of the flange and its forces on the whole bead, by step."""
-    ways = {int(line["step"]): float(line["load_factor"])
-            for line in lines_of(directory / "history.csv")}
+    ways = dict(zip(results.steps, results.history["load_factor"]))
     return {step: (ways[step], -SECTORS * force[1]) for step, force in
-            forces(directory, "right").items()
-            if step >= last_step(directory, "inflation")}
+            forces(results, "right").items()
+            if step >= results.stage("inflation").step}
 
 
-def unseating_row(directory, friction, pressure):
-    curve = unseating_curve(directory)
+def unseating_row(results, friction, pressure):
+    curve = unseating_curve(results)
     rest = min(curve)
 
     def seat(step):
-        return ring_integral(lines_of(
-            directory / f"contact-seats-{step:04d}.csv"), lambda r: 1)
+        return ring_integral(results.contact(step, "seats"), lambda r: 1)
 
     def friction_of_seat(step):
         return seat(step) * math.tan(math.atan(friction) - math.radians(5))
@@ -272,7 +271,7 @@ def unseating_row(directory, friction, pressure):
 
 def turn_rim(runs, friction, pressure):
     """The run in which the rim turns, and the moments of both beads by angle."""
-    directory = runs.run(f"slip_{friction}_{pressure}", EXAMPLE, {
+    results = runs.run(f"slip_{friction}_{pressure}", EXAMPLE, {
         **SECTOR, "Body rim/Friction": friction,
         "Supports/Point supports": "crown: axial middle; circumferential both, "
             "left: circumferential both, right: circumferential both",
@@ -282,28 +281,24 @@ def turn_rim(runs, friction, pressure):
         "Stage 2/Travel": "unchanged", "Stage 2/Bodies": "rim",
         "Stage 2/Pressure": pressure,
         "Stage 2/Load factors": "bodies rim turn: 20", "Stage 2/Steps": 80})
-    rest = last_step(directory, "inflation")
-    return directory, {0.25 * (step - rest): SECTORS * force[3] / 1e6
-                       for step, force in forces(directory, "rim").items()
+    rest = results.stage("inflation").step
+    return results, {0.25 * (step - rest): SECTORS * force[3] / 1e6
+                       for step, force in forces(results, "rim").items()
                        if step >= rest}
 
 
 def draw_unseated(unseated, turned, picture):
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.8),
                                 constrained_layout=True)
-    for i, (state, directory) in enumerate(unseated.items()):
+    for i, (state, results) in enumerate(unseated.items()):
         label = f"μ = {state[0]:g}, {state[1]:g} MPa"
-        turn_directory, moments = turned[state]
-        step = last_step(turn_directory, "inflation")
-        points = [p for p in
-                  lines_of(turn_directory / f"contact-rim-{step:04d}.csv")
-                  if float(p["alpha_2"]) == -5 and float(p["y"]) > 0]
-        toe = max(float(p["alpha_1"]) for p in points)
-        axes[0].plot([toe - float(p["alpha_1"]) for p in points],
-                     [float(p["true_pressure"]) for p in points],
+        turn, moments = turned[state]
+        points = line_of_bead(turn.stage("inflation").contact(body="rim"))
+        axes[0].plot(points["alpha_1"].max() - points["alpha_1"],
+                     points["true_pressure"],
                      marker=".", color=f"C{i}", label=label)
         axes[1].plot(*zip(*((u, f / 1000) for u, f in
-                            unseating_curve(directory).values())),
+                            unseating_curve(results).values())),
                      color=f"C{i}", label=label)
         axes[2].plot(moments.keys(), moments.values(), color=f"C{i}",
                      label=label)
@@ -321,12 +316,16 @@ def draw_unseated(unseated, turned, picture):
     figure.savefig(picture, dpi=110)
 
 
-def forces(directory, body):
+def forces(results, body):
     """F_x, F_y, F_z and the moment about the axle by step."""
-    return {int(line["step"]): [float(line[name]) for name in
-                                ("F_x", "F_y", "F_z", "M_y")]
-            for line in lines_of(directory / "forces.csv")
-            if line["body"] == body}
+    table = results.forces().where(body=body)
+    return dict(zip(table["step"].astype(int), np.stack(
+        [table[name] for name in ("F_x", "F_y", "F_z", "M_y")], -1)))
+
+
+def last_force(results, body, stage):
+    """The same at the end of a stage."""
+    return forces(results.stage(stage), body)[results.stage(stage).step]
 
 
 def read_corners(path):
@@ -365,22 +364,22 @@ def rounded(corners):
     return result + result[:1]
 
 
-def draw(directory, picture):
+def draw(results, picture):
     corners = rounded(read_corners(EXAMPLES / "mounted_tire_rim.csv"))
     mold = [[float(cell) for cell in line.split(",")]
             for line in open(EXAMPLES / "mounted_tire_profile.csv",
                              encoding="utf-8") if line[0] not in "#r"]
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.5),
                                 constrained_layout=True)
-    shapes = [("inflated", "C0", last_step(directory, "inflation")),
-              ("loaded", "C3", last_step(directory, "contact"))]
+    shapes = [("inflated", "C0", results.stage("inflation").step),
+              ("loaded", "C3", results.stage("contact").step)]
     for a in axes:
         a.fill(*zip(*corners), color="0.8")
         a.plot([y for _, y in mold], [r for r, _ in mold], color="0.4",
                linestyle=":", label="mold, outer face")
         for label, color, step in shapes:
             for face in ("outer", "inner"):
-                a.plot(*section(directory, step, face), color=color,
+                a.plot(*section(results, step, face), color=color,
                        label=label if face == "outer" else None)
         a.set_aspect("equal")
         a.set_xlabel("along the axle [mm]")
@@ -392,30 +391,23 @@ def draw(directory, picture):
     figure.savefig(picture, dpi=110)
 
 
-def heel(directory, step):
+def heel(results, step=None):
     """The largest axial coordinate of the outer face near the rim."""
-    return heels(directory, step)[1]
+    return heels(results, step)[1]
 
 
-def heels(directory, step):
+def heels(results, step=None):
     """The extreme axial coordinates of the outer face near the rim."""
-    near = [y for y, r in zip(*section(directory, step, "outer")) if r < 190]
-    return min(near), max(near)
+    y, r = section(results, step, "outer")
+    return y[r < 190].min(), y[r < 190].max()
 
 
-def inflation_rows(directory, label):
+def inflation_rows(results, label):
     """A row per step: where the heel of a bead is, and the largest contact
     pressure on the rim."""
-    rows = []
-    for step in range(1, last_step(directory, "inflation") + 1):
-        pressure = next(float(line["pressure"])
-                        for line in lines_of(directory / "history.csv")
-                        if int(line["step"]) == step)
-        points = lines_of(directory / f"contact-rim-{step:04d}.csv")
-        highest = max(float(p["true_pressure"]) for p in points)
-        rows.append([label, f"{pressure:g}",
-                     f"{heel(directory, step):.2f}", f"{highest:.2f}"])
-    return rows
+    return [[label, f"{line['pressure']:g}", f"{heel(results, line['step']):.2f}",
+             f"{results.contact(line['step'], 'rim')['true_pressure'].max():.2f}"]
+            for line in results.stage("inflation").history.rows()]
 
 
 def main():
@@ -451,7 +443,7 @@ def main():
         "Stage 1/Steps": 10, "Stage 2/Name": "inflation",
         "Stage 2/Contact": "false", "Stage 2/Travel": "unchanged",
         "Stage 2/Bodies": "left, right", "Stage 2/Steps": 4})
-    given = round(abs(forces(aside, "rim")[last_step(aside, "contact")][0]))
+    given = round(abs(last_force(aside, "rim", "contact")[0]))
     placed = {"Stage 2/Name": "touch", "Stage 2/Bodies": "rim",
               "Stage 2/Travel": 0, "Stage 2/Steps": 2,
               "Stage 2/Load factors": "bodies rim down: 10",
@@ -461,12 +453,11 @@ def main():
               "Stage 3/Steps": 4}
     camber = []
     for angle in (0, 4):
-        directory = runs.run(f"camber_{angle}", EXAMPLE, {
+        results = runs.run(f"camber_{angle}", EXAMPLE, {
             **placed, "Stage 3/Load factors": f"bodies rim camber: {angle}"})
-        place = lines_of(directory / "history.csv")[-1]
-        on_tire = forces(directory, "rim")[last_step(directory, "load")]
+        on_tire = last_force(results, "rim", "load")
         camber.append([f"{angle}",
-                       *(f"{float(place[f'rim_u_{i}']):.2f}" for i in "xy"),
+                       *(f"{results.last(f'rim_u_{i}'):.2f}" for i in "xy"),
                        *(f"{abs(round(value, 1)):.1f}" if abs(value) < 0.05
                          else f"{value:.1f}" for value in on_tire[:3])])
 
@@ -480,41 +471,37 @@ def main():
         "Stage 2/Bodies": "rim, rim inside, bar",
         "Stage 2/Load factors": "bodies bar push: 40", "Stage 2/Steps": 20},
         may_stop=True)
-    pushed = last_step(bar, "push")
     glued = runs.run("glued", EXAMPLE, {"Stage 3/Glued": "true"}, may_stop=True)
-    held = last_step(glued, "aside")
     unseated = {state: unseat(runs, *state) for state in STATES}
     turned = {state: turn_rim(runs, *state) for state in STATES}
     draw_unseated(unseated, turned,
                   arguments.output / "figures/mounted_tire_unseated.png")
     slip = []
-    for (friction, pressure), (directory, moments) in turned.items():
-        estimates = [2e-6 * friction * ring_integral(lines_of(
-            directory / f"contact-rim-{last_step(directory, stage):04d}.csv"),
-            lambda r: r) for stage in ("inflation", "turn")]
+    for (friction, pressure), (results, moments) in turned.items():
+        estimates = [2e-6 * friction * ring_integral(
+            results.stage(stage).contact(body="rim"), lambda r: r)
+            for stage in ("inflation", "turn")]
         slip.append([f"{friction:g}", f"{pressure:g}",
                      f"{max(moments.values()):.2f}",
                      *(f"{estimate:.2f}" for estimate in estimates)])
     steps = []
     for number in (4, 8, 40):
-        directory = unseat(runs, 0.3, 0.2, number)
+        results = unseat(runs, 0.3, 0.2, number)
         steps.append([f"{number}", *(
-            f"{heel(directory, round(number * part)):.2f}"
+            f"{heel(results, round(number * part)):.2f}"
             for part in (0.25, 0.5, 0.75, 1))])
 
     load = []
-    for label, directory, step in (
-            ("pressed on", aside, last_step(aside, "contact")),
-            ("aside by 40 mm", aside, last_step(aside, "aside")),
-            ("rim turned by 10°", braked, last_step(braked, "braked"))):
+    for label, results, stage in (("pressed on", aside, "contact"),
+                                  ("aside by 40 mm", aside, "aside"),
+                                  ("rim turned by 10°", braked, "braked")):
         for body in ("foundation", "rim"):
-            *force, moment = forces(directory, body)[step]
+            *force, moment = last_force(results, body, stage)
             load.append([label, body, *(f"{round(f)}" for f in force),
                          f"{round(moment / 1000)}"])
-    reached = [line for line in lines_of(deep / "history.csv")
-               if line["stage"] == "contact"][-1]
-    at_30 = -forces(aside, "foundation")[last_step(aside, "contact")][0]
-    largest = float(reached["force"])
+    reached = deep.stage("contact")
+    at_30 = -last_force(aside, "foundation", "contact")[0]
+    largest = reached.last("force")
     (arguments.output / "mounted_tire.md").write_text(PAGE.format(
         **roll(runs),
         inflation=table(["Friction", "Pressure, MPa", "Heel at, mm",
@@ -531,22 +518,20 @@ def main():
             [unseating_row(unseated[state], *state) for state in STATES]),
         slip=table(["Friction", "Pressure, MPa", "Moment at slip, kN m",
                     "From the pressures at rest, kN m", "at the end, kN m"], slip),
-        braked_moment=abs(forces(braked, "rim")[last_step(braked, "braked")][3])
-        / 1000,
-        bar_force=abs(forces(bar, "bar")[pushed][1]),
-        glued_force=forces(glued, "foundation")[held][1],
+        braked_moment=abs(last_force(braked, "rim", "braked")[3]) / 1000,
+        bar_force=abs(last_force(bar, "bar", "push")[1]),
+        glued_force=last_force(glued, "foundation", "aside")[1],
         glued_heel=max(abs(a - b) for a, b in zip(
-            heels(glued, last_step(glued, "contact")), heels(glued, held))),
-        bar_heel=heel(bar, last_step(bar, "inflation")) - heel(bar, pushed),
+            heels(glued.stage("contact")), heels(glued.stage("aside")))),
+        bar_heel=heel(bar.stage("inflation")) - heel(bar.stage("push")),
         load=table(["", "Body", "F_x", "F_y", "F_z", "M_y"], load),
         mounting_pressure=MOUNTING_PRESSURE,
-        halves=heel(halves, last_step(halves, "inflation")),
-        pull=SECTORS * abs(forces(halves, "right")
-                      [last_step(halves, "inflation")][1]),
+        halves=heel(halves.stage("inflation")),
+        pull=SECTORS * abs(last_force(halves, "right", "inflation")[1]),
         given=given,
         camber=table(["Camber, degrees", "down, mm", "aside, mm", "F_x", "F_y",
                       "F_z"], camber),
-        deepest=float(reached["approach"]), largest=largest,
+        deepest=reached.last("approach"), largest=largest,
         times=largest / at_30), encoding="utf-8")
 
 

@@ -3,7 +3,6 @@
 """Write obstacles.md and its picture, from runs of prm/cleat.prm and
 prm/curb_step.prm."""
 
-import collections
 import sys
 from pathlib import Path
 
@@ -13,7 +12,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import Runs, lines_of, parse_arguments, table
+from example_page import Runs, biface, parse_arguments, table
 
 PAGE = """<!-- Written by doc/obstacles/obstacles.py: cmake --build build --target obstacles -->
 
@@ -115,14 +114,10 @@ WALL = 48
 
 def steps_of(runs, name, example, entries, body="cleat"):
     """Vertical and longitudinal force of each step of the last stage."""
-    lines = lines_of(runs.run(name, example, entries) / "forces.csv")
-    forces = collections.defaultdict(lambda: [0, 0])
-    for line in lines:
-        if (line["stage"] == lines[-1]["stage"]
-                and line["body"] in ("foundation", body)):
-            forces[int(line["step"])][0] -= float(line["F_x"])
-            forces[int(line["step"])][1] += float(line["F_z"])
-    return [forces[step] for step in sorted(forces)]
+    results = runs.run(name, example, entries)
+    forces = results.stage(results.stages[-1]).forces()
+    ground, other = forces.where(body="foundation"), forces.where(body=body)
+    return list(zip(0 - ground["F_x"] - other["F_x"], ground["F_z"] + other["F_z"]))
 
 
 def beside(forces, other):
@@ -173,10 +168,9 @@ def envelope_at_load(runs, load, picture):
     forces = steps_of(runs, name, example, {
         f"Stage {i}/{entry}": value for i in (2, 3)
         for entry, value in given.items()})
-    lines = [line for line in lines_of(runs.scratch / name / "history.csv")
-             if line["stage"] == "cleat"]
-    positions = positions_of(lines)
-    heights = [20 - float(line["approach"]) for line in lines]
+    history = biface.Results(runs.scratch / name).stage("cleat").history
+    positions = positions_of(history)
+    heights = list(20 - history["approach"])
     slopes = [-longitudinal / vertical for vertical, longitudinal in forces]
     draw(positions, ("effective height [mm]", heights),
          ("effective slope", slopes), picture)

@@ -11,15 +11,16 @@ but the table of results is printed.
 """
 
 import argparse
-import collections
 import csv
 import math
 import statistics
-import subprocess
 import sys
 import textwrap
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import biface, table
 
 # ------------------------------------------------------- rules of construction
 
@@ -254,52 +255,48 @@ def nasa_cornering_power(tire, deflection=1):
 
 
 def run(arguments, name, settings):
-    """Run the program, and return the directory of its results, None if the tire
-    could not be loaded; with --keep, those of an earlier run."""
+    """The results of a run, which may stop early; None if it has no step. With
+    --keep, those of an earlier run in which the tire was loaded."""
     directory = arguments.scratch / name.replace(" ", "_")
-    command = [arguments.program, "--quiet",
-               "--set", f"Output/Directory={directory}",
-               "--set", "Output/Write VTU=false"]
-    for entry, value in settings.items():
-        command += ["--set", f"{entry}={value}"]
-    travel = float(settings["Stage 2/Travel"])
-    if not (arguments.keep and is_loaded(directory, travel)):
-        done = subprocess.run(command + [arguments.template], check=False,
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            print(f"{name}: {(done.stdout + done.stderr).strip()[-1500:]}",
-                  file=sys.stderr)
-    return directory if is_loaded(directory, travel) else None
+    if arguments.keep and (directory / "history.csv").exists():
+        results = biface.Results(directory)
+        if is_loaded(results, settings):
+            return results
+    try:
+        results = biface.run(
+            arguments.template, {"Output/Write VTU": False, **settings}, directory,
+            program=arguments.program, may_stop=True)
+    except biface.RunError as error:
+        print(f"{name}: {error}", file=sys.stderr)
+        return None
+    if results.stopped:
+        print(f"{name}: {results.stopped}", file=sys.stderr)
+    return results
 
 
-def is_loaded(directory, travel):
+def load(arguments, name, settings):
+    """The same, None if the tire could not be loaded."""
+    results = run(arguments, name, settings)
+    return results if results and is_loaded(results, settings) else None
+
+
+def is_loaded(results, settings):
     """Whether the stage 'contact' has reached its end."""
-    if not (directory / "history.csv").exists():
-        return False
-    step = contact_step(directory)
-    return step is not None and float(step["approach"]) > travel * (1 - 1e-9)
+    return ("contact" in results.stages and results.stage("contact").last("approach")
+            > float(settings["Stage 2/Travel"]) * (1 - 1e-9))
 
 
-def contact_step(directory):
-    """The last step of the stage 'contact', from history.csv, or None."""
-    with open(directory / "history.csv", encoding="utf-8") as file:
-        steps = [line for line in csv.DictReader(file)
-                 if line["stage"] == "contact"]
-    return steps[-1] if steps else None
-
-
-def last_force(directory):
+def last_force(results):
     """The force of the loaded tire, in kN."""
-    return float(contact_step(directory)["force"]) / 1000
+    return results.stage("contact").last("force") / 1000
 
 
-def stiffnesses(directory, slide):
+def stiffnesses(results, slide):
     """Lateral and fore-and-aft (kN/mm) and torsional (kN m per degree): changes
     from stage to stage, see the parameter file. NaN if a stage has failed."""
-    with open(directory / "forces.csv", encoding="utf-8") as file:
-        lines = {line["stage"]: line for line in csv.DictReader(file)
-                 if line["body"] == "foundation"}
-    log = (directory / "run.log").read_text(encoding="utf-8")
+    lines = {line["stage"]: line
+             for line in results.forces().where(body="foundation").rows()}
+    log = (results.directory / "run.log").read_text(encoding="utf-8")
     if "did not converge" in log:
         # the last steps of the stage are missing
         lines.pop(list(lines)[-1])
@@ -307,38 +304,34 @@ def stiffnesses(directory, slide):
     def change(stage, before, column):
         if stage not in lines or before not in lines:
             return math.nan
-        return abs(float(lines[stage][column]) - float(lines[before][column]))
+        return abs(lines[stage][column] - lines[before][column])
 
     return (change("lateral", "contact", "F_y") / slide / 1000,
             change("fore-aft", "lateral", "F_z") / slide / 1000,
             change("torsion", "fore-aft", "M_x") / TURN / 1e6)
 
 
-def footprint(directory):
-    """Length and width of the contact zone, from history.csv."""
-    step = contact_step(directory)
-    return [float(step[f"footprint_{which}"]) for which in ("length", "width")]
+def footprint(results):
+    """Length and width of the contact zone."""
+    contact = results.stage("contact")
+    return [contact.last(f"footprint_{which}") for which in ("length", "width")]
 
 
-def rolling_radius(directory):
+def rolling_radius(results):
     """Of the tire that rolls freely; NaN if this stage has failed."""
-    if directory is None or not (directory / "rolling.csv").exists():
+    if results is None or results.rolling() is None:
         return math.nan
-    with open(directory / "rolling.csv", encoding="utf-8") as file:
-        return next((float(line["rolling_radius"])
-                     for line in csv.DictReader(file)
-                     if line["stage"] == "free"), math.nan)
+    free = results.rolling().where(stage="free")
+    return free["rolling_radius"][0] if len(free) > 0 else math.nan
 
 
-def cornering_power(directory):
+def cornering_power(results):
     """The slope of the secant between both slip angles, in kN per degree; NaN if
     a stage has failed."""
-    if directory is None or not (directory / "rolling.csv").exists():
+    if results is None or results.rolling() is None:
         return math.nan
-    forces = {}
-    with open(directory / "rolling.csv", encoding="utf-8") as file:
-        for line in csv.DictReader(file):
-            forces[float(line["slip_angle"])] = float(line["F_y"])
+    rolling = results.rolling()
+    forces = dict(zip(rolling["slip_angle"], rolling["F_y"]))
     if not {-SLIP_ANGLE, SLIP_ANGLE} <= set(forces):
         return math.nan
     return (forces[-SLIP_ANGLE] - forces[SLIP_ANGLE]) / (2 * SLIP_ANGLE) / 1000
@@ -350,13 +343,13 @@ def compute_cornering(arguments, rows, varied):
     def one(case):
         row, deflection = case
         tire = Construction(row)
-        directory = run(arguments, f"{row['name']} cornering {deflection:g}",
-                        tire.cornering_settings(deflection))
-        power = cornering_power(directory)
+        results = load(arguments, f"{row['name']} cornering {deflection:g}",
+                       tire.cornering_settings(deflection))
+        power = cornering_power(results)
         print(f"{row['name']:16} {deflection:g} of the deflection: cornering "
               f"power {power / nasa_cornering_power(tire, deflection):.3f} of "
               "NASA's", flush=True)
-        return tire, rolling_radius(directory), power
+        return tire, rolling_radius(results), power
 
     cases = [(row, 1) for row in rows]
     cases += [(varied, deflection) for deflection in DEFLECTIONS]
@@ -383,17 +376,13 @@ def compute_bottoming(arguments, rows):
             ("rim", "two layers, flanges", rim),
             ("one layer", "one layer, `Thickness strain = normal`, flanges",
              rim | one_layer)):
-        run(arguments, f"bottoming {name}", {
+        results = run(arguments, f"bottoming {name}", {
             **Construction(row).settings(), **entries, "Number of stages": "2",
             "Stage 2/Travel": "280", "Stage 2/Steps": "28"})
-        directory = arguments.scratch / f"bottoming {name}".replace(" ", "_")
-        step = contact_step(directory)
-        with open(directory / "forces.csv", encoding="utf-8") as file:
-            on_rim = [float(line["F_x"]) / 1000 for line in csv.DictReader(file)
-                      if line["body"] == "rim"]
-        cells.append([words, f"{float(step['approach']):.0f}",
-                      f"{last_force(directory):.0f}",
-                      f"{on_rim[-1]:.0f}" if on_rim else ""])
+        on_rim = results.forces().where(body="rim")["F_x"] / 1000
+        cells.append([words, f"{results.stage('contact').last('approach'):.0f}",
+                      f"{last_force(results):.0f}",
+                      f"{on_rim[-1]:.0f}" if len(on_rim) > 0 else ""])
     return cells
 
 
@@ -439,14 +428,14 @@ def vary_cornering(arguments, rows):
         cells = [words]
         for name in STUDIED:
             tire = Construction(next(r for r in rows if r["name"] == name))
-            directory = run(
+            results = load(
                 arguments, f"{name} {words}",
                 {**tire.cornering_settings(), **settings})
-            power = cornering_power(directory)
+            power = cornering_power(results)
             cells.append(
                 "failed" if math.isnan(power) else
                 f"{power / nasa_cornering_power(tire):.2f} "
-                f"({last_force(directory) / tire.load:.2f})")
+                f"({last_force(results) / tire.load:.2f})")
         print(" | ".join(cells), flush=True)
         return cells
 
@@ -456,12 +445,6 @@ def vary_cornering(arguments, rows):
 
 def mean_and_deviation(values):
     return statistics.mean(values), statistics.pstdev(values)
-
-
-def table(header, lines):
-    """A table in Markdown."""
-    rows = [header, ["---"] + ["---:"] * (len(header) - 1)] + lines
-    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
 def fill(text):
@@ -474,13 +457,13 @@ def compute(arguments, rows, wall="two layers"):
     stiffnesses; None where the run fails."""
     def one(row):
         tire = Construction(row)
-        directory = run(arguments, f"{row['name']} {wall}",
+        loaded = load(arguments, f"{row['name']} {wall}",
                         {**tire.settings(), **WALLS[wall]})
-        if directory is None:
+        if loaded is None:
             return tire, None, None
-        result = (last_force(directory),
-                  [*footprint(directory),
-                   *stiffnesses(directory, tire.slide())])
+        result = (last_force(loaded),
+                  [*footprint(loaded),
+                   *stiffnesses(loaded, tire.slide())])
         print(f"{row['name']:16} {wall}, {tire.plies:3} plies, "
               f"{tire.curve.degrees:.1f} degrees, "
               f"{result[0] / tire.load:.3f} of the rated load", flush=True)
@@ -516,10 +499,10 @@ def vary(arguments, row):
                   {**tire.settings(), "Loads/Pressure type": "dead"}))
 
     def one(case):
-        directory = run(arguments, "what if " + case[0].replace("°", ""),
+        results = load(arguments, "what if " + case[0].replace("°", ""),
                         case[1])
-        return [case[0], "failed" if directory is None else
-                f"{last_force(directory) / tire.load:.2f}"]
+        return [case[0], "failed" if results is None else
+                f"{last_force(results) / tire.load:.2f}"]
 
     with ThreadPoolExecutor(arguments.jobs) as pool:
         return list(pool.map(one, cases))

@@ -12,34 +12,34 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import Runs, lines_of, table
+from example_page import Runs, table
 
 MESHES = {"42 × 21": "-180:-15:6:smooth, -15:15:9, 15:180:6:smooth",
           "42 × 40": "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth",
           "42 × 80": "-180:-15:22:smooth, -15:15:36, 15:180:22:smooth"}
 
 
-def row(lines, stage, angle=None):
-    """The last line of a stage, or that with a slip angle."""
-    chosen = [line for line in lines if line["stage"] == stage and
-              (angle is None or abs(float(line["slip_angle"]) - angle) < 1e-9)]
-    return {name: float(value) for name, value in chosen[-1].items()
-            if name not in ("stage",) and value}
+def row(results, stage, angle=None):
+    """The last line of a stage in rolling.csv, or that with a slip angle."""
+    lines = results.rolling().where(stage=stage)
+    if angle is not None:
+        lines = lines.where(abs(lines["slip_angle"] - angle) < 1e-9)
+    return lines.row(-1)
+
+
+def travel(results, line):
+    """The approach of the foundation in the step of a line, in mm."""
+    return results.history.where(step=line["step"])["approach"][0]
 
 
 def at_load(runs):
-    directory = runs.run("at_load", "rolling_tire_at_load.prm", {})
-    lines = lines_of(directory / "rolling.csv")
-    travel = {line["step"]: float(line["approach"])
-              for line in lines_of(directory / "history.csv")}
-    standing = [line for line in lines_of(directory / "history.csv")
-                if line["stage"] == "load"][-1]
-    rows = [["standing, without friction", f"{float(standing['approach']):.3f}",
-             "", "", ""]]
+    results = runs.run("at_load", "rolling_tire_at_load.prm", {})
+    rows = [["standing, without friction",
+             f"{results.stage('load').last('approach'):.3f}", "", "", ""]]
     for stage, label in (("free", "free"), ("cornering", "free, slip angle 1°"),
                          ("braking", "braked, slip ratio −2 %")):
-        last = row(lines, stage)
-        rows.append([label, f"{travel[str(int(last['step']))]:.3f}",
+        last = row(results, stage)
+        rows.append([label, f"{travel(results, last):.3f}",
                      f"{last['angular_velocity']:.3f}",
                      f"{-last['F_x']:.2f}", f"{last['F_y']:.1f}"])
     return table(["", "travel, mm", "angular velocity, rad/s", "drag, N",
@@ -48,7 +48,7 @@ def at_load(runs):
 
 def drum(runs):
     plane = runs.run("plane", "rolling_tire.prm", {})
-    force = row(lines_of(plane / "rolling.csv"), "free")["F_z"]
+    force = row(plane, "free")["F_z"]
     loaded = {f"Stage {i}/{entry}": value for i in (3, 4, 5) for entry, value in
               (("Control", "foundation force and axle moment"),
                ("Force", force))}
@@ -56,21 +56,18 @@ def drum(runs):
                runs.run("loaded_drum", "tire_on_drum_rolling.prm",
                         {**loaded, "Number of stages": 5})]
     rows = []
-    for directory in columns:
-        lines = lines_of(directory / "rolling.csv")
-        travel = {line["step"]: float(line["approach"])
-                  for line in lines_of(directory / "history.csv")}
-        free, left = row(lines, "free"), row(lines, "left", 1)
-        right = row(lines, "right", -1)
-        sharp = row(lines, "left", 6)
-        stages = {line["stage"] for line in lines}
+    for results in columns:
+        free, left = row(results, "free"), row(results, "left", 1)
+        right = row(results, "right", -1)
+        sharp = row(results, "left", 6)
         rows.append([
-            f"{travel[str(int(free['step']))]:.2f}",
+            f"{travel(results, free):.2f}",
             f"{free['rolling_radius']:.2f}", f"{free['F_z']:.1f}",
             f"{-free['F_x']:.2f}", f"{free['F_y']:.1f}", f"{left['F_y']:.1f}",
             f"{right['F_y']:.1f}", f"{left['M_z'] / 1000:.2f}",
             f"{sharp['F_y'] / sharp['F_z']:.3f}",
-            *(f"{-row(lines, stage)['F_x']:.1f}" if stage in stages else ""
+            *(f"{-row(results, stage)['F_x']:.1f}" if stage in results.stages
+              else ""
               for stage in ("braking", "locked"))])
     labels = ["travel, mm", "free rolling: radius, mm", "vertical force, N",
               "drag, N", "side force (ply steer), N",
@@ -86,11 +83,10 @@ def drum(runs):
 def resistance(runs):
     rows = []
     for mesh, intervals in MESHES.items():
-        directory = runs.run("resistance_" + mesh.split()[-1],
-                             "rolling_tire.prm",
-                             {"Mesh/Intervals alpha_2": intervals,
-                              "Number of stages": 3})
-        free = row(lines_of(directory / "rolling.csv"), "free")
+        results = runs.run("resistance_" + mesh.split()[-1], "rolling_tire.prm",
+                           {"Mesh/Intervals alpha_2": intervals,
+                            "Number of stages": 3})
+        free = row(results, "free")
         rows.append([mesh, f"{free['F_z']:.1f}",
                      f"{free['rolling_resistance']:.2f}",
                      f"{-free['F_x']:.2f}"])

@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import Runs, lines_of, table
+from example_page import Runs, table
 
 PRM = "rolling_resistance.prm"
 GIVEN = {"Heat/Temperatures": "given"}
@@ -40,19 +40,9 @@ ELASTIC = {"Stage 1/Duration": 0, "Stage 2/Duration": 0,
            "Material cord/WLF C1": 17.44, "Material cord/WLF C2": 51.6}
 
 
-def numbers(line):
-    return {name: float(value) for name, value in line.items()
-            if name not in ("stage", "material") and value}
-
-
-def rolling(directory):
-    return [numbers(line) for line in lines_of(directory / "rolling.csv")]
-
-
-def temperatures(directory, step):
-    values = [float(line["temperature"])
-              for line in lines_of(directory / f"heat-{int(step):04}.csv")]
-    return min(values), max(values)
+def temperatures(results, step):
+    values = results.heat(step)["temperature"]
+    return values.min(), values.max()
 
 
 def per_thousand(line):
@@ -63,16 +53,15 @@ def per_thousand(line):
 def over_speed(runs):
     coupled = runs.run("coupled", PRM, {})
     given = runs.run("given", PRM, GIVEN)
-    travel = {int(line["step"]): float(line["approach"])
-              for line in lines_of(coupled / "history.csv")}
+    travel = dict(zip(coupled.history["step"], coupled.history["approach"]))
     rows = []
-    for warm, cold in zip(rolling(coupled), rolling(given)):
+    for warm, cold in zip(coupled.rolling().rows(), given.rolling().rows()):
         low, high = temperatures(coupled, warm["step"])
         rows.append([f"{warm['ground_velocity'] / 1000:.0f}",
                      f"{-warm['F_x']:.2f}", f"{warm['rolling_resistance']:.2f}",
                      f"{per_thousand(warm):.2f}",
                      f"{-warm['M_y'] / warm['F_z']:.2f}",
-                     f"{travel[int(warm['step'])]:.2f}",
+                     f"{travel[warm['step']]:.2f}",
                      f"{low:.1f} to {high:.1f}", f"{per_thousand(cold):.2f}"])
     return table(["speed, m/s", "drag, N", "rolling resistance, N",
                   "lb per 1000 lb", "shift of the pressure, mm", "travel, mm",
@@ -82,9 +71,9 @@ def over_speed(runs):
 def over_load(runs):
     rows = []
     for load in (950, 1425, 1900, 2375, 2850):
-        line = rolling(runs.run(f"load_{load}", PRM,
-                                {**ONE_SPEED, "Stage 2/Force": load,
-                                 "Stage 3/Force": load}))[-1]
+        line = runs.run(f"load_{load}", PRM, {
+            **ONE_SPEED, "Stage 2/Force": load, "Stage 3/Force": load,
+        }).rolling().row(-1)
         rows.append([f"{load}", f"{-line['F_x']:.2f}",
                      f"{line['rolling_resistance']:.2f}",
                      f"{per_thousand(line):.2f}"])
@@ -100,8 +89,8 @@ def beside_loss_factor(runs):
             ("28 × 36", "-180:-16:10:smooth, -16:16:16, 16:180:10:smooth"),
             ("28 × 72", "-180:-16:20:smooth, -16:16:32, 16:180:20:smooth")):
         changes = {**ONE_SPEED, **GIVEN, "Mesh/Intervals alpha_2": cells}
-        relaxing = rolling(runs.run(f"small_{name.split()[-1]}", PRM,
-                                    {**changes, **SMALL}))[-1]
+        relaxing = runs.run(f"small_{name.split()[-1]}", PRM,
+                            {**changes, **SMALL}).rolling().row(-1)
         speed = relaxing["angular_velocity"]
         loss = storage = 0
         for i in range(-8, 3):
@@ -109,9 +98,10 @@ def beside_loss_factor(runs):
             loss += SMALL_PART * x / (1 + x * x)
             storage -= SMALL_PART / (1 + x * x)
         factor = loss / (1 + storage)
-        elastic = rolling(runs.run(
+        elastic = runs.run(
             f"elastic_{name.split()[-1]}", PRM,
-            {**changes, **ELASTIC, "Material cord/Loss factor": factor}))[-1]
+            {**changes, **ELASTIC, "Material cord/Loss factor": factor},
+        ).rolling().row(-1)
         rows.append([name, f"{factor:.3e}",
                      f"{1000 * relaxing['rolling_resistance']:.2f}",
                      f"{1000 * elastic['rolling_resistance']:.2f}"])
@@ -119,13 +109,12 @@ def beside_loss_factor(runs):
                  rows)
 
 
-def pressure(directory, step):
+def pressure(results):
     """Along the equator: the angle, degrees, and the pressure, MPa."""
-    points = []
-    for line in lines_of(directory / f"contact-{int(step):04}.csv"):
-        if abs(float(line["alpha_1"])) < 1e-6:
-            points.append((float(line["alpha_2"]), float(line["pressure"])))
-    return zip(*sorted(points))
+    contact = results.contact(results.rolling()["step"][-1])
+    equator = contact.where(abs(contact["alpha_1"]) < 1e-6)
+    order = equator["alpha_2"].argsort()
+    return equator["alpha_2"][order], equator["pressure"][order]
 
 
 def draw(runs, figures):
@@ -133,9 +122,9 @@ def draw(runs, figures):
     for name, settings, label in (
             ("coupled", {}, "plies heated by their losses"),
             ("given", GIVEN, "plies at 25 °C")):
-        lines = rolling(runs.run(name, PRM, settings))
-        axes[0].plot([line["ground_velocity"] / 1000 for line in lines],
-                     [per_thousand(line) for line in lines], "o-", label=label)
+        lines = runs.run(name, PRM, settings).rolling()
+        axes[0].plot(lines["ground_velocity"] / 1000, per_thousand(lines), "o-",
+                     label=label)
     axes[0].set(xlabel="speed, m/s", ylabel="resistance, lb per 1000 lb",
                 ylim=(0, None))
     axes[0].legend(frameon=False)
@@ -144,9 +133,8 @@ def draw(runs, figures):
                             ({**strong, **ELASTIC,
                               "Material cord/Loss factor": 0.1},
                              "without")):
-        directory = runs.run("pressure_" + label.split()[0], PRM, settings)
-        axes[1].plot(*pressure(directory, rolling(directory)[-1]["step"]),
-                     "o-", markersize=3, label=label)
+        results = runs.run("pressure_" + label.split()[0], PRM, settings)
+        axes[1].plot(*pressure(results), "o-", markersize=3, label=label)
     axes[1].set(xlabel="angle around the axle, degrees; it rolls to the right",
                 ylabel="pressure on the equator, MPa", xlim=(-24, 24),
                 ylim=(0, None))

@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from example_page import Runs, lines_of
+from example_page import Runs
 
 SPEED = 1e4  # mm/s, in the parameter file
 # instead of the tread of bristles of the parameter file
@@ -51,11 +51,11 @@ def run(runs, entries, angle=6, steps=6):
     for end in (-angle, angle):
         cornering = {"Number of stages": 4, "Stage 4/Slip angle": end,
                      "Stage 4/Steps": steps}
-        directory = runs.run("tread", "rolling_tire.prm",
-                             {**cornering, **entries}, may_stop=True)
-        for line in lines_of(directory / "rolling.csv"):
+        results = runs.run("tread", "rolling_tire.prm",
+                           {**cornering, **entries}, may_stop=True)
+        for line in results.rolling().rows():
             if line["stage"] in ("free", "right"):
-                lines[round(float(line["slip_angle"]), 6)] = line
+                lines[round(line["slip_angle"], 6)] = line
     return lines
 
 
@@ -76,8 +76,8 @@ def main():
             def ratio(angle):
                 line = lines.get(angle)
                 return ("failed" if line is None else
-                        f"{float(line['F_y']) / float(line['F_z']):.3f}")
-            print(f"| {name} | {float(lines[0]['F_z']):.1f} | "
+                        f"{line['F_y'] / line['F_z']:.3f}")
+            print(f"| {name} | {lines[0]['F_z']:.1f} | "
                   + " | ".join(ratio(angle) for angle in (1, -1, 6, -6))
                   + f" | {sum(angle in lines for angle in range(-6, 7))} of 13 |",
                   flush=True)
@@ -91,7 +91,7 @@ def main():
             for i, (_, wall) in enumerate(WALLS[2:]):
                 entries = {"Contact/Critical velocity": fraction * SPEED}
                 lines = run(runs, {**wall, **entries}, 0.5, 1)
-                slope = (float(lines[-0.5]["F_y"]) - float(lines[0.5]["F_y"])
+                slope = (lines[-0.5]["F_y"] - lines[0.5]["F_y"]
                          if {-0.5, 0.5} <= set(lines) else math.nan)
                 cells += [f"{slope:.1f}", "" if math.isnan(before[i]) else
                           f"{100 * (slope / before[i] - 1):+.1f} %"]

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import EXAMPLES, lines_of, parse_arguments, table
+from example_page import EXAMPLES, biface, parse_arguments, table
 
 ROOT = EXAMPLES.parent
 PACKAGE = ROOT / "source/python"
@@ -213,30 +213,25 @@ def bulk_table(arguments):
     """The tube with several bulk moduli."""
     example = (EXAMPLES / "tutorial/1_cylinder.prm").read_text(encoding="utf-8")
     rows, moved = [], []
-    entries = ["--set", "Stage 1/Strain theory=nonlinear", "--set",
-               f"Stage 1/Steps={STEPS}", "--set", f"Stage 1/Pressure={PRESSURE}", "--set",
-               "Loads/Pressure type=follower"]
+    settings = {"Stage 1/Strain theory": "nonlinear", "Stage 1/Steps": STEPS,
+                "Stage 1/Pressure": PRESSURE, "Loads/Pressure type": "follower"}
     for nu in (0.45, 0.49, 0.495, 0.499, 0.4998, 0.49998):
         section = rubber("prm/rubber_treloar.csv", "--law", "Ogden", "--nu", str(nu))
         file = arguments.scratch / f"tube-{nu}.prm"
         file.write_text(re.sub(r"subsection Material rubber.*?\nend\n", lambda _: section,
                                example, flags=re.DOTALL), encoding="utf-8")
-        results = arguments.scratch / f"tube-{nu}"
-        subprocess.run([arguments.program, "--quiet", "--output", results, *entries, file],
-                       check=True)
-        probe = [line for line in lines_of(results / "probes.csv")
-                 if (line["name"], line["face"]) == ("middle", "middle")][-1]
-        moved.append(float(probe["u_3"]))
-        iterations = sum(int(line["iterations"])
-                         for line in lines_of(results / "history.csv"))
+        results = biface.run(file, settings, arguments.scratch / f"tube-{nu}",
+                             program=arguments.program)
+        moved.append(results.probes().where(name="middle")["u_3"][-1])
+        iterations = results.history["iterations"].sum()
         rows.append([f"{nu:g}", f"{2 * (1 + nu) / (3 * (1 - 2 * nu)):.0f}",
-                     f"{moved[-1]:.3f}", str(iterations)])
-    quoted = " ".join(f'"{word}"' if " " in word else word for word in entries)
+                     f"{moved[-1]:.3f}", f"{iterations:.0f}"])
+    options = " ".join(f'--set "{entry}={value}"' for entry, value in settings.items())
     return {"bulk": table(["nu", "K/mu", "radial displacement, mm", "iterations"], rows),
             "change": 100 * abs(moved[-1] / moved[0] - 1),
             "late": 100 * abs(moved[-1] / moved[1] - 1),
             "last": 100 * abs(moved[-1] / moved[3] - 1),
-            "bulk_command": f"biface {quoted} tube.prm"}
+            "bulk_command": f"biface {options} tube.prm"}
 
 
 def main():

@@ -14,8 +14,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import (Runs, last_step, lines_of, parse_arguments, section,
-                          table)
+from example_page import Runs, parse_arguments, section, table
 
 PAGE = """<!-- Written by doc/seals_and_saddles/seals_and_saddles.py: cmake --build build --target seals_and_saddles -->
 
@@ -172,31 +171,27 @@ class SealStep:
     """A step of the seal: line force, pressure, width and pressure of the
     contact on the door, and the length of the cords."""
 
-    def __init__(self, directory, step):
-        line = next(line for line in lines_of(directory / "history.csv")
-                    if int(line["step"]) == step)
-        self.pressure = float(line["pressure"])
-        self.force = next(
-            -float(line["F_y"]) for line in lines_of(directory / "forces.csv")
-            if int(line["step"]) == step and line["body"] == "door")
+    def __init__(self, results, step):
+        self.pressure = results.history.where(step=step)["pressure"][0]
+        self.force = -results.forces().where(step=step, body="door")["F_y"][0]
         self.line_force = self.force / SECTOR
-        nodes = [line for line in
-                 lines_of(directory / f"contact-door-{step:04d}.csv")
-                 if float(line["alpha_2"]) == 0 and line["active"] == "1"]
-        self.places = [math.hypot(float(n["x"]), float(n["z"]))
-                       - RADIUS_OF_SEAL for n in nodes]
-        self.pressures = [float(n["true_pressure"]) / self.pressure
-                          for n in nodes]
+        nodes = results.contact(step, "door").where(alpha_2=0, active=1)
+        self.places = np.hypot(nodes["x"], nodes["z"]) - RADIUS_OF_SEAL
+        self.pressures = nodes["true_pressure"] / self.pressure
         self.width = max(self.places) - min(self.places)
         self.middle = self.pressures[len(nodes) // 2]
-        _, _, self.length = section_of(section(directory, step, "carcass"))
+        _, _, self.length = section_of(section(results, step, "carcass"))
 
 
-def seal_at(directory, pressure):
-    for line in lines_of(directory / "history.csv"):
-        if math.isclose(float(line["pressure"]), pressure, rel_tol=1e-6):
-            return SealStep(directory, int(line["step"]))
-    raise SystemExit(f"no step of {directory} is at {pressure} MPa")
+def step_at(results, pressure):
+    near = np.isclose(results.history["pressure"], pressure, rtol=1e-6, atol=0)
+    if not near.any():
+        raise SystemExit(f"no step of {results.directory} is at {pressure} MPa")
+    return results.steps[near.argmax()]
+
+
+def seal_at(results, pressure):
+    return SealStep(results, step_at(results, pressure))
 
 
 def membrane_width(seal, gap):
@@ -207,13 +202,10 @@ def draw_seal(free, shipped, picture):
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.6),
                                 constrained_layout=True)
     for pressure, color in ((0.01, "0.6"), (0.05, "C0"), (0.5, "C3")):
-        step = next(int(line["step"])
-                    for line in lines_of(free / "history.csv")
-                    if math.isclose(float(line["pressure"]), pressure,
-                                    rel_tol=1e-6))
+        step = step_at(free, pressure)
         for face in ("outer", "inner"):
             y, r = section(free, step, face)
-            axes[0].plot(np.array(r) - RADIUS_OF_SEAL, y, color=color, linewidth=1, label=(
+            axes[0].plot(r - RADIUS_OF_SEAL, y, color=color, linewidth=1, label=(
                 f"{pressure:g} MPa" if face == "outer" else None))
     for low, high in ((-3, 0), (20, 23)):
         axes[0].axhspan(low, high, color="0.85")
@@ -232,15 +224,12 @@ def draw_seal(free, shipped, picture):
     axes[1].set_xlabel("distance from the middle [mm]")
     axes[1].set_ylabel("contact pressure / gas pressure")
     axes[1].legend(fontsize="small")
-    for friction, directory in shipped.items():
-        along, drag = [0], [0]
-        turns = {line["step"]: math.radians(float(line["door_turn_y"]))
-                 for line in lines_of(directory / "history.csv")}
-        for line in lines_of(directory / "forces.csv"):
-            if line["stage"] == "slide" and line["body"] == "door":
-                along.append(turns[line["step"]] * RADIUS_OF_SEAL)
-                drag.append(-float(line["F_z"]) / SECTOR)
-        axes[2].plot(np.abs(along), np.abs(drag), marker=".",
+    for friction, results in shipped.items():
+        slide = results.stage("slide")
+        along = np.radians(slide.history["door_turn_y"]) * RADIUS_OF_SEAL
+        drag = slide.forces().where(body="door")["F_z"] / SECTOR
+        axes[2].plot(np.abs(np.append(0, along)), np.abs(np.append(0, drag)),
+                     marker=".",
                      label=f"μ = {friction:g}")
     axes[2].set_xlabel("slide of the door [mm]")
     axes[2].set_ylabel("drag along the hose [N/mm]")
@@ -256,7 +245,7 @@ def seal_words(runs, picture):
     cells = {n: runs.run(f"seal_{n}", "inflatable_seal.prm", {
         **free, "Mesh/Intervals alpha_1": f"0:end:{n}"}) for n in SEAL_CELLS}
     coarse, fine = (cells[n] for n in SEAL_CELLS)
-    last = SealStep(fine, last_step(fine, "inflation"))
+    last = SealStep(fine, fine.stage("inflation").step)
     rows, ratios, middles = [], [], []
     for pressure in (0.1, 0.2, 0.3, 0.4, 0.5):
         seal = seal_at(fine, pressure)
@@ -269,9 +258,9 @@ def seal_words(runs, picture):
                      f"{seal.middle:.3f}", f"{max(seal.pressures):.2f}"])
     gaps = []
     for height in (17, 20, 23):
-        directory = runs.run(f"seal_gap_{height}", "inflatable_seal.prm", {
+        results = runs.run(f"seal_gap_{height}", "inflatable_seal.prm", {
             **free, "Body door/Point": f"0, {height}, 0"})
-        seal = SealStep(directory, last_step(directory, "inflation"))
+        seal = SealStep(results, results.stage("inflation").step)
         formula = membrane_width(seal, height)
         equivalent = seal.line_force / seal.pressure
         gaps.append([f"{height - 14}", f"{seal.line_force:.3f}",
@@ -279,24 +268,22 @@ def seal_words(runs, picture):
                      f"{100 * (equivalent / formula - 1):+.1f} %"])
     shipped, drags = {}, []
     for friction in (0.1, 0.2, 0.3):
-        directory = runs.run(f"seal_drag_{friction}", "inflatable_seal.prm", {
+        results = runs.run(f"seal_drag_{friction}", "inflatable_seal.prm", {
             "Body seat/Friction": friction, "Body door/Friction": friction})
-        shipped[friction] = directory
-        line = [line for line in lines_of(directory / "forces.csv")
-                if line["body"] == "door"][-1]
-        normal = -float(line["F_y"])
-        tangential = math.hypot(float(line["F_x"]), float(line["F_z"]))
-        end = lines_of(directory / "history.csv")[-1]
-        slipping = (f"{end['door_slipping_nodes']} of "
-                    f"{end['door_contact_nodes']}")
+        shipped[friction] = results
+        force = results.forces().where(body="door").row(-1)
+        normal = -force["F_y"]
+        tangential = math.hypot(force["F_x"], force["F_z"])
+        slipping = (f"{results.last('door_slipping_nodes'):.0f} of "
+                    f"{results.last('door_contact_nodes'):.0f}")
         drags.append([f"{friction:g}",
                       f"{normal / SECTOR:.3f}", slipping,
                       f"{tangential / (friction * normal):.6f}",
-                      f"{abs(float(line['F_z'])) / (friction * normal):.6f}"])
+                      f"{abs(force['F_z']) / (friction * normal):.6f}"])
     draw_seal(fine, shipped, picture)
     stretch = last.length / 82.2 - 1
-    _, sides = section(fine, last_step(fine, "inflation"), "outer")
-    rough = SealStep(shipped[0.2], last_step(shipped[0.2], "inflation"))
+    _, sides = section(fine, fine.stage("inflation").step, "outer")
+    rough = SealStep(shipped[0.2], shipped[0.2].stage("inflation").step)
     return {
         "left": RADIUS_OF_SEAL - min(sides),
         "right": max(sides) - RADIUS_OF_SEAL,
@@ -423,13 +410,11 @@ def ring_of_beams(angles, saddle=None):
     return moments / (SLICE * MIDDLE)
 
 
-def hoop_stresses(directory):
+def hoop_stresses(results):
     """Of both faces of the steel at the named points."""
     stresses = {}
-    path = sorted(directory.glob("plies-[0-9]*.csv"))[-1]
-    for line in lines_of(path):
-        if line["ply"] == "1":
-            stresses.setdefault(line["name"], []).append(float(line["s_22"]))
+    for line in results.plies().where(ply=1).rows():
+        stresses.setdefault(line["name"], []).append(line["s_22"])
     return stresses
 
 
@@ -447,10 +432,10 @@ RING = {"Surface/Straight line/End": "1000, 1",
         "Contact/Regularization": "automatic", **SLOWLY}
 
 
-def moments_of(directory):
+def moments_of(results):
     """Bending moments over Q r at the named points."""
     return {name: (outer - inner) * THICKNESS**2 / 12 / (SLICE * MIDDLE)
-            for name, (inner, outer) in hoop_stresses(directory).items()}
+            for name, (inner, outer) in hoop_stresses(results).items()}
 
 
 def ring_words(runs, axis):
@@ -497,7 +482,7 @@ def ring_words(runs, axis):
         rows.append([label, f"{expected:.5f}", f"{value:.5f}",
                      f"{100 * (value / expected - 1):+.2f} %"])
     return {"zick": zick_moment(120), "elements": len(angles) - 1,
-            "iterations": lines_of(on_bed / "history.csv")[-1]["iterations"],
+            "iterations": f"{on_bed.last('iterations'):.0f}",
             "rings": table(["Moment over Q r", "Formula or beams", "biface",
                             "Deviation"], rows)}
 
@@ -523,15 +508,15 @@ def tank_words(runs, axis):
         points = points_at((i, alpha_1, j, horn + offset)
                            for i, alpha_1 in enumerate(distances)
                            for j, offset in enumerate(beside))
-        directory = runs.run(name, "saddle_tank.prm", {
+        results = runs.run(name, "saddle_tank.prm", {
             **entries, **SLOWLY, "Named points": points,
             "Output/Points per ply": 2})
-        stresses = hoop_stresses(directory)
+        stresses = hoop_stresses(results)
         at = {}
         for i, alpha_1 in enumerate(distances):
             both = [stresses[f"a{i} {j}"] for j in range(len(beside))]
             at[alpha_1] = (max(b[0] for b in both), min(b[1] for b in both))
-        return directory, at
+        return results, at
 
     fine = {"Mesh/Intervals alpha_1": TANK_MESH_1.format(20, 20, 28, 30),
             "Mesh/Intervals alpha_2": "0:50:80, 50:70:64, 70:180:88"}
@@ -546,7 +531,7 @@ def tank_words(runs, axis):
             ("tank_gas", "nonlinear, 0.1 MPa of gas", 120,
              {**NONLINEAR, **gas}),
             ("tank_150", "saddle of 150°", 150, wide)):
-        directory, at = tank(name, saddle / 2, entries)
+        results, at = tank(name, saddle / 2, entries)
         at_middle[name] = at[0]
         inner, outer = zick_stresses(saddle)
         worst[name] = min(both[1] for both in at.values())
@@ -554,7 +539,7 @@ def tank_words(runs, axis):
                      f"{max(both[0] for both in at.values()):.0f}",
                      f"{worst[name]:.0f}", f"{inner:.0f}", f"{outer:.0f}"])
         if name == "tank":
-            shipped, along = directory, at
+            shipped, along = results, at
     for face, color in ((0, "C3"), (1, "C0")):
         axis.plot(list(along), [both[face] for both in along.values()],
                   color=color, marker=".",
@@ -564,15 +549,13 @@ def tank_words(runs, axis):
     axis.axvspan(0, WIDTH / 2, color="0.9")
     axis.text(WIDTH / 4, -20, "saddle", ha="center")
 
-    forces = {line["body"]: float(line["F_x"])
-              for line in lines_of(shipped / "forces.csv")}
+    forces = {line["body"]: line["F_x"] for line in shipped.forces().rows()}
     weight = SLICE * HALF_BAY / 2
     return {
         "force": -forces["saddle"], "weight": weight,
         "balance": abs(forces["saddle"] / forces["loads"] + 1),
         "lack": 100 * (1 - forces["loads"] / weight),
-        "peak": float(lines_of(shipped / "history.csv")[-1]
-                      ["saddle_max_pressure"]),
+        "peak": shipped.last("saddle_max_pressure"),
         "mesh_change": 100 * abs(at_middle["tank_fine"][1]
                                  / at_middle["tank"][1] - 1),
         "edge_change": 100 * abs(worst["tank_fine"] / worst["tank"] - 1),
@@ -602,32 +585,23 @@ def saddle_words(runs, picture):
 DRUM, STRAP = 100, 0.2
 
 
-def held_tensions(directory):
+def held_tensions(results):
     """The tension at the held end after the turn and after the turn back."""
-    tensions = {}
-    for line in lines_of(directory / "forces.csv"):
-        if line["body"] == "alpha_2 min":
-            tensions[line["stage"]] = math.hypot(float(line["F_x"]),
-                                                 float(line["F_z"]))
-    return tensions["turn"], tensions["turn back"]
+    held = (results.stage(stage).forces().where(body="alpha_2 min").row(-1)
+            for stage in ("turn", "turn back"))
+    return [math.hypot(force["F_x"], force["F_z"]) for force in held]
 
 
-def draw_strap(directory, friction, picture):
+def draw_strap(results, friction, picture):
     figure, axis = plt.subplots(figsize=(6.5, 4), constrained_layout=True)
-    start = 0
     for stage, color, parts in (("turn", "C0", (0.1, 0.2, 0.3, 1)),
                                 ("turn back", "C3", (0.05, 0.15, 0.25, 0.35, 1))):
-        steps = [line for line in lines_of(directory / "history.csv")
-                 if line["stage"] == stage]
+        steps = results.stage(stage).steps
         for i, part in enumerate(parts):
-            step = int(steps[round(part * len(steps)) - 1]["step"])
-            nodes = [n for n in
-                     lines_of(directory / f"contact-drum-{step:04d}.csv")
-                     if float(n["alpha_1"]) == 0 and n["active"] == "1"]
-            nodes = nodes[1:-1]
+            step = steps[round(part * len(steps)) - 1]
+            nodes = results.contact(step, "drum").where(alpha_1=0, active=1)
             axis.semilogy(
-                [float(n["alpha_2"]) for n in nodes],
-                [float(n["pressure"]) * (DRUM + STRAP / 2) for n in nodes],
+                nodes["alpha_2"][1:-1], nodes["pressure"][1:-1] * (DRUM + STRAP / 2),
                 color=color, alpha=0.35 + 0.65 * (i + 1) / len(parts),
                 linewidth=1.2, label=stage if part == 1 else None)
     angles = np.array([0, 180])
@@ -667,26 +641,23 @@ def strap_words(runs, picture):
                          f"{ratio:.4f}", *cells])
     thick = []
     for h in (0.2, 1, 2, 5):
-        directory = runs.run(f"strap_thick_{h}", "band_brake.prm", {
-            "Laminate/Plies": f"steel: {h} @ 0"})
-        _, back = held_tensions(directory)
+        _, back = held_tensions(runs.run(f"strap_thick_{h}", "band_brake.prm", {
+            "Laminate/Plies": f"steel: {h} @ 0"}))
         formula = math.exp(0.3 * math.pi / (1 + h / 2 / DRUM))
         thick.append([f"{h:g}", f"{back:.4f}", f"{formula:.4f}",
                       f"{100 * (back / formula - 1):+.3f} %"])
     shipped = runs.run("strap", "band_brake.prm", {})
     draw_strap(runs.run("strap_slowly", "band_brake.prm", {
         "Body drum/Motions": "turn: 0 0 0 turn 0.004"}), 0.3, picture)
-    line = [line for line in lines_of(shipped / "forces.csv")
-            if line["body"] == "drum"][-1]
+    moment = shipped.forces().where(body="drum")["M_y"][-1]
     _, back = held_tensions(shipped)
-    history = lines_of(shipped / "history.csv")
     stiff = runs.run("strap_stiff", "band_brake.prm", {
         "Contact/Tangential regularization": "automatic"}, may_stop=True)
     others = [held_tensions(runs.run(f"strap_{value}", "band_brake.prm", {
         "Contact/Tangential regularization": value}))[1]
         for value in (10, 1000)]
-    done = len(lines_of(stiff / "history.csv"))
-    if done == len(history):
+    done = len(stiff.steps)
+    if not stiff.stopped:
         raise SystemExit("the strap with the automatic value has not failed")
     return {
         "straps": table(
@@ -695,13 +666,13 @@ def strap_words(runs, picture):
         "reciprocal": reciprocal,
         "thick": table(["Thickness, mm", "Ratio", "exp(kθ)", "Deviation"],
                        thick),
-        "moment": abs(abs(float(line["M_y"]))
+        "moment": abs(abs(moment)
                       / ((back - 1) * (DRUM + STRAP / 2)) - 1),
         "failed": f"step after the first {done}" if done > 1
                   else "first step of the turn",
         "regularization": max(abs(other / back - 1) for other in others),
-        "strap_iterations": sum(int(line["iterations"]) for line in history),
-        "strap_steps": len(history)}
+        "strap_iterations": int(shipped.history["iterations"].sum()),
+        "strap_steps": len(shipped.steps)}
 
 
 def main():

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write tire_stiffness.md from a run of prm/tire_stiffness.prm."""
 
-import argparse
-import csv
-import subprocess
+import sys
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import Runs, parse_arguments, table
 
 PAGE = """<!-- Written by doc/tire_stiffness/tire_stiffness.py: cmake --build build --target tire_stiffness -->
 
@@ -72,41 +73,27 @@ ROUGH = [("lateral, secant, N/mm", "lateral rough", "secant"),
          ("turn, secant, N mm/degree", "turn rough", "secant")]
 
 
-def table(lines, columns):
-    """A table in Markdown, a row for each loaded state."""
+def rows_of(lines, columns):
+    """A row for each loaded state, under a header."""
     # the last line of each stage
-    last = {line["stage"]: line for line in lines}
+    last = {line["stage"]: line for line in lines.rows()}
     states = dict.fromkeys(stage.partition(": ")[0] for stage in last
                            if ": " in stage)
-    heads = ["Load", "approach, mm"] + [column[0] for column in columns]
-    rows = [heads, ["---"] + ["---:"] * (len(heads) - 1)]
+    rows = []
     for state in states:
-        values = [float(last[f"{state}: {stage}"][column])
-                  for _, stage, column in columns]
-        approach = float(last[f"{state}: less load"]["approach"])
-        rows.append([state, f"{approach:.2f}"]
+        values = [last[f"{state}: {stage}"][column] for _, stage, column in columns]
+        rows.append([state, f"{last[f'{state}: less load']['approach']:.2f}"]
                     + [f"{value:.0f}" if abs(value) >= 1000 else f"{value:.2f}"
                        for value in values])
-    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+    return ["Load", "approach, mm"] + [column[0] for column in columns], rows
 
 
 def main():
-    root = Path(__file__).resolve().parents[2]
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True, help="the program biface")
-    parser.add_argument("--scratch", type=Path, default=Path("tire_stiffness_run"))
-    parser.add_argument("--output", type=Path, required=True,
-                        help="where to write tire_stiffness.md")
-    arguments = parser.parse_args()
-    subprocess.run([arguments.program, "--quiet", "--output", arguments.scratch,
-                    "--set", "Output/Write VTU=false",
-                    root / "prm/tire_stiffness.prm"], check=True)
-
-    with open(arguments.scratch / "stiffness.csv", encoding="utf-8") as file:
-        lines = list(csv.DictReader(file))
+    arguments = parse_arguments("tire_stiffness", __doc__)
+    lines = Runs(arguments).run("four_loads", "tire_stiffness.prm", {}).stiffness()
     (arguments.output / "tire_stiffness.md").write_text(
-        PAGE.format(glued=table(lines, GLUED), rough=table(lines, ROUGH)),
-        encoding="utf-8")
+        PAGE.format(glued=table(*rows_of(lines, GLUED)),
+                    rough=table(*rows_of(lines, ROUGH))), encoding="utf-8")
 
 
 if __name__ == "__main__":

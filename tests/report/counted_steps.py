@@ -13,7 +13,7 @@ sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
 from biface import Table
-from biface.parameters import read_parameters
+from biface.parameters import parse_parameters
 from biface_report.loading import counted_steps
 
 STAGES = """set Number of stages = 4
@@ -41,7 +41,7 @@ class Run:
         2 * ["air"] + ["tensioned"] + 2 * ["snow"] + 2 * ["wind"], dtype=object)})
 
     def __init__(self, start, tensioned):
-        self.parameters = read_parameters(
+        self.parameters = parse_parameters(
             STAGES.format(start=start, tensioned=tensioned))
 
     def setting(self, entry, otherwise=None):

@@ -1,17 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads parameters.prm as the program writes it.
+"""Reads and writes parameter files.
 
-A comment '# default: VALUE' follows each value that differs from the default. The
-first line is a comment that names the program and the parameter file.
+In parameters.prm as the program writes it, a comment '# default: VALUE' follows each
+value that differs from the default, and the first line is a comment that names the
+program and the parameter file.
 """
 
+from __future__ import annotations
+
+import os
 import re
 from collections import namedtuple
+from collections.abc import Mapping
+from pathlib import Path
+
+from .errors import BifaceError
+from .tables import read_text
 
 # An entry: section/name, its value, and its default if that differs
 Entry = namedtuple("Entry", "name value default")
 
-ENTRY = re.compile(r"set\s+(.*?)\s*=\s*(.*?)\s*(?:#\s*default:\s*(.*?)\s*)?$")
+ENTRY = re.compile(r"set\s+(.*?)\s*=\s*(.*?)\s*"
+                   r"(?:#\s*(?:default:\s*(.*?)\s*|.*))?$")
 # Entries that had other names in older files
 OLD_NAMES = {"Direction": "Plane normal", "Named points": "Points",
              "Start from prestress": "Begin from prestress"}
@@ -26,6 +36,10 @@ class Parameters:
         self.text = text
         self.entries = {}
         self.version = self.source = None
+
+    def __getitem__(self, name: str) -> str:
+        """The value of an entry, as text."""
+        return self.entries[name].value
 
     def find(self, name):
         """An entry by its name, or by its older one; None if it is missing."""
@@ -48,23 +62,76 @@ def is_same(value, default):
         return value == default
 
 
-def read_parameters(text):
-    """Parses the text of a file."""
+def read_parameters(path: str | os.PathLike) -> Parameters:
+    """The entries that a parameter file sets."""
+    return parse_parameters(read_text(path))
+
+
+def parse_parameters(text: str) -> Parameters:
+    """The entries that the text of a parameter file sets."""
     result = Parameters(text)
     origin = ORIGIN.match(text.split("\n", 1)[0])
     if origin:
         result.version, result.source = origin.groups()
-    sections = []
-    for line in map(str.strip, text.split("\n")):
+    for _, name, value, default in scan(text.split("\n")):
+        result.entries[name] = Entry(name, value, default)
+    return result
+
+
+def scan(lines):
+    """For each entry the range of its lines, its name, value and default."""
+    sections, first = [], 0
+    while first < len(lines):
+        end = first + 1
+        while lines[end - 1].endswith("\\") and end < len(lines):
+            end += 1
+        line = "".join(line.lstrip().removesuffix("\\") for line in lines[first:end])
         if line.startswith("subsection "):
-            sections.append(line[len("subsection "):].strip())
-        elif line == "end" and sections:
+            sections.append(line[len("subsection "):].partition("#")[0].strip())
+        elif re.match(r"end\b", line) and sections:
             sections.pop()
         elif match := ENTRY.match(line):
             name, value, default = match.groups()
-            name = "/".join(sections + [name])
-            result.entries[name] = Entry(name, value, default)
-    return result
+            yield slice(first, end), "/".join(sections + [name]), value, default
+        first = end
+
+
+def write_parameters(path: str | os.PathLike, settings: Mapping[str, object],
+                     base: str | os.PathLike | None = None) -> None:
+    """Writes a parameter file: that of the file `base`, if any, with the values of the
+    entries `settings` by name. Files that the base file names are sought from the
+    folder of the new one."""
+    texts = {name: to_text(value) for name, value in settings.items()}
+    for name, text in texts.items():
+        if "#" in text or "\n" in text:
+            raise BifaceError(f"The value of '{name}' is '{text}', but the values in a "
+                              "parameter file cannot contain '#' or more than a line.")
+    lines = [] if base is None else read_text(base).split("\n")
+    found = [(place, name) for place, name, _, _ in scan(lines) if name in texts]
+    for place, name in reversed(found):  # from the end: numbers of lines remain valid
+        lines[place] = [f"set {name.rpartition('/')[2]} = {texts[name]}"]
+    present = {name for _, name in found}
+    for name, text in texts.items():
+        if name in present:
+            continue
+        *sections, entry = name.split("/")
+        lines += [f"subsection {section}" for section in sections]
+        lines += [f"set {entry} = {text}"] + ["end"] * len(sections)
+    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def to_text(value: object) -> str:
+    """The value of an entry as a parameter file has it: a number in all its digits,
+    a boolean as true or false, a list with commas."""
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(to_text, value))
+    return repr(value)
 
 
 def stages(parameters):

@@ -1,24 +1,35 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of a study, read and checked."""
 
+from __future__ import annotations
+
 import csv
 import io
+import os
 from pathlib import Path
 
 import numpy as np
 
 from .errors import BifaceError
 from .parameters import read_parameters
-from .tables import read_text, to_number
+from .results import Results
+from .tables import Table, read_text, to_number
 
 # The columns after the outputs
 LAST_COLUMNS = ["status", "steps", "iterations", "seconds"]
 
 
-class Study:
-    """A directory with study.csv, read and checked."""
+class Study(Table):
+    """The table of a study: a row for each sample, with the columns "sample", those
+    of the variables, those of the outputs (NaN in samples that failed), "status",
+    "steps", "iterations" and "seconds".
 
-    def __init__(self, directory):
+    directory           where it is
+    variables, outputs  the names of these columns
+    is_ok               for each sample, whether it did not fail
+    """
+
+    def __init__(self, directory: str | os.PathLike):
         self.directory = Path(directory)
         path = self.directory / "study.csv"
         lines = list(csv.reader(io.StringIO(read_text(path))))
@@ -34,19 +45,19 @@ class Study:
                 raise BifaceError(f"{path}, line {i}, is damaged: it has "
                                   f"{len(line)} fields where {len(names)} are "
                                   "named.")
-        self.columns = {
-            name: [line[k] if name == "status" else
-                   to_number(line[k], name, f"{path}, line {i},")
-                   for i, line in enumerate(lines[1:], start=2)]
-            for k, name in enumerate(names)}
-        self.status = self.columns["status"]
-        self.is_ok = np.array([status == "ok" for status in self.status])
+        super().__init__({
+            name: np.array([line[k] if name == "status" else
+                            to_number(line[k], name, f"{path}, line {i},")
+                            for i, line in enumerate(lines[1:], start=2)],
+                           dtype=object if name == "status" else float)
+            for k, name in enumerate(names)})
+        self.is_ok = self["status"] == "ok"
         self.parameters = self._read_parameters()
         self.variables, self.outputs = self._split(names[1:-4])
 
     def _read_parameters(self):
         path = self.directory / "study.prm"
-        return read_parameters(read_text(path)) if path.exists() else None
+        return read_parameters(path) if path.exists() else None
 
     def _split(self, names):
         """The columns of variables and those of outputs: the latter are as many
@@ -57,6 +68,10 @@ class Study:
         at = max(len(names) - n_outputs, 0)
         return names[:at], names[at:]
 
-    def values(self, name):
+    def values(self, name: str) -> np.ndarray:
         """The numbers of a column, of the samples that did not fail."""
-        return np.array(self.columns[name], dtype=float)[self.is_ok]
+        return self[name][self.is_ok]
+
+    def results(self, sample: int) -> Results:
+        """The results of a sample, counted from 1."""
+        return Results(self.directory / f"sample-{int(sample):04d}")

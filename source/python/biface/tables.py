@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Files of results with lines of numbers, read and checked."""
 
+from __future__ import annotations
+
+import os
 from pathlib import Path
 
 import numpy as np
@@ -16,22 +19,47 @@ WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located
 
 
 class Table(dict):
-    """Columns by name: arrays of numbers or of text, all of the same length."""
-
-    def __len__(self):
-        return self.n_rows
+    """Columns by name: NumPy arrays of numbers or of text, all of the same length,
+    which is the length of the table."""
 
     def __init__(self, columns):
         super().__init__(columns)
         self.n_rows = len(next(iter(columns.values())))
 
-    def where(self, chosen):
-        """The rows chosen by an array of booleans."""
-        return Table({name: values[chosen] for name, values in self.items()})
+    def __len__(self):
+        return self.n_rows
 
-    def positions(self, prefix=""):
+    def __repr__(self):
+        return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
+
+    def where(self, chosen=None, **values) -> Table:
+        """The rows chosen by an array of booleans, and those with the given values in
+        columns, as in where(body="foundation")."""
+        chosen = np.ones(self.n_rows, bool) if chosen is None else chosen
+        for name, value in values.items():
+            chosen = chosen & (self[name] == value)
+        return Table({name: column[chosen] for name, column in self.items()})
+
+    def row(self, i: int) -> dict:
+        """The values of a row by column; -1 is the last one."""
+        return {name: column[i] for name, column in self.items()}
+
+    def rows(self) -> list[dict]:
+        """All rows, each as a dictionary."""
+        return [self.row(i) for i in range(self.n_rows)]
+
+    def positions(self, prefix: str = "") -> np.ndarray:
         """The columns x, y and z, after a prefix, as rows of points."""
         return np.stack([self[prefix + i] for i in "xyz"], -1)
+
+    def to_pandas(self):
+        """A DataFrame of pandas with the same columns."""
+        try:
+            from pandas import DataFrame
+        except ImportError:
+            raise BifaceError("to_pandas() needs the module pandas (Debian: "
+                              "python3-pandas).") from None
+        return DataFrame(dict(self))
 
 
 def read_text(path):
@@ -61,6 +89,11 @@ def to_number(text, name, place):
     except ValueError:
         raise BifaceError(f"{place} is damaged: '{text}' in the column '{name}' "
                           "is not a number.") from None
+
+
+def read_table(path: str | os.PathLike) -> Table:
+    """Any file of biface with lines of numbers. A field that is empty is NaN."""
+    return read_csv(path, ())[0]
 
 
 def read_csv(path, required, may_be_cut=False):

@@ -31,7 +31,7 @@ def report(study):
     if absent:
         sections.append(missing(absent))
     name = study.directory.resolve().name
-    n = len(study.status)
+    n = len(study)
     failed = n - int(study.is_ok.sum())
     text = (f"Study in the directory {escape(name)}, {count(n, 'sample')}"
             + (f", {failed} of them failed" if failed else "") + ".")
@@ -224,9 +224,9 @@ def failures(study):
     failed = np.flatnonzero(~study.is_ok)
     if len(failed) == 0:
         return LeftOut(name, "There are none.")
-    rows = [[f"{int(study.columns['sample'][i])}"]
-            + [number(study.columns[v][i]) for v in study.variables]
-            + [escape(study.status[i])] for i in failed]
+    rows = [[f"{int(study['sample'][i])}"]
+            + [number(study[v][i]) for v in study.variables]
+            + [escape(study["status"][i])] for i in failed]
     return Section("failures", name, table(
         name, ["Sample"] + [escape(v) for v in study.variables] + ["Reason"],
         rows).replace('class="scroll"', 'class="scroll words"', 1), True)
@@ -235,11 +235,11 @@ def failures(study):
 def samples(study):
     """The table, and the cost."""
     names = study.variables + study.outputs + ["iterations", "seconds"]
-    rows = [[f"{int(study.columns['sample'][i])}"]
-            + [number(study.columns[name][i]) for name in names]
-            for i in range(len(study.status))]
-    seconds = np.array(study.columns["seconds"])
-    iterations = np.array(study.columns["iterations"])
+    rows = [[f"{int(study['sample'][i])}"]
+            + [number(study[name][i]) for name in names]
+            for i in range(len(study))]
+    seconds = study["seconds"]
+    iterations = study["iterations"]
     text = paragraph(
         f"{count(len(rows), 'sample')} took {plain_number(seconds.sum(), 4)} s and "
         f"{int(iterations.sum())} Newton iterations in all.")
