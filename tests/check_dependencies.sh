@@ -53,7 +53,7 @@ check_folders()
 {
   for path in include/biface/"$1"*/ source/"$1"*/; do
     folder=$(basename "$path")
-    # a separate program, in Python
+    # not C++
     case $folder in completion | python) continue ;; esac
     allowed=$("$2" "$folder") || {
       complain "$path: no folder of this name is known; tell $0 its place."
