@@ -114,7 +114,8 @@ def run_study(file: str | os.PathLike, settings: Mapping[str, object] | None = N
     if restart:
         words.append("--restart")
     code, message = execute(words, ranks, program, printing(progress))
-    if code != 0:
+    # without a sample that succeeds, the table still has the reasons
+    if code not in (0, NOT_CONVERGED):
         raise RunError(message, code)
     return Study(output)
 
