@@ -162,10 +162,20 @@ namespace Biface
     const bool         is_outer = (face == Resultants::outer);
     const unsigned int ply = is_outer ? laminate.get_plies().size() - 1 : 0;
     const PlyState     state(laminate, ply, is_outer ? 1. : 0., E, {});
-    tangential = {{state.stress[0][0], state.stress[1][1], state.stress[0][1]}};
-    von_mises =
-      std::sqrt(1.5) *
-      deviator(state.failure_stress(laminate.get_plies()[ply])).norm();
+    stress      = state.stress;
+    true_stress = (laminate.get_plies()[ply].rubber
+                     ? cauchy_stress(state.stress, state.strain)
+                     : state.stress);
+  }
+
+
+  std::array<double, 4>
+  FaceStress::values() const
+  {
+    return {{stress[0][0],
+             stress[1][1],
+             stress[0][1],
+             std::sqrt(1.5) * deviator(true_stress).norm()}};
   }
 
 

@@ -112,11 +112,12 @@ namespace Biface
   ProfileFile::stresses(const State &state) const
   {
     const ShellMesh       &mesh    = equations.mesh;
-    constexpr unsigned int n       = FaceStress::names.size();
     const unsigned int     n_nodes = mesh.grid.n_nodes(0);
+    constexpr unsigned int n       = 6; // components of a tensor
 
-    // the number of cells around each node, then the sums of both faces
-    std::vector<double> sums((1 + 2 * n) * n_nodes);
+    // the number of cells around each node, then the sums of both stresses of
+    // both faces
+    std::vector<double> sums((1 + 4 * n) * n_nodes);
     for (const unsigned int c : mesh.layers)
       {
         const Cell &cell     = mesh.cells[c];
@@ -135,25 +136,40 @@ namespace Biface
             const Node &node = mesh.nodes[cell.nodes[v]];
             if (node.alpha[1] != line)
               continue;
-            double         *sum      = &sums[(1 + 2 * n) * node.grid_index[0]];
+            double         *sum      = &sums[(1 + 4 * n) * node.grid_index[0]];
             const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
             sum[0] += is_first;
             const auto add = [&](const Resultants::Face face, double *to) {
-              for (const double stress :
-                   FaceStress(laminate, face, E[v]).values())
-                *to++ += stress;
+              const FaceStress of_cell(laminate, face, E[v]);
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  to[i] += of_cell.stress.access_raw_entry(i);
+                  to[n + i] += of_cell.true_stress.access_raw_entry(i);
+                }
             };
             if (is_last)
               add(Resultants::outer, sum + 1);
             if (is_first)
-              add(Resultants::inner, sum + 1 + n);
+              add(Resultants::inner, sum + 1 + 2 * n);
           }
       }
     Utilities::MPI::sum(sums, communicator, sums);
     std::vector<double> means;
     for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int k = 1; k <= 2 * n; ++k)
-        means.push_back(sums[(1 + 2 * n) * i + k] / sums[(1 + 2 * n) * i]);
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          const double *of_node = &sums[(1 + 4 * n) * i];
+          FaceStress    mean;
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const double *of_face           = of_node + 1 + 2 * n * face;
+              mean.stress.access_raw_entry(k) = of_face[k] / of_node[0];
+              mean.true_stress.access_raw_entry(k) =
+                of_face[n + k] / of_node[0];
+            }
+          for (const double value : mean.values())
+            means.push_back(value);
+        }
     return means;
   }
 

@@ -221,8 +221,15 @@ namespace Biface
                            std::to_string(progress.stage + 1) + ".");
         if (progress.at_end_of(parameters.last_stage()))
           {
-            out << "Run already complete after " << progress.n_steps
-                << " steps." << std::endl;
+            if (progress.at_end_of(parameters.stages.size() - 1))
+              out << "Run already complete after " << progress.n_steps
+                  << " steps." << std::endl;
+            else
+              out << "The run has reached stage " << progress.stage + 1
+                  << " in " << progress.n_steps
+                  << " steps: nothing is left of the stages that '--stages' "
+                     "asks for."
+                  << std::endl;
             return {};
           }
       }

@@ -76,8 +76,10 @@ namespace Biface
     // doc/performance.md: bytes of a node of two faces, with factors of a
     // symmetric tangent in single precision or a multigrid, and with others;
     // of a copy of the mesh; of a rank
-    constexpr double symmetric = 32e3, unsymmetric = 50e3, mesh = 5e3,
-                     rank = 0.12 * gibibyte;
+    constexpr double symmetric = 32e3, unsymmetric = 55e3, mesh = 5e3,
+                     rank = 0.17 * gibibyte;
+    // factors grow faster than the unknowns of a node
+    constexpr double growth_with_layers = 1.6;
     // seconds of an iteration, and iterations of a step
     constexpr double of_ten_thousand = 0.07, growth = 1.15, n_iterations = 5;
 
@@ -87,13 +89,19 @@ namespace Biface
     const double per_node = 3. * (parameters.laminate.n_layers() + 1);
     const double n_copies =
       (grid.distribution == MeshDistribution::shared ? n_ranks : 1);
+    bool is_symmetric =
+      parameters.contact.condition.mass == MultiplierMass::lumped &&
+      parameters.pressure.kind == PressureKind::dead;
+    for (const Stage &stage : parameters.stages)
+      is_symmetric =
+        is_symmetric &&
+        !(stage.contact && parameters.contact.friction.coefficient != "0");
     const bool is_small =
-      parameters.linear_solver.type ==
-        LinearSolver::Parameters::Type::iterative ||
-      parameters.contact.condition.mass == MultiplierMass::lumped;
-    memory = n_ranks * rank +
-             n_nodes * (mesh * (n_copies - 1) +
-                        per_node / 6 * (is_small ? symmetric : unsymmetric));
+      is_symmetric || parameters.linear_solver.type ==
+                        LinearSolver::Parameters::Type::iterative;
+    const double of_node = (is_small ? symmetric : unsymmetric) *
+                           std::pow(per_node / 6, growth_with_layers);
+    memory = n_ranks * rank + n_nodes * (mesh * (n_copies - 1) + of_node);
 
     double n_steps = 0;
     for (unsigned int s = 0; s <= parameters.last_stage(); ++s)

@@ -31,6 +31,10 @@ namespace Biface
           out << list_of_starting_files();
           return;
         }
+      if (command_line.action == CommandLine::Action::write_example &&
+          !command_line.overrides.empty())
+        throw InputError("an example is written as it is; change the file, or "
+                         "use '--set' when it runs.");
       const std::vector<ShippedFile> files =
         (command_line.action == CommandLine::Action::write_example
            ? example_files(command_line.file_name)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/output/csv.h>
+#include <biface/program/design_variable.h>
 #include <biface/program/starting_files.h>
 
 namespace Biface
@@ -168,7 +170,18 @@ namespace Biface
 
 
     std::string
-    short_number(const double value)
+    contents_of(const std::string &path)
+    {
+      std::ifstream      file(path, std::ios::binary);
+      std::ostringstream text;
+      text << file.rdbuf();
+      return text.str();
+    }
+
+
+    /** In a comment, few digits are enough. */
+    std::string
+    rounded(const double value)
     {
       char text[32];
       std::snprintf(text, sizeof(text), "%.6g", value);
@@ -256,11 +269,13 @@ namespace Biface
           }
         if (std::regex_match(line, match, size_line))
           line = "# " + std::string(match[1]) + " = " +
-                 short_number(values.evaluate(match[1])) + ": " +
+                 exact_number(values.evaluate(match[1])) + ": " +
                  std::string(match[3]);
         while (std::regex_search(line, match, braces))
           {
-            const std::string value = short_number(values.evaluate(match[1]));
+            const double      number = values.evaluate(match[1]);
+            const std::string value =
+              (line[0] == '#' ? rounded(number) : exact_number(number));
             line =
               std::string(match.prefix()) + value + std::string(match.suffix());
           }
@@ -277,7 +292,8 @@ namespace Biface
     std::string existing;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const ShippedFile &file : files)
-        if (std::filesystem::exists(file.name))
+        if (std::filesystem::exists(file.name) &&
+            contents_of(file.name) != file.text)
           existing = file.name;
     existing = Utilities::MPI::broadcast(communicator, existing);
     if (!existing.empty())

@@ -414,8 +414,6 @@ namespace Biface
     {
       const bool is_first =
         (Utilities::MPI::this_mpi_process(communicator) == 0);
-      ResultsDirectory(directory, communicator);
-
       std::ostringstream nowhere;
       ConditionalOStream err(nowhere, false);
       RunLog             log(nowhere, true, is_first);
@@ -426,6 +424,8 @@ namespace Biface
       };
       try
         {
+          // for the log, also if the input is invalid
+          ResultsDirectory(directory, communicator);
           const std::string source = "--study sample " + std::to_string(i + 1);
           std::vector<Override> overrides = base_overrides;
           for (const Override &setting : settings(
@@ -632,7 +632,8 @@ namespace Biface
               << "; --restart runs the samples that are missing." << std::endl;
           return stop == SIGINT ? interrupted : terminated;
         }
-      if (table.n_ok() == 0)
+      // the table of the first rank is complete
+      if (Utilities::MPI::broadcast(communicator, table.n_ok()) == 0)
         {
           err << "biface: no sample of the study has succeeded; the column "
                  "'status' of "

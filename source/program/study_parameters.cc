@@ -32,6 +32,7 @@ namespace Biface
                 output.of     = of;
                 output.result = Utilities::trim(
                   output.result.substr(std::string(word).size()));
+                break;
               }
           if (at != std::string::npos)
             output.stage = Utilities::trim(item.substr(at + 1));

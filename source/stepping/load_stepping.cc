@@ -296,7 +296,9 @@ namespace Biface
           newton, run, trial, predict(run, trial, true), iteration);
         attempt.result.iterations += spent;
       }
-    if (attempt.result.failed() && iteration == NewtonIteration::mixed)
+    // another iteration has the same matrix
+    if (attempt.result.failed() && iteration == NewtonIteration::mixed &&
+        attempt.result.failure.cause != FailureCause::out_of_memory)
       {
         out << "  not converged: " << attempt.result.failure.message
             << "; trying the substituted iteration" << std::endl;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The program writes its examples as they are shipped, with the files that they
-// read, and templates for given sizes, which it accepts; it replaces no file.
+// read, and templates for given sizes, which it accepts, also where their
+// numbers have many digits; it replaces no file by another.
 
 #include "../restart.h"
 #include "../tests.h"
@@ -33,6 +34,9 @@ main(int argc, char *argv[])
   for (const std::string name : {"gas_bottle.prm", "gas_bottle_profile.csv"})
     check_true(name, text_of(name) == text_of(PRM_DIR "/" + name));
   attempt({"--example", "gas_bottle.prm"});
+  std::ofstream("gas_bottle_profile.csv") << "another\n";
+  attempt({"--example", "gas_bottle"});
+  attempt({"--example", "cleat", "--set", "Stage 1/Pressure=1"});
 
   for (const std::string name : {"tire", "cylinder", "plate", "meridian"})
     {
@@ -50,6 +54,10 @@ main(int argc, char *argv[])
     {"--template", "tire", "--set", "diameter=630", "--set", "width=200"});
   for (const std::string part : {"-114.845:-45:12", "radius = 215"})
     check_true(part, text_of("tire.prm").find(part) != std::string::npos);
+  std::filesystem::remove("cylinder.prm");
+  attempt(
+    {"--template", "cylinder", "--set", "radius=37", "--set", "length=1000/3"});
+  attempt({"--check", "cylinder.prm", "--quiet"});
   attempt({"--template", "tire", "--set", "rim=10"});
   attempt({"--template", "tire", "--set", "hight=10"});
   attempt({"--template", "car"});

@@ -86,14 +86,14 @@ namespace Biface
   };
 
 
-  /** The stress on a face of a laminate. */
+  /** The stress on a face of a laminate, in the frame of the shell. Unit:
+   * force/area. */
   struct FaceStress
   {
-    /** The tangential components in the frame of the shell, second
-     * Piola-Kirchhoff. Unit: force/area. */
-    std::array<double, 3> tangential{};
-    /** The equivalent stress, of PlyState::failure_stress(). */
-    double von_mises = 0;
+    /** Second Piola-Kirchhoff. */
+    dealii::SymmetricTensor<2, 3> stress;
+    /** That of Cauchy where a law is one for large strains. */
+    dealii::SymmetricTensor<2, 3> true_stress;
 
     static constexpr std::array<const char *, 4> names{
       {"s_11", "s_22", "s_12", "von_mises"}};
@@ -105,11 +105,10 @@ namespace Biface
                const Resultants::Face face,
                const StrainsOfPlies  &E);
 
+    /** Those of names; the last one is the equivalent stress of
+     * @p true_stress. */
     std::array<double, 4>
-    values() const
-    {
-      return {{tangential[0], tangential[1], tangential[2], von_mises}};
-    }
+    values() const;
   };
 
 

@@ -47,8 +47,8 @@ namespace Biface
   template_files(const std::string &name, const std::vector<Override> &sizes);
 
   /** Write files into the current directory, on the first rank. Throws
-   * InputError if one of them exists, and OutputError if one cannot be
-   * written. */
+   * InputError if one of them exists with other contents, and OutputError if
+   * one cannot be written. */
   void
   write_starting_files(const std::vector<ShippedFile> &files,
                        const MPI_Comm                  communicator);
