@@ -297,9 +297,9 @@ namespace Biface
           existing = file.name;
     existing = Utilities::MPI::broadcast(communicator, existing);
     if (!existing.empty())
-      throw InputError(
-        "the file '" + existing +
-        "' exists already; move it, or go to another directory.");
+      throw InputError("the file '" + existing +
+                       "' exists already with other contents; move it, or "
+                       "go to another directory.");
     for (const ShippedFile &file : files)
       write_text(file.name, file.text, false, communicator);
   }
