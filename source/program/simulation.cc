@@ -155,11 +155,26 @@ namespace Biface
 
     auto nested = std::make_unique<NestedPredictor>(
       grid, coarse.mesh->n_layers(), parameters.stages);
+    // a smaller footprint tells nothing of that on the finer mesh
+    constexpr unsigned int   min_footprint = 4;
+    unsigned int             n_steps = 0, footprint = 0;
     const LoadSteppingResult result = coarse.run(
       [&](const StepReport &report, const State &state) {
         nested->learn(report.instant, GridState(*coarse.mesh, state));
+        if (report.in_contact)
+          {
+            ++n_steps;
+            footprint = std::max(footprint, report.contact.n_nodes);
+          }
       },
       stop);
+    if (n_steps > 0 && footprint < min_footprint)
+      {
+        out << "On the coarser mesh, the footprint has " << footprint
+            << (footprint == 1 ? " node" : " nodes")
+            << " at most: its steps are not used." << std::endl;
+        nested = std::make_unique<NestedPredictor>();
+      }
     if (!result.success)
       out << "On the coarser mesh, " << result.message << '.' << std::endl;
     coarse_solver_seconds =

@@ -30,7 +30,7 @@ main(int argc, char *argv[])
     std::cout << range << (continued ? " continued" : "") << ": " << ended.code
               << ", steps " << read_table("cut/history.csv").size() - 1
               << std::endl
-              << ended.err;
+              << said(ended);
   };
   stages("1", false);
   stages("3-3", true);
