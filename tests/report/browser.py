@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import urllib.error
 import urllib.request
 
 import matplotlib.image
@@ -43,10 +44,16 @@ class Browser:
         port = next(found for line in self.driver.stdout
                     if (found := re.search(r"successfully on port (\d+)", line))).group(1)
         self.address = f"http://127.0.0.1:{port}/session"
-        answer = self._post("", {"capabilities": {"alwaysMatch": {
-            "goog:chromeOptions": {"binary": programs[0],
-                                   "args": [*OPTIONS, *options]},
-            "goog:loggingPrefs": {"browser": "ALL"}}}})
+        try:
+            answer = self._post("", {"capabilities": {"alwaysMatch": {
+                "goog:chromeOptions": {"binary": programs[0],
+                                       "args": [*OPTIONS, *options]},
+                "goog:loggingPrefs": {"browser": "ALL"}}}})
+        except urllib.error.HTTPError as error:
+            # before any page: as in a root without the devices that it needs
+            reason = json.load(error)["value"]["message"].partition("\n")[0]
+            print(f"skipped: the browser does not start ({reason})")
+            sys.exit(77)
         self.address += "/" + answer["sessionId"]
         self._post("/url", {"url": path.resolve().as_uri()})
         self.run("figure.scrollIntoView(); await view?.ready;")
