@@ -16,11 +16,12 @@ import matplotlib.image
 
 from report_test import check, require_three
 
-# WebGL without a graphics card
+# WebGL without a graphics card, and a pipe to the driver: a machine need not know the
+# name localhost
 OPTIONS = ["--headless=new", "--no-sandbox", "--window-size=1000,900",
            "--force-device-scale-factor=1", "--hide-scrollbars",
            "--disable-dev-shm-usage", "--enable-unsafe-swiftshader",
-           "--use-angle=swiftshader"]
+           "--use-angle=swiftshader", "--remote-debugging-pipe"]
 
 # The letters that stand for keys
 KEYS = {"Home": "\ue011", "ArrowLeft": "\ue012", "ArrowUp": "\ue013"}
