@@ -62,15 +62,11 @@ namespace Biface
   }
 
 
-  std::vector<double>
-  ProfileFile::tensions(const State &state) const
+  template <typename Function>
+  void
+  ProfileFile::for_corners(const State &state, const Function &function) const
   {
-    const ShellMesh     &mesh = equations.mesh;
-    const TensionMembers members(mesh.layup);
-    const unsigned int   n_plies = mesh.layup.get_plies().size();
-
-    // number of plies, which may be parts, and sum by node and ply
-    std::vector<double> sums(2 * mesh.grid.n_nodes(0) * n_plies);
+    const ShellMesh &mesh = equations.mesh;
     for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
@@ -84,21 +80,39 @@ namespace Biface
         for (unsigned int v = 0; v < 4; ++v)
           {
             const Node &node = mesh.nodes[cell.nodes[v]];
-            if (node.alpha[1] != line)
-              continue;
-            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
-            for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
-              {
-                const double tension =
-                  members.tension(mesh.layup, laminate, p, E[v]);
-                double *sum = &sums[2 * (node.grid_index[0] * n_plies +
-                                         laminate.get_plies()[p].number)];
-                sum[0] +=
-                  laminate.get_plies()[p].end - laminate.get_plies()[p].begin;
-                sum[1] += tension;
-              }
+            if (node.alpha[1] == line)
+              function(cell.layer,
+                       node,
+                       mesh.strips[cell.strip].at_lines[v & 1],
+                       E[v]);
           }
       }
+  }
+
+
+  std::vector<double>
+  ProfileFile::tensions(const State &state) const
+  {
+    const ShellMesh     &mesh = equations.mesh;
+    const TensionMembers members(mesh.layup);
+    const unsigned int   n_plies = mesh.layup.get_plies().size();
+
+    // number of plies, which may be parts, and sum by node and ply
+    std::vector<double> sums(2 * mesh.grid.n_nodes(0) * n_plies);
+    for_corners(state,
+                [&](const unsigned int,
+                    const Node           &node,
+                    const Laminate       &laminate,
+                    const StrainsOfPlies &E) {
+                  for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
+                    {
+                      const Ply &ply = laminate.get_plies()[p];
+                      double    *sum =
+                        &sums[2 * (node.grid_index[0] * n_plies + ply.number)];
+                      sum[0] += ply.end - ply.begin;
+                      sum[1] += members.tension(mesh.layup, laminate, p, E);
+                    }
+                });
     Utilities::MPI::sum(sums, communicator, sums);
     std::vector<double> means(sums.size() / 2);
     for (unsigned int i = 0; i < means.size(); ++i)
@@ -118,41 +132,29 @@ namespace Biface
     // the number of cells around each node, then the sums of both stresses of
     // both faces
     std::vector<double> sums((1 + 4 * n) * n_nodes);
-    for (const unsigned int c : mesh.layers)
-      {
-        const Cell &cell     = mesh.cells[c];
-        const bool  is_first = (cell.layer == 0);
-        const bool  is_last  = (cell.layer + 1 == mesh.n_layers());
-        if ((!is_first && !is_last) ||
-            std::none_of(
-              cell.nodes.begin(), cell.nodes.end(), [&](const unsigned int i) {
-                return mesh.nodes[i].alpha[1] == line;
-              }))
-          continue;
-        const auto E =
-          equations.internal_forces().strains_at_vertices(state, c);
-        for (unsigned int v = 0; v < 4; ++v)
-          {
-            const Node &node = mesh.nodes[cell.nodes[v]];
-            if (node.alpha[1] != line)
-              continue;
-            double         *sum      = &sums[(1 + 4 * n) * node.grid_index[0]];
-            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
-            sum[0] += is_first;
-            const auto add = [&](const Resultants::Face face, double *to) {
-              const FaceStress of_cell(laminate, face, E[v]);
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  to[i] += of_cell.stress.access_raw_entry(i);
-                  to[n + i] += of_cell.true_stress.access_raw_entry(i);
-                }
-            };
-            if (is_last)
-              add(Resultants::outer, sum + 1);
-            if (is_first)
-              add(Resultants::inner, sum + 1 + 2 * n);
-          }
-      }
+    for_corners(state,
+                [&](const unsigned int    layer,
+                    const Node           &node,
+                    const Laminate       &laminate,
+                    const StrainsOfPlies &E) {
+                  double    *sum = &sums[(1 + 4 * n) * node.grid_index[0]];
+                  const auto add = [&](const Resultants::Face face,
+                                       double                *to) {
+                    const FaceStress of_cell(laminate, face, E);
+                    for (unsigned int i = 0; i < n; ++i)
+                      {
+                        to[i] += of_cell.stress.access_raw_entry(i);
+                        to[n + i] += of_cell.true_stress.access_raw_entry(i);
+                      }
+                  };
+                  if (layer + 1 == mesh.n_layers())
+                    add(Resultants::outer, sum + 1);
+                  if (layer == 0)
+                    {
+                      add(Resultants::inner, sum + 1 + 2 * n);
+                      sum[0] += 1;
+                    }
+                });
     Utilities::MPI::sum(sums, communicator, sums);
     std::vector<double> means;
     for (unsigned int i = 0; i < n_nodes; ++i)

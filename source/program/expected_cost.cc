@@ -24,6 +24,14 @@ namespace Biface
     constexpr double gibibyte = 1024. * 1024. * 1024.;
 
 
+    /** More than fit into a whole number, if need be. */
+    double
+    n_nodes_of(const ChartGrid &grid)
+    {
+      return static_cast<double>(grid.lines[0].size()) * grid.lines[1].size();
+    }
+
+
     /** The ranks on the machine of this one. */
     unsigned int
     ranks_on_machine(const MPI_Comm communicator)
@@ -83,11 +91,10 @@ namespace Biface
     // seconds of an iteration, and iterations of a step
     constexpr double of_ten_thousand = 0.07, growth = 1.15, n_iterations = 5;
 
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const double       n_nodes =
-      static_cast<double>(grid.lines[0].size()) * grid.lines[1].size();
-    const double per_node = 3. * (parameters.laminate.n_layers() + 1);
-    const double n_copies =
+    const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
+    const double       n_nodes  = n_nodes_of(grid);
+    const double       per_node = 3. * (parameters.laminate.n_layers() + 1);
+    const double       n_copies =
       (grid.distribution == MeshDistribution::shared ? n_ranks : 1);
     bool is_symmetric =
       parameters.contact.condition.mass == MultiplierMass::lumped &&
@@ -147,10 +154,7 @@ namespace Biface
                   "only %.3g; take fewer cells or layers, or more memory.",
                   expected.memory / gibibyte,
                   std::max(0., available / gibibyte));
-    throw InputError(
-      "the section 'Mesh' describes " +
-      number_to_string(static_cast<double>(grid.lines[0].size()) *
-                       grid.lines[1].size()) +
-      message);
+    throw InputError("the section 'Mesh' describes " +
+                     number_to_string(n_nodes_of(grid)) + message);
   }
 } // namespace Biface

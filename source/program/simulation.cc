@@ -157,18 +157,17 @@ namespace Biface
       grid, coarse.mesh->n_layers(), parameters.stages);
     // a smaller footprint tells nothing of that on the finer mesh
     constexpr unsigned int   min_footprint = 4;
-    unsigned int             n_steps = 0, footprint = 0;
-    const LoadSteppingResult result = coarse.run(
+    bool                     in_contact    = false;
+    unsigned int             footprint     = 0;
+    const LoadSteppingResult result        = coarse.run(
       [&](const StepReport &report, const State &state) {
         nested->learn(report.instant, GridState(*coarse.mesh, state));
+        in_contact = in_contact || report.in_contact;
         if (report.in_contact)
-          {
-            ++n_steps;
-            footprint = std::max(footprint, report.contact.n_nodes);
-          }
+          footprint = std::max(footprint, report.contact.n_nodes);
       },
       stop);
-    if (n_steps > 0 && footprint < min_footprint)
+    if (in_contact && footprint < min_footprint)
       {
         out << "On the coarser mesh, the footprint has " << footprint
             << (footprint == 1 ? " node" : " nodes")

@@ -36,6 +36,12 @@ namespace Biface
     double
     find_line() const;
 
+    /** Call a function with each layer, node of the line, laminate and strains
+     * at a corner of a cell that lies on the line. */
+    template <typename Function>
+    void
+    for_corners(const State &state, const Function &function) const;
+
     /** The tension of the fibers or cords, see TensionMembers, at all nodes of
      * the line: `[i * n + p]` in the n plies at the i-th node; NaN where the
      * ply has none or does not cover the node. The means of the cells around

@@ -1,43 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Smooth curves through the nodes of a mesh.
 
-Between two nodes, a curve is a cubic whose tangent at each end is that of the circle through
-this node and its two neighbors on the line of the mesh, so that circles are circles,
-however long the cells are. The tangent is turned from the straight side at most by as
-much as the line turns at the other end: a straight side that ends at a bend or at a
-fold stays straight.
+Between two nodes, a curve is a cubic whose tangent at each end is that of the circle
+through this node and its two neighbors on the line of the mesh, so that circles are
+circles, however long the cells are. The tangent is turned from the straight side at
+most by as much as the line turns at the other end: a straight side that ends at a bend
+or at a fold stays straight.
 """
 
 import numpy as np
 
 # Pieces between two nodes
 N_PIECES = 8
-# Points that agree to as many decimals, relative to the shell, are the same
-SAME = 6
-# The sides of a cell along each coordinate
-SIDES = (([0, 1], [3, 2]), ([0, 3], [1, 2]))
-
-
-def neighbors(cells, count):
-    """For each coordinate the nodes before and after each of a count of nodes on its
-    line of the mesh, -1 for none; from the nodes of each cell in the order around it,
-    which starts along the same coordinate in all cells."""
-    result = np.full((2, 2, count), -1)
-    for (before, after), sides in zip(result, SIDES):
-        for first, last in sides:
-            after[cells[:, first]] = cells[:, last]
-            before[cells[:, last]] = cells[:, first]
-    return result
-
-
-def joined(points, cells):
-    """The cells of a file in which each has points of its own, with each point once:
-    the numbers of the points that are kept, and the cells by places among these."""
-    used, which = np.unique(cells, return_inverse=True)
-    size = np.ptp(points[used], axis=0).max()
-    _, first, same = np.unique(np.round(points[used] / size, SAME), axis=0,
-                               return_index=True, return_inverse=True)
-    return used[first], same[which].reshape(cells.shape)
 
 
 def curved_line(points):
@@ -50,7 +24,7 @@ def curved_line(points):
 
 
 class Sides:
-    """Curved sides of cells, or pieces of a line."""
+    """Curved pieces of lines."""
 
     def __init__(self, points, ends, before, after):
         """From the nodes, the two ends of each side, and for each node the one before

@@ -17,6 +17,9 @@ from .units import Units
 
 # More charts of one row or column would be too small
 MAXIMUM_CHARTS = 6
+# Why there are no responses
+TOO_FEW = ("It needs outputs that vary, and two more samples than variables that "
+           "vary.")
 # A quadratic response needs more samples than it has coefficients, by this factor
 SPARE = 2
 
@@ -117,8 +120,7 @@ def main_effects(study):
     name = "Main effects"
     found = fits(study)
     if found is None:
-        return LeftOut(name, "It needs outputs that vary, and two more samples than "
-                       "variables that vary.")
+        return LeftOut(name, TOO_FEW)
     varying, responses_of = found
     rows = []
     for output, response in responses_of.items():
@@ -174,8 +176,7 @@ def responses(study):
     name = "Responses"
     found = fits(study)
     if found is None:
-        return LeftOut(name, "It needs outputs that vary, and two more samples than "
-                       "variables that vary.")
+        return LeftOut(name, TOO_FEW)
     varying, responses_of = found
     rows, columns = list(responses_of)[:MAXIMUM_CHARTS], varying[:MAXIMUM_CHARTS]
     drawing, axes = grid_of_charts(rows, columns)

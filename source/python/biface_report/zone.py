@@ -16,10 +16,12 @@ import numpy as np
 from biface import read_vtu
 from biface.vtu import corners
 
-from .curved import joined, neighbors
+from .view_data import CLOSE, join
 
 # The precision of files for ParaView, relative to the shell
 NEAR = 1e-6
+# The sides of a cell along each coordinate
+SIDES = (([0, 1], [3, 2]), ([0, 3], [1, 2]))
 
 
 class Zone:
@@ -123,6 +125,27 @@ class Zone:
                 items = ([(a,), (b,)] if self.active[a] and self.active[b] else
                          [(a,), (a, b)] if self.active[a] else [(b,), (b, a)])
                 yield tuple(items)
+
+
+def neighbors(cells, count):
+    """For each coordinate the nodes before and after each of a count of nodes on its
+    line of the mesh, -1 for none; from the nodes of each cell in the order around it,
+    which starts along the same coordinate in all cells."""
+    result = np.full((2, 2, count), -1)
+    for (before, after), sides in zip(result, SIDES):
+        for first, last in sides:
+            after[cells[:, first]] = cells[:, last]
+            before[cells[:, last]] = cells[:, first]
+    return result
+
+
+def joined(points, cells):
+    """The cells of a file in which each has points of its own, with each point once:
+    the numbers of the points that are kept, and the cells by places among these."""
+    used, which = np.unique(cells, return_inverse=True)
+    size = np.ptp(points[used], axis=0).max()
+    first, same = join(points[used], CLOSE * size)
+    return used[first], same[which].reshape(cells.shape)
 
 
 def loops(links):
