@@ -46,9 +46,9 @@ namespace Biface
     : layers(layers)
   {
     // exact for a distribution that is quadratic in each ply
-    const QGauss<1> quadrature(2);
-    unsigned int    number = 0;
-    double          bottom = 0;
+    static const QGauss<1> quadrature(2);
+    unsigned int           number = 0;
+    double                 bottom = 0;
     for (const TransverseShear &layer : layers)
       {
         Tensor<2, 2> part;

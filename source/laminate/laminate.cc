@@ -409,7 +409,7 @@ namespace Biface
   std::vector<CordPoint>
   Laminate::cord_points() const
   {
-    const QGauss<1>        quadrature(2);
+    static const QGauss<1> quadrature(2);
     std::vector<CordPoint> points;
     double                 z = 0;
     for (unsigned int k = 0; k < plies.size(); ++k)

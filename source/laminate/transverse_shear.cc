@@ -256,7 +256,7 @@ namespace Biface
     std::array<Tensor<2, 2>, 2> G;
     Tensor<2, 2>                compliance;
 
-    const QGauss<1> quadrature(3);
+    static const QGauss<1> quadrature(3);
     for (unsigned int k = 0; k < plies.size(); ++k)
       for (unsigned int i = 0; i < quadrature.size(); ++i)
         {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include <biface/base/gather.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/active_set_iteration.h>
 
@@ -63,7 +64,7 @@ namespace Biface
           mine.emplace_back(node.number, node.alpha[0], node.alpha[1]);
       }
     std::vector<Named> all;
-    for (const auto &part : Utilities::MPI::all_gather(mesh.communicator, mine))
+    for (const auto &part : gather_on_all(mesh.communicator, mine))
       all.insert(all.end(), part.begin(), part.end());
     std::sort(all.begin(), all.end());
 

@@ -4,6 +4,7 @@
 #define biface_base_gather_h
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <numeric>
 #include <vector>
@@ -42,6 +43,39 @@ namespace Biface
                 0,
                 communicator);
     return all;
+  }
+
+
+  /** The objects of all ranks in their order, on all of them, likewise without
+   * compression. */
+  template <typename Object>
+  std::vector<Object>
+  gather_on_all(const MPI_Comm communicator, const Object &mine)
+  {
+    const int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    if (n_ranks == 1)
+      return {mine};
+    const std::vector<char> packed = dealii::Utilities::pack(mine, false);
+    const int               n_mine = packed.size();
+    std::vector<int>        counts(n_ranks), begins(n_ranks);
+    MPI_Allgather(&n_mine, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    std::vector<char> all(begins.back() + counts.back());
+    MPI_Allgatherv(packed.data(),
+                   n_mine,
+                   MPI_CHAR,
+                   all.data(),
+                   counts.data(),
+                   begins.data(),
+                   MPI_CHAR,
+                   communicator);
+    std::vector<Object> result;
+    for (int rank = 0; rank < n_ranks; ++rank)
+      result.push_back(dealii::Utilities::unpack<Object>(
+        all.cbegin() + begins[rank],
+        all.cbegin() + begins[rank] + counts[rank],
+        false));
+    return result;
   }
 } // namespace Biface
 

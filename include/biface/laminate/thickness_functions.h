@@ -76,8 +76,9 @@ namespace Biface
     void
     integrate(const double begin, const double end, const Function &f) const
     {
-      const bool              is_plate = curvature[0] == 0 && curvature[1] == 0;
-      const dealii::QGauss<1> quadrature(is_plate ? 2 : 4);
+      static const dealii::QGauss<1> for_plate(2), for_shell(4);
+      const bool is_plate = curvature[0] == 0 && curvature[1] == 0;
+      const dealii::QGauss<1> &quadrature = is_plate ? for_plate : for_shell;
       for (unsigned int i = 0; i < quadrature.size(); ++i)
         f(begin + (end - begin) * quadrature.point(i)[0],
           quadrature.weight(i) * (end - begin));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/mpi.templates.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
 
+#include <biface/base/gather.h>
 #include <biface/model/contact/bristle_lines.h>
 
 namespace Biface
@@ -22,8 +22,8 @@ namespace Biface
     : mesh(mesh), face(face), body(body), places(mesh.nodes.size())
   {
     std::map<unsigned int, std::map<unsigned int, LineNode>> by_line;
-    for (const std::vector<LineNode> &of_rank : Utilities::MPI::all_gather(
-           mesh.communicator, own_nodes(flow_lines, state, zone)))
+    for (const std::vector<LineNode> &of_rank :
+         gather_on_all(mesh.communicator, own_nodes(flow_lines, state, zone)))
       for (const LineNode &node : of_rank)
         {
           auto      &of_line  = by_line[node.line];
@@ -317,13 +317,16 @@ namespace Biface
             coupling.nodes   = {node.number, other.number};
             coupling.rows    = node.dofs;
             coupling.columns = other.dofs;
-            coupling.stiffness.reinit(node.dofs.size(), other.dofs.size());
+            couplings.push_back(coupling);
+            if (!node.touches || i < line.bristles[j].first)
+              continue;
+            couplings.back().stiffness.reinit(node.dofs.size(),
+                                              other.dofs.size());
             const Tensor<2, 3> derivative = force_derivative(line, j, i);
             for (unsigned int a = 0; a < node.dofs.size(); ++a)
               for (unsigned int b = 0; b < other.dofs.size(); ++b)
-                coupling.stiffness(a, b) =
+                couplings.back().stiffness(a, b) =
                   -(node.per_dof[a] * (derivative * other.per_dof[b]));
-            couplings.push_back(std::move(coupling));
           }
       });
   }

@@ -119,7 +119,18 @@ namespace Biface
       term->add_couplings(state, loads, couplings);
     if (Utilities::MPI::logical_or(!matrix || !matrix->has(couplings),
                                    mesh.communicator))
-      matrix = std::make_unique<TangentMatrix>(mesh, constraints, couplings);
+      {
+        // Nodes come and go: a pattern that has those of earlier states need
+        // not be analyzed again.
+        for (const ForceTerm::Coupling &coupling : couplings)
+          if (!matrix || !matrix->has({coupling}))
+            {
+              known_couplings.push_back(coupling);
+              known_couplings.back().stiffness.reinit(0, 0);
+            }
+        matrix =
+          std::make_unique<TangentMatrix>(mesh, constraints, known_couplings);
+      }
     matrix->clear();
     rhs = 0;
     for (const ForceTerm::Coupling &coupling : couplings)

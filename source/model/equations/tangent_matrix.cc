@@ -109,7 +109,8 @@ namespace Biface
   void
   TangentMatrix::add(const ForceTerm::Coupling &coupling)
   {
-    matrix.add(coupling.rows, coupling.columns, coupling.stiffness, false);
+    if (!coupling.stiffness.empty())
+      matrix.add(coupling.rows, coupling.columns, coupling.stiffness, false);
   }
 
 

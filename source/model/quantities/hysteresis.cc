@@ -26,9 +26,9 @@ namespace Biface
     CellStrains
     strains_across(const Modes::Vector &modes)
     {
-      const auto      at_vertices = Modes::at_vertices(modes);
-      const QGauss<1> quadrature(n_points);
-      CellStrains     strains;
+      const auto             at_vertices = Modes::at_vertices(modes);
+      static const QGauss<1> quadrature(n_points);
+      CellStrains            strains;
       for (unsigned int g = 0; g < n_points; ++g)
         {
           const double s = quadrature.point(g)[0];
@@ -66,7 +66,7 @@ namespace Biface
                 const Resultants::Vector &F)
     {
       // in a plate, exact also for the shear stresses of equilibrium
-      const QGauss<1>         quadrature(3);
+      static const QGauss<1>  quadrature(3);
       const std::vector<Ply> &plies  = laminate.get_plies();
       double                  bottom = 0;
       for (unsigned int below = 0; below < p; ++below)

@@ -250,8 +250,10 @@ namespace Biface
 
     /** Created by the first assembly. */
     std::unique_ptr<TangentMatrix> matrix;
-    LA::Vector                     rhs;
-    double                         force_scale = 0;
+    /** All that terms of this rank have had so far. */
+    std::vector<ForceTerm::Coupling> known_couplings;
+    LA::Vector                       rhs;
+    double                           force_scale = 0;
     /** The norm of has_given_forces(). */
     double given_forces = 0;
   };

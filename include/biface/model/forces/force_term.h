@@ -122,7 +122,8 @@ namespace Biface
         nodes;
       /** Free unknowns of both. */
       std::vector<dealii::types::global_dof_index> rows, columns;
-      /** Minus the derivative of the forces. */
+      /** Minus the derivative of the forces; empty if it is zero at
+       * present. */
       dealii::FullMatrix<double> stiffness;
     };
 
