@@ -400,6 +400,9 @@ namespace Biface
     for (Cell &cell : cells)
       for (const auto dof : cell.dofs)
         cell.positions.push_back(locally_relevant.index_within_set(dof));
+    for (Node &node : nodes)
+      for (const auto dof : node.dofs)
+        node.entries.push_back(locally_relevant.index_within_set(dof));
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
         if (cells[c].is_wall)
@@ -872,10 +875,15 @@ namespace Biface
                                       const Node        &node,
                                       const unsigned int face) const
   {
+    // V(dof) searches the number of each entry
+    const bool   has_ghosts = (V.trilinos_vector().MyLength() ==
+                             static_cast<int>(locally_relevant.n_elements()));
     Tensor<1, 3> v;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int part = 0; part < node.n_parts(); ++part)
-        v[i] += Node::sign_of_part(face, part) * V(node.dof(i, part));
+        v[i] += Node::sign_of_part(face, part) *
+                (has_ghosts ? V.begin()[node.entries[node.position(i, part)]]
+                            : V(node.dof(i, part)));
     return v;
   }
 

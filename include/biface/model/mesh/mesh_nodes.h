@@ -60,6 +60,9 @@ namespace Biface
     /** Global indices of the unknowns, in the order of dof(). */
     std::vector<dealii::types::global_dof_index> dofs;
 
+    /** Their positions among the entries of a vector with ghosts. */
+    std::vector<unsigned int> entries;
+
     unsigned int
     n_layers() const
     {
