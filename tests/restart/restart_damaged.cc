@@ -32,7 +32,10 @@ namespace
   begin()
   {
     std::filesystem::remove_all("cut");
-    run(coarse_tire, "cut", MPI_COMM_WORLD, "Step 5,");
+    run(with(coarse_tire, {"Checkpoint/Every steps=1"}),
+        "cut",
+        MPI_COMM_WORLD,
+        "Step 5,");
   }
 
 

@@ -22,8 +22,8 @@ namespace Biface
     struct Parameters
     {
       bool         write         = true;
-      unsigned int every_steps   = 1;
-      double       every_minutes = 0;
+      unsigned int every_steps   = 0;
+      double       every_minutes = 0.05;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
