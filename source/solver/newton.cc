@@ -8,6 +8,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/quantities/inverted_layers.h>
 #include <biface/solver/active_set_iteration.h>
+#include <biface/solver/condensed_contact.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/newton.h>
 #include <biface/solver/nonlocal_correction.h>
@@ -77,32 +78,6 @@ namespace Biface
   {}
 
 
-  namespace
-  {
-    /**
-     * The tolerance of the next linear solve, in the norm of the solver
-     * @cite EisenstatWalker1996: the square of the last reduction of the
-     * residual, but not below what would not change the last iterate, and at
-     * most @p maximum.
-     */
-    double
-    forcing_term(const std::vector<double> &residuals,
-                 const double               tolerance,
-                 const double               maximum)
-    {
-      constexpr double gamma = 0.9, no_trace = 1e-3;
-
-      const double now = residuals.back();
-      if (residuals.size() < 2 || now == 0)
-        return maximum;
-      const double ratio = now / residuals[residuals.size() - 2];
-      return std::min(
-        maximum,
-        std::max({gamma * ratio * ratio, no_trace * tolerance / now, 1e-10}));
-    }
-  } // namespace
-
-
   /** The current iterate. */
   struct Newton::Iterate
   {
@@ -122,6 +97,7 @@ namespace Biface
       , zone_given(zone_given)
       , loads(equations.with_dependent_loads(state, path.at(mu)))
       , zone(contact, out)
+      , last_active(contact.active_points(state))
       , n_changes(zone_given ? 0 : zone.update(state, loads))
       , total(contact.mesh.owned_vector())
     {
@@ -137,6 +113,10 @@ namespace Biface
     const bool                zone_given;
     Loads                     loads;
     ActiveSetIteration        zone;
+    /** The active set of the last step. */
+    const ActiveSet last_active;
+    /** The points that come and go, without friction. */
+    std::optional<CondensedContact> condensed;
     /** Changes of the active set in the last update. */
     unsigned int n_changes;
     /** Change of the displacements since the start, and the largest entry of
@@ -148,6 +128,8 @@ namespace Biface
     double last_error = 0;
     /** Whether the tangent is that of this iterate. */
     bool has_tangent = false;
+    /** Whether residual and tangent are assembled already. */
+    bool is_assembled = false;
 
     NewtonResult result;
 
@@ -191,6 +173,7 @@ namespace Biface
     };
     if (!unprepared.empty())
       return fail({FailureCause::divergence, unprepared});
+    choose_active_set(iterate);
     while (true)
       {
         if (stop && stop())
@@ -237,6 +220,59 @@ namespace Biface
   }
 
 
+  void
+  Newton::choose_active_set(Iterate &iterate)
+  {
+    State       &state = iterate.state;
+    const Loads &loads = iterate.loads;
+    if (loads.bodies.empty() || contact.has_friction(loads) ||
+        !linear_solver.can_keep_factors())
+      return;
+    CondensedContact &condensed =
+      iterate.condensed.emplace(equations, contact, linear_solver);
+    // the set of a coarser mesh is kept in the first iteration
+    if (iterate.n_changes == 0 || iterate.zone_given)
+      return;
+
+    const ActiveSet extrapolated = contact.active_points(state);
+    const auto      candidates =
+      condensed.differences(extrapolated, iterate.last_active);
+    if (!condensed.has_room_for(candidates))
+      return;
+    ActiveSet others = extrapolated;
+    for (unsigned int i = 0; i < others.size(); ++i)
+      others[i] = extrapolated[i] && iterate.last_active[i];
+    contact.set_active_points(state, others);
+    {
+      TimerOutput::Scope scope(timer, "Assembly");
+      equations.assemble(state, loads);
+    }
+    std::optional<ActiveSet> chosen;
+    if (linear_solver
+          .factorize(equations.tangent(), equations.is_symmetric(loads))
+          .success)
+      {
+        condensed.restart(state);
+        chosen =
+          condensed.choose(state, loads, candidates, equations.residual());
+      }
+    if (!chosen)
+      {
+        contact.set_active_points(state, extrapolated);
+        iterate.condensed.reset();
+        return;
+      }
+    TimerOutput::Scope scope(timer, "Assembly");
+    contact.set_active_points(state, *chosen);
+    equations.add_contact(state, loads);
+    for (unsigned int i = 0; i < others.size(); ++i)
+      others[i] = others[i] || (*chosen)[i];
+    contact.set_active_points(state, others);
+    iterate.has_tangent  = true;
+    iterate.is_assembled = true;
+  }
+
+
   Failure
   Newton::too_many_iterations(const Iterate &iterate) const
   {
@@ -256,11 +292,15 @@ namespace Biface
   Newton::assemble(Iterate &iterate)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    iterate.has_tangent = !expects_convergence(iterate);
-    if (iterate.has_tangent)
-      equations.assemble(iterate.state, iterate.loads);
-    else
-      equations.assemble_residual(iterate.state, iterate.loads);
+    if (!iterate.is_assembled)
+      {
+        iterate.has_tangent = !expects_convergence(iterate);
+        if (iterate.has_tangent)
+          equations.assemble(iterate.state, iterate.loads);
+        else
+          equations.assemble_residual(iterate.state, iterate.loads);
+      }
+    iterate.is_assembled = false;
 
     NewtonResult &result = iterate.result;
     result.residuals.push_back(equations.relative_residual());
@@ -293,11 +333,25 @@ namespace Biface
   void
   Newton::complete(Iterate &iterate)
   {
-    if (iterate.has_tangent)
+    if (iterate.has_tangent || keeps_tangent(iterate))
       return;
     TimerOutput::Scope scope(timer, "Assembly");
     equations.assemble(iterate.state, iterate.loads);
     iterate.has_tangent = true;
+  }
+
+
+  bool
+  Newton::keeps_tangent(const Iterate &iterate) const
+  {
+    // The last tangent differs from this one by what the last increment changed
+    // in it, which also is what is left of the last residual.
+    constexpr double           safety    = 0.1;
+    const std::vector<double> &residuals = iterate.result.residuals;
+    const unsigned int         n         = residuals.size();
+    return linear_solver.can_keep_factors() && n >= 2 &&
+           residuals[n - 1] * residuals[n - 1] <=
+             safety * parameters.residual_tolerance * residuals[n - 2];
   }
 
 
@@ -358,33 +412,73 @@ namespace Biface
   }
 
 
+  double
+  Newton::forcing_term(const Iterate &iterate, const bool few_digits) const
+  {
+    constexpr double gamma = 0.9, no_trace = 1e-3, minimum = 1e-10;
+    constexpr double of_last = 1e-2;
+
+    const std::vector<double> &residuals = iterate.result.residuals;
+    const double               now       = residuals.back(),
+                 tolerance               = parameters.residual_tolerance;
+    if (few_digits)
+      {
+        // The first residual was that of contact forces where the shell was
+        // expected to touch, and tells nothing. The next residual is about the
+        // square of this one.
+        constexpr double maximum = 1e-4;
+        return now * now > tolerance
+                 ? maximum
+                 : std::min(maximum, of_last * tolerance / now);
+      }
+    // Contact is stiff, so that small errors of large increments change the
+    // active set. Steps that start from a coarser mesh have small increments.
+    const double maximum = (iterate.zone_given ? 1e-3 : 1e-6);
+    if (residuals.size() < 2 || now == 0)
+      return maximum;
+    const double ratio = now / residuals[residuals.size() - 2];
+    return std::min(
+      maximum,
+      std::max({gamma * ratio * ratio, no_trace * tolerance / now, minimum}));
+  }
+
+
   std::optional<Failure>
   Newton::compute_increment(Iterate &iterate, Increment &increment)
   {
-    // Contact is stiff, so that small errors of large increments change the
-    // active set. Steps that start from a coarser mesh have small increments.
-    const double exactness = forcing_term(iterate.result.residuals,
-                                          parameters.residual_tolerance,
-                                          iterate.zone_given ? 1e-3 : 1e-6);
-
+    std::optional<CondensedContact> &condensed = iterate.condensed;
+    const bool                       settled =
+      iterate.result.iterations > 0 && iterate.n_changes == 0;
     LowRankStiffness low_rank(equations, iterate.state, iterate.loads);
+    const double     exactness =
+      forcing_term(iterate,
+                   settled && condensed && !iterate.parametrized.equations &&
+                     !iterate.loads.rolling && low_rank.is_zero());
+
     // a solution may take new factors
     LinearSolverResult linear, factorized;
     const auto         count_pivots = [&]() {
       if (linear.n_negative_pivots)
         factorized = linear;
-      NewtonResult &result    = iterate.result;
-      result.pivots_are_exact = factorized.pivots_are_exact;
-      result.n_negative_pivots =
-        (factorized.n_negative_pivots
-                   ? low_rank.n_negative(*factorized.n_negative_pivots)
-                   : std::nullopt);
+      NewtonResult &result     = iterate.result;
+      result.pivots_are_exact  = factorized.pivots_are_exact;
+      result.n_negative_pivots = {};
+      if (const auto &n = factorized.n_negative_pivots)
+        result.n_negative_pivots =
+          low_rank.n_negative(linear_solver.has_kept_factors() && condensed
+                                ? condensed->n_negative(*n)
+                                : *n);
     };
 
-    linear = linear_solver.factorize(equations.tangent(),
-                                     equations.is_symmetric(iterate.loads),
-                                     iterate.result.iterations > 0 &&
-                                       iterate.n_changes == 0);
+    std::optional<LinearSolver::Correction> correction;
+    if (condensed)
+      correction = condensed->correction(iterate.state, iterate.loads);
+    const bool symmetric = equations.is_symmetric(iterate.loads);
+    linear =
+      (correction
+         ? linear_solver.keep_factors(
+             equations.tangent(), symmetric, *correction)
+         : linear_solver.factorize(equations.tangent(), symmetric, settled));
     count_pivots();
     if (linear.success)
       linear = linear_solver.solve(
@@ -452,6 +546,8 @@ namespace Biface
             increment.displacement.add(increment.mu[i], per_parameter[i]);
           }
       }
+    if (condensed && !linear_solver.has_kept_factors())
+      condensed->restart(iterate.state);
     return {};
   }
 

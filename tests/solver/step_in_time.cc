@@ -69,8 +69,15 @@ namespace
     assemble(const State &state, const Loads &loads) override
     {
       shell.assemble(state, loads);
-      matrix.copy_from(shell.tangent());
-      matrix.add(1 / (dt * dt), mass.get());
+      set_tangent();
+      add_inertia(state);
+    }
+
+    void
+    add_contact(const State &state, const Loads &loads) override
+    {
+      shell.add_contact(state, loads);
+      set_tangent();
       add_inertia(state);
     }
 
@@ -160,6 +167,13 @@ namespace
     const double dt;
 
   private:
+    void
+    set_tangent()
+    {
+      matrix.copy_from(shell.tangent());
+      matrix.add(1 / (dt * dt), mass.get());
+    }
+
     void
     add_inertia(const State &state)
     {

@@ -34,6 +34,12 @@ namespace Biface
                      const State          &state,
                      const Loads          &loads);
 
+    bool
+    is_zero() const
+    {
+      return parts.empty();
+    }
+
     /** Whether the part is symmetric up to round-off. */
     bool
     is_symmetric() const;

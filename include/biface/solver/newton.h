@@ -153,9 +153,20 @@ namespace Biface
     void
     assemble(Iterate &iterate);
 
+    /** Without friction, choose the active set of the first iteration by the
+     * linearized equations, among the points in which the set of the initial
+     * guess differs from that of the last step; see CondensedContact. */
+    void
+    choose_active_set(Iterate &iterate);
+
     /** Compute a tangent that was left out. */
     void
     complete(Iterate &iterate);
+
+    /** Whether the tangent of the last iterate is good enough for what is
+     * likely to be the last increment. */
+    bool
+    keeps_tangent(const Iterate &iterate) const;
 
     /** Whether the iterate, whose residual is not known yet, is likely to be
      * the last one. */
@@ -172,6 +183,18 @@ namespace Biface
 
     Failure
     too_many_iterations(const Iterate &iterate) const;
+
+    /**
+     * The tolerance of the next linear solve, in the norm of the solver
+     * @cite EisenstatWalker1996: the square of the last reduction of the
+     * residual, but not below what would not change the last iterate, and at
+     * most a number that depends on the contact.
+     * @param few_digits whether the active set has settled and this is the only
+     * system of the iteration: the direction of a load may be much larger than
+     * its effect.
+     */
+    double
+    forcing_term(const Iterate &iterate, const bool few_digits) const;
 
     /** Solve the linear systems of an iteration.
      * @return the failure, if any. */

@@ -111,6 +111,15 @@ namespace Biface
   }
 
 
+  void
+  ContactInteraction::set_active_points(State           &state,
+                                        const ActiveSet &active) const
+  {
+    for (const auto &pair : pairs)
+      pair->state_of(state).active = part_of(active, *pair);
+  }
+
+
   ActiveSet
   ContactInteraction::part_of(const ActiveSet   &of_pairs,
                               const ContactPair &pair) const

@@ -235,6 +235,30 @@ namespace Biface
   }
 
 
+  void
+  ShellEquations::add_contact(const State &state, const Loads &loads)
+  {
+    LA::Vector            sum    = mesh.owned_vector();
+    double                square = 0;
+    ForceTerm::CellForces forces;
+    for (const unsigned int c : mesh.walls)
+      for (unsigned int t = n_linearized; t < terms.size(); ++t)
+        if (terms[t]->source() == ForceTerm::Source::foundation &&
+            terms[t]->acts_on(c, state, loads))
+          {
+            forces.clear();
+            add_forces(t, t + 1, c, state, loads, forces);
+            square += forces.square;
+            matrix->add(c, forces.tangent, forces.force, sum);
+          }
+    matrix->compress();
+    sum.compress(VectorOperation::add);
+    rhs += sum;
+    force_scale = std::hypot(
+      force_scale, std::sqrt(Utilities::MPI::sum(square, mesh.communicator)));
+  }
+
+
   LA::Vector
   ShellEquations::out_of_balance(const State &state, const Loads &loads) const
   {

@@ -450,15 +450,47 @@ namespace Biface
                          const bool              symmetric,
                          const bool              similar)
   {
-    const bool keep_factors = similar && factors_of != FactorsOf::nothing &&
-                              factors->is_for(A, symmetric) &&
-                              factors->max_gmres_iterations() > 0;
+    if (similar)
+      return keep_factors(A, symmetric, {});
     matrix              = &A;
     matrix_is_symmetric = symmetric;
-    if (!keep_factors)
-      return factorize_anew();
-    factors_of = FactorsOf::similar_matrix;
+    return factorize_anew();
+  }
+
+
+  bool
+  MumpsSolver::can_keep_factors() const
+  {
+    return factors && factors->max_gmres_iterations() > 0;
+  }
+
+
+  LinearSolverResult
+  MumpsSolver::keep_factors(const LA::SparseMatrix &A,
+                            const bool              symmetric,
+                            const Correction       &correction)
+  {
+    if (factors_of == FactorsOf::nothing || !factors->is_for(A, symmetric) ||
+        factors->max_gmres_iterations() == 0)
+      return factorize(A, symmetric);
+    matrix              = &A;
+    matrix_is_symmetric = symmetric;
+    this->correction    = correction;
+    factors_of          = FactorsOf::similar_matrix;
     return factorized();
+  }
+
+
+  bool
+  MumpsSolver::solve_by_factors(std::vector<LA::Vector>       &x,
+                                const std::vector<LA::Vector> &b)
+  {
+    if (factors_of == FactorsOf::nothing ||
+        factors->max_gmres_iterations() == 0)
+      return false;
+    TimerOutput::Scope scope(timer, "Linear solver: solution");
+    return b.empty() ||
+           factors->solve(make_array_view(x), make_array_view(b)) >= 0;
   }
 
 
@@ -489,6 +521,7 @@ namespace Biface
   MumpsSolver::factorize_anew()
   {
     factors_of = FactorsOf::nothing;
+    correction = {};
     if (!factors_fit())
       if (const int status = analyze(); status < 0)
         {
@@ -590,8 +623,9 @@ namespace Biface
 
     struct Preconditioner
     {
-      Factors &factors;
-      bool    &failed;
+      Factors          &factors;
+      const Correction &correction;
+      bool             &failed;
 
       void
       vmult(LA::Vector &x, const LA::Vector &b) const
@@ -601,6 +635,8 @@ namespace Biface
             failed = true;
             x      = b;
           }
+        else if (correction)
+          correction(x);
       }
     };
 
@@ -613,7 +649,7 @@ namespace Biface
       {
         SolverFGMRES<LA::Vector>(
           control, SolverFGMRES<LA::Vector>::AdditionalData(max_iterations + 1))
-          .solve(*matrix, x, b, Preconditioner{*factors, failed});
+          .solve(*matrix, x, b, Preconditioner{*factors, correction, failed});
       }
     catch (const SolverControl::NoConvergence &)
       {

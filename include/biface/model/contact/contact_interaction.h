@@ -69,6 +69,10 @@ namespace Biface
     ActiveSet
     active_points(const State &state) const;
 
+    /** The inverse: set the active sets of a state. */
+    void
+    set_active_points(State &state, const ActiveSet &active) const;
+
     /** The nodes around those that are marked in any pair of such a list, see
      * ContactPoints::nodes_around(). */
     ActiveSet

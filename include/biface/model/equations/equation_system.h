@@ -39,6 +39,12 @@ namespace Biface
     virtual void
     assemble_residual(const State &state, const Loads &loads) = 0;
 
+    /** Add the forces of bodies without friction at the active points of a
+     * state, and their derivative, to residual() and tangent(): after an
+     * assembly without these points, the same as with them. */
+    virtual void
+    add_contact(const State &state, const Loads &loads) = 0;
+
     /** The sum of all forces on the nodes, which depends only on the
      * displacements, not on the resultants of the state. */
     virtual const LA::Vector &

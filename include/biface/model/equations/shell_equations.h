@@ -58,6 +58,9 @@ namespace Biface
     void
     assemble_residual(const State &state, const Loads &loads) override;
 
+    void
+    add_contact(const State &state, const Loads &loads) override;
+
     const LA::Vector &
     residual() const override
     {

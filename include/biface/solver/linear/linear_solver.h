@@ -98,6 +98,44 @@ namespace Biface
               const bool              symmetric,
               const bool              similar = false) = 0;
 
+    /** Turns a solution with the factors of one matrix into nearly one of
+     * another. */
+    using Correction = std::function<void(LA::Vector &x)>;
+
+    /** Like factorize(), with the factors of another matrix and a correction,
+     * which may be empty, as a preconditioner if the solver has any. */
+    virtual LinearSolverResult
+    keep_factors(const LA::SparseMatrix &A,
+                 const bool              symmetric,
+                 const Correction & /*correction*/)
+    {
+      return factorize(A, symmetric);
+    }
+
+    /** Whether the solver has factors that it can keep. */
+    virtual bool
+    can_keep_factors() const
+    {
+      return false;
+    }
+
+    /** Whether the factors are those of another matrix than the present one. */
+    virtual bool
+    has_kept_factors() const
+    {
+      return false;
+    }
+
+    /** Solve systems by the present factors alone, of whatever matrix, up to
+     * their round-off.
+     * @return whether the solver does so. */
+    virtual bool
+    solve_by_factors(std::vector<LA::Vector> & /*x*/,
+                     const std::vector<LA::Vector> & /*b*/)
+    {
+      return false;
+    }
+
     /** Likewise for so many systems that each of them should be solved as fast
      * and as exactly as possible. */
     virtual LinearSolverResult

@@ -45,6 +45,24 @@ namespace Biface
               const bool              symmetric,
               const bool              similar = false) override;
 
+    LinearSolverResult
+    keep_factors(const LA::SparseMatrix &A,
+                 const bool              symmetric,
+                 const Correction       &correction) override;
+
+    bool
+    can_keep_factors() const override;
+
+    bool
+    has_kept_factors() const override
+    {
+      return factors_of == FactorsOf::similar_matrix;
+    }
+
+    bool
+    solve_by_factors(std::vector<LA::Vector>       &x,
+                     const std::vector<LA::Vector> &b) override;
+
     /** In double precision. */
     LinearSolverResult
     factorize_for_many(const LA::SparseMatrix &A,
@@ -116,6 +134,8 @@ namespace Biface
     bool                     matrix_is_symmetric = false;
     std::unique_ptr<Factors> factors;
     FactorsOf                factors_of = FactorsOf::nothing;
+    /** Of what the factors of a similar matrix give; may be empty. */
+    Correction correction;
   };
 } // namespace Biface
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_unit_multipliers_h
+#define biface_model_contact_unit_multipliers_h
+
+#include <deal.II/base/types.h>
+
+#include <utility>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** A point of a pair, the same on all ranks: the number of the pair, and that
+   * of the node or of the point in a cell on any number of ranks. */
+  using ContactPoint =
+    std::pair<unsigned int, dealii::types::global_cell_index>;
+
+
+  /** The points by their positions on this rank, in the order of
+   * ContactInteraction::active_points(). */
+  std::vector<ContactPoint>
+  contact_points(const ContactInteraction &contact);
+
+
+  /** What the contact at a point does to the shell, along the normal of the
+   * body there. */
+  struct UnitMultiplier
+  {
+    /** The forces per unit of the multiplier, without those at supports. */
+    LA::Vector forces;
+    /** The derivative of the motion into the body by the displacements: the
+     * positions among the entries of a vector on this rank, with values. */
+    std::vector<std::pair<unsigned int, double>> gradient;
+    /** See ContactPair::clearance(). */
+    double clearance = 0;
+    /** See ContactCondition::multiplier_stiffness(). */
+    double stiffness = 0;
+  };
+
+
+  /** Those of the given points, whose bodies are there. Must be called on all
+   * ranks. */
+  std::vector<UnitMultiplier>
+  unit_multipliers(const ContactInteraction        &contact,
+                   const State                     &state,
+                   const Loads                     &loads,
+                   const std::vector<ContactPoint> &points);
+} // namespace Biface
+
+#endif
