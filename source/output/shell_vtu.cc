@@ -75,13 +75,12 @@ namespace Biface
             Patch      patch    = new_patch();
             for (unsigned int v = 0; v < 4; ++v)
               {
-                const Node        &node = mesh.nodes[cell.nodes[v]];
+                const Node &node  = mesh.nodes[cell.nodes[v]];
+                patch.vertices[v] = mesh.position_of_any_face(
+                  state.displacement, node, cell.layer + face);
                 const Tensor<1, 3> u =
                   node.surface.from_frame(mesh.displacement_of_any_face(
                     state.displacement, node, cell.layer + face));
-                patch.vertices[v] =
-                  node.surface.position +
-                  node.height(cell.layer + face) * node.surface.frame[2] + u;
 
                 unsigned int d = 0;
                 for (unsigned int i = 0; i < 3; ++i)

@@ -470,8 +470,8 @@ namespace Biface
                             const bool              symmetric,
                             const Correction       &correction)
   {
-    if (factors_of == FactorsOf::nothing || !factors->is_for(A, symmetric) ||
-        factors->max_gmres_iterations() == 0)
+    if (factors_of == FactorsOf::nothing || !can_keep_factors() ||
+        !factors->is_for(A, symmetric))
       return factorize(A, symmetric);
     matrix              = &A;
     matrix_is_symmetric = symmetric;
@@ -485,8 +485,7 @@ namespace Biface
   MumpsSolver::solve_by_factors(std::vector<LA::Vector>       &x,
                                 const std::vector<LA::Vector> &b)
   {
-    if (factors_of == FactorsOf::nothing ||
-        factors->max_gmres_iterations() == 0)
+    if (factors_of == FactorsOf::nothing || !can_keep_factors())
       return false;
     TimerOutput::Scope scope(timer, "Linear solver: solution");
     return b.empty() ||
