@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/input/parameter_tools.h>
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/output/csv.h>
 #include <biface/output/forces_file.h>
 
@@ -34,15 +33,15 @@ namespace Biface
 
 
   void
-  ForcesFile::write(const StepReport &report, const State &state)
+  ForcesFile::write(const StepReport &report, const State &)
   {
     std::string lines;
-    for (const ForceOnShell &item : forces_on_shell(
-           equations, state, *report.forces, parameters.moment_center))
+    for (const ForceOnShell &item : report.forces_of_bodies)
       {
         lines +=
           std::to_string(report.step) + ',' + report.stage + ',' + item.body;
-        for (const auto &vector : {item.force, item.moment})
+        for (const auto &vector :
+             {item.force, item.moment_about(parameters.moment_center)})
           for (unsigned int i = 0; i < 3; ++i)
             lines += ',' + csv_number(vector[i]);
         lines += '\n';

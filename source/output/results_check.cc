@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include <biface/input/parameter_tools.h>
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/output/results_check.h>
 
@@ -134,14 +133,13 @@ namespace Biface
 
 
   ResultsCheck::Balance
-  ResultsCheck::balance(const StepReport &report, const State &state) const
+  ResultsCheck::balance(const StepReport &report) const
   {
     const ShellMesh &mesh = equations.mesh;
     Balance          result;
     Tensor<1, 3>     force, moment;
     double           largest_force = 0, largest_moment = 0;
-    for (const ForceOnShell &item :
-         forces_on_shell(equations, state, *report.forces, Point<3>()))
+    for (const ForceOnShell &item : report.forces_of_bodies)
       {
         const double size = item.force.norm();
         force += item.force;
@@ -180,7 +178,7 @@ namespace Biface
     now.footprint_area = report.footprint.area;
     now.n_lines        = lines_in_contact(state);
     now.penetration    = largest_penetration(state);
-    now.balance        = balance(report, state);
+    now.balance        = balance(report);
     last               = now;
 
     std::vector<std::string> warnings;

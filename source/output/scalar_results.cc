@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include <biface/base/errors.h>
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
@@ -225,10 +224,6 @@ namespace Biface
               groups[source.position].empty())
             groups[source.position] = history[source.position].values(step);
       }
-    std::vector<ForceOnShell> forces;
-    if (have_force())
-      forces = forces_on_shell(equations, state, *report.forces, moment_center);
-
     std::vector<double> values;
     for (const Source &source : sources)
       {
@@ -250,10 +245,12 @@ namespace Biface
               }
             case Source::Kind::force:
               {
-                const ForceOnShell &body = forces[source.position];
+                const ForceOnShell &body =
+                  report.forces_of_bodies[source.position];
                 value =
-                  (source.component < 3 ? body.force
-                                        : body.moment)[source.component % 3];
+                  (source.component < 3
+                     ? body.force
+                     : body.moment_about(moment_center))[source.component % 3];
                 break;
               }
             case Source::Kind::frequency:

@@ -903,8 +903,10 @@ namespace Biface
                            perturbed.run->loads_at(perturbed.progress.reached),
                            changed);
             if (results.have_force())
-              changed.forces =
-                std::make_shared<const NodalForces>(forces_in_equilibrium(
+              changed.forces_of_bodies = forces_on_shell(
+                perturbed.model.equations,
+                perturbed.state,
+                forces_in_equilibrium(
                   perturbed.model, perturbed.state, changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =

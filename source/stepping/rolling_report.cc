@@ -22,11 +22,12 @@ namespace Biface
     warn_of_fast_wheel(run, report);
     if (!run.stage.contact)
       return;
-    report.rolling = summarize_rolling(run.equations,
-                                       run.contact.ground(),
-                                       run.state,
-                                       report.loads,
-                                       *report.forces);
+    report.rolling =
+      summarize_rolling(run.equations,
+                        run.contact.ground(),
+                        run.state,
+                        report.loads,
+                        force_of_foundation(report.forces_of_bodies));
     if (run.heat)
       add_heat(run, report);
     report.slip_velocities =

@@ -74,17 +74,18 @@ namespace Biface
     report.in_contact = run.stage.contact;
     report.work       = progress.work;
     report_contact(run, loads, report);
-    report.forces                                  = forces;
+    report.forces = forces;
+    report.forces_of_bodies =
+      forces_on_shell(run.equations, run.state, *forces);
     report.controlled                              = run.control->controlled();
     const std::optional<FoundationReaction> before = progress.reaction;
     progress.reaction.reset();
     if (!run.stage.contact)
       return report;
 
-    const ForceOnShell now =
-      force_of_foundation(run.equations, run.state, *forces, Point<3>());
-    progress.reaction = {progress.reached, now.force, now.moment};
-    report.stiffness  = stiffness(run, before);
+    const ForceOnShell &now = force_of_foundation(report.forces_of_bodies);
+    progress.reaction       = {progress.reached, now.force, now.moment};
+    report.stiffness        = stiffness(run, before);
     return report;
   }
 } // namespace Biface

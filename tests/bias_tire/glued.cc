@@ -28,13 +28,8 @@ namespace
     ForceOnShell result;
     run_bias_tire(
       overrides,
-      [&](const ShellEquations &equations,
-          const StepReport     &report,
-          const State          &state) {
-        for (const ForceOnShell &item : forces_on_shell(
-               equations, state, *report.forces, dealii::Point<3>()))
-          if (item.body == "foundation")
-            result = item;
+      [&](const ShellEquations &, const StepReport &report, const State &) {
+        result = force_of_foundation(report.forces_of_bodies);
       });
     return result;
   }

@@ -48,8 +48,8 @@ namespace
             pressure += cell.geometry.weight / 4 * state.ground().pressure(n);
         const Point<3> on_axis =
           report.loads.ground()->present(Point<3>(radius, 0, 0));
-        foundation =
-          force_of_foundation(equations, state, *report.forces, on_axis);
+        foundation        = force_of_foundation(report.forces_of_bodies);
+        foundation.moment = foundation.moment_about(on_axis);
       });
     pressure = Utilities::MPI::sum(pressure, MPI_COMM_WORLD);
     std::cout << (along_axis ? "along the axis" : "around it") << std::endl;

@@ -82,12 +82,8 @@ main(int argc, char *argv[])
                                       slide - way * std::tan(2 * degree),
                                       -way * cosine),
             "Stage 4/Steps=" + std::to_string(5 * n_cells)}),
-      [&](const ShellEquations &equations,
-          const StepReport     &report,
-          const State          &state) {
-        force = force_of_foundation(
-                  equations, state, *report.forces, dealii::Point<3>())
-                  .force;
+      [&](const ShellEquations &, const StepReport &report, const State &) {
+        force = force_of_foundation(report.forces_of_bodies).force;
       })
       .back();
 

@@ -37,8 +37,7 @@ namespace
                    report.loads.pressure,
                    equations.internal_forces().strain_energy(state),
                    cavity.volume(state)};
-    for (const auto &item :
-         forces_on_shell(equations, state, *report.forces, {}))
+    for (const auto &item : report.forces_of_bodies)
       if (item.body == "alpha_1 max")
         result.force = item.force[1];
       else if (item.body == "alpha_1 min" || item.body == "piston")

@@ -43,8 +43,7 @@ namespace
 
           Resultant sum{};
           double    largest = 0;
-          for (const auto &item :
-               forces_on_shell(equations, state, *report.forces, {}))
+          for (const auto &item : report.forces_of_bodies)
             for (unsigned int i = 0; i < 6; ++i)
               {
                 const double f   = (i < 3 ? item.force[i] : item.moment[i - 3]);

@@ -31,12 +31,11 @@ struct Forces
   {
     run_analysis(file,
                  overrides,
-                 [&](const Biface::ShellEquations &equations,
-                     const Biface::StepReport     &report,
-                     const Biface::State          &state) {
+                 [&](const Biface::ShellEquations &,
+                     const Biface::StepReport &report,
+                     const Biface::State &) {
                    this->report = report;
-                   for (const auto &item : Biface::forces_on_shell(
-                          equations, state, *report.forces, {}))
+                   for (const auto &item : report.forces_of_bodies)
                      for (unsigned int i = 0; i < 3; ++i)
                        {
                          of[item.body][i]     = item.force[i];

@@ -32,12 +32,8 @@ main(int argc, char *argv[])
                             "Stage 4/Start from=2",
                             "Stage 4/Contact=true",
                             "Stage 4/Wheel turn=-10"},
-    [&](const ShellEquations &equations,
-        const StepReport     &report,
-        const State          &state) {
-      forces.push_back(force_of_foundation(
-                         equations, state, *report.forces, dealii::Point<3>())
-                         .force);
+    [&](const ShellEquations &, const StepReport &report, const State &) {
+      forces.push_back(force_of_foundation(report.forces_of_bodies).force);
     });
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;

@@ -92,7 +92,7 @@ namespace Biface
     lines_in_contact(const State &state) const;
 
     Balance
-    balance(const StepReport &report, const State &state) const;
+    balance(const StepReport &report) const;
 
     const ShellEquations     &equations;
     const ContactInteraction &contact;

@@ -13,6 +13,7 @@
 #include <biface/model/forces/nodal_forces.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/quantities/footprint.h>
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/state/state.h>
@@ -72,6 +73,8 @@ namespace Biface
     std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */
     std::shared_ptr<const NodalForces> forces;
+    /** Their resultants, see forces_on_shell(). */
+    std::vector<ForceOnShell> forces_of_bodies;
     /** If the foundation alone has moved, in one way, since the start of the
      * stage. */
     std::optional<StepStiffness> stiffness;

@@ -4,6 +4,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <array>
 
 #include <biface/model/quantities/forces_on_shell.h>
@@ -23,6 +24,8 @@ namespace Biface
       interpolation,
       n_others
     };
+
+    constexpr const char *foundation_name = "foundation";
 
     /** By the face, from the inner to the outer one, in the frame of a node. */
     using FaceForces = std::vector<Tensor<1, 3>>;
@@ -165,12 +168,8 @@ namespace Biface
       /** @param displacement gives the positions of the faces. */
       Resultant(const ShellMesh   &mesh,
                 const LA::Vector  &displacement,
-                const Point<3>    &center,
                 const unsigned int n_bodies)
-        : mesh(mesh)
-        , displacement(displacement)
-        , center(center)
-        , sums(6 * n_bodies)
+        : mesh(mesh), displacement(displacement), sums(6 * n_bodies)
       {}
 
       void
@@ -184,8 +183,7 @@ namespace Biface
             const Tensor<1, 3> force =
               factor * node.surface.from_frame(forces[face]);
             const Tensor<1, 3> moment = cross_product_3d(
-              mesh.position_of_any_face(displacement, node, face) - center,
-              force);
+              mesh.position_of_any_face(displacement, node, face), force);
             for (unsigned int i = 0; i < 3; ++i)
               {
                 sums[6 * body + i] += force[i];
@@ -215,7 +213,6 @@ namespace Biface
     private:
       const ShellMesh    &mesh;
       const LA::Vector   &displacement;
-      const Point<3>      center;
       std::vector<double> sums;
     };
   } // namespace
@@ -233,28 +230,12 @@ namespace Biface
   } // namespace
 
 
-  ForceOnShell
-  force_of_foundation(const ShellEquations &equations,
-                      const State          &state,
-                      const NodalForces    &forces,
-                      const Point<3>       &center)
-  {
-    const ShellMesh  &mesh     = equations.mesh;
-    const LA::Vector &on_nodes = forces[ForceTerm::Source::foundation];
-    Resultant         resultant(mesh, shape_of_forces(state), center, 1);
-    for (const Node &node : mesh.nodes)
-      if (node.locally_owned)
-        resultant.add(0, node, face_forces(mesh, on_nodes, node));
-    return resultant.on_all_ranks({"foundation"})[0];
-  }
-
-
   std::vector<std::string>
   bodies_on_shell(const ShellEquations &equations)
   {
     std::vector<std::string> bodies = equations.mesh.supported.bodies;
     for (const char *name :
-         {"foundation", "loads", "prestress", "interpolation"})
+         {foundation_name, "loads", "prestress", "interpolation"})
       bodies.emplace_back(name);
     for (const ForceTerm *term : equations.get_terms())
       if (!term->other_body().empty())
@@ -266,8 +247,7 @@ namespace Biface
   std::vector<ForceOnShell>
   forces_on_shell(const ShellEquations &equations,
                   const State          &state,
-                  const NodalForces    &forces,
-                  const Point<3>       &center)
+                  const NodalForces    &forces)
   {
     const ShellMesh               &mesh     = equations.mesh;
     const InternalForces          &internal = equations.internal_forces();
@@ -282,7 +262,7 @@ namespace Biface
     others[prestress]      = internal.unlisted_forces(state);
     others[interpolation] -= others[prestress];
 
-    Resultant resultant(mesh, shape_of_forces(state), center, bodies.size());
+    Resultant resultant(mesh, shape_of_forces(state), bodies.size());
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int b = 0; b < n_others; ++b)
@@ -316,5 +296,15 @@ namespace Biface
         for (const auto &part : support_forces(mesh, item, initial))
           resultant.add(n + prestress, mesh.nodes[part.node], part.forces, -1);
     return resultant.on_all_ranks(bodies);
+  }
+
+
+  const ForceOnShell &
+  force_of_foundation(const std::vector<ForceOnShell> &forces)
+  {
+    return *std::find_if(
+      forces.begin(), forces.end(), [](const ForceOnShell &item) {
+        return item.body == foundation_name;
+      });
   }
 } // namespace Biface

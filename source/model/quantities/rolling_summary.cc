@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <biface/model/quantities/contact_resultants.h>
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 
 namespace Biface
@@ -96,7 +95,7 @@ namespace Biface
                     const ContactPair    &contact,
                     const State          &state,
                     const Loads          &loads,
-                    const NodalForces    &forces)
+                    const ForceOnShell   &exerted)
   {
     const RigidBody    &ground  = contact.body(loads)->body;
     const Rolling      &rolling = *loads.rolling;
@@ -107,12 +106,9 @@ namespace Biface
       return Tensor<1, 3>({axes.forward * v, axes.left * v, axes.up * v});
     };
 
-    const ForceOnShell exerted =
-      force_of_foundation(equations, state, forces, center);
-
     // each column of the mass adds up to a quarter
     std::vector<double> powers(2);
-    const ShellMesh    &mesh = equations.mesh;
+    const ShellMesh    &mesh = contact.mesh;
     for (const Cell &cell : mesh.wall_elements())
       for (const unsigned int n : cell.nodes)
         if (contact.state_of(state).active[n])
@@ -129,18 +125,15 @@ namespace Biface
 
     RollingSummary result;
     result.force       = in_axes(exerted.force);
-    result.moment      = in_axes(exerted.moment);
+    result.moment      = in_axes(exerted.moment_about(center));
     result.axle_moment = axle_moment(contact, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
          ? -(motion.velocity * axes.forward) / rolling.angular_velocity
          : std::numeric_limits<double>::quiet_NaN());
-    result.axle_power = result.axle_moment * rolling.angular_velocity;
-    result.ground_power =
-      exerted.force * motion.velocity +
-      (exerted.moment +
-       cross_product_3d(center - motion.point, exerted.force)) *
-        motion.spin;
+    result.axle_power   = result.axle_moment * rolling.angular_velocity;
+    result.ground_power = exerted.force * motion.velocity +
+                          exerted.moment_about(motion.point) * motion.spin;
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
     result.sliding_power  = result.friction_power;

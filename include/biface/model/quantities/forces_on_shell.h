@@ -19,16 +19,16 @@ namespace Biface
   {
     std::string          body;
     dealii::Tensor<1, 3> force;
+    /** About the origin. */
     dealii::Tensor<1, 3> moment;
+
+    /** The moment about another point. */
+    dealii::Tensor<1, 3>
+    moment_about(const dealii::Point<3> &center) const
+    {
+      return moment - cross_product_3d(center, force);
+    }
   };
-
-
-  /** The force of the foundation alone, see forces_on_shell(). */
-  ForceOnShell
-  force_of_foundation(const ShellEquations   &equations,
-                      const State            &state,
-                      const NodalForces      &forces,
-                      const dealii::Point<3> &center);
 
 
   /** The names of the bodies, in the order of forces_on_shell(). */
@@ -58,13 +58,16 @@ namespace Biface
    * Must be called on all ranks, for a converged state.
    *
    * @param forces on the nodes in this state.
-   * @param center the point to which the moments refer.
    */
   std::vector<ForceOnShell>
-  forces_on_shell(const ShellEquations   &equations,
-                  const State            &state,
-                  const NodalForces      &forces,
-                  const dealii::Point<3> &center);
+  forces_on_shell(const ShellEquations &equations,
+                  const State          &state,
+                  const NodalForces    &forces);
+
+
+  /** The one of the foundation among forces_on_shell(). */
+  const ForceOnShell &
+  force_of_foundation(const std::vector<ForceOnShell> &forces);
 } // namespace Biface
 
 #endif

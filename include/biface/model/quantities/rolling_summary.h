@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/hysteresis.h>
 #include <biface/model/state/state.h>
 
@@ -73,13 +74,13 @@ namespace Biface
                                 const Loads       &loads);
 
   /** The figures of a converged state. Must be called on all ranks.
-   * @param forces on the nodes in this state. */
+   * @param exerted the force of the ground. */
   RollingSummary
   summarize_rolling(const ShellEquations &equations,
                     const ContactPair    &contact,
                     const State          &state,
                     const Loads          &loads,
-                    const NodalForces    &forces);
+                    const ForceOnShell   &exerted);
 } // namespace Biface
 
 #endif
