@@ -532,14 +532,9 @@ namespace Biface
   BucklingAnalysis::count_negative_pivots(const Equilibrium &now)
   {
     LA::SparseMatrix K;
-    if (!assemble(now, K))
-      {
-        if (!tangent.is_symmetric_but_for_loads(now.loads))
-          return {};
-        take_symmetric_part(K);
-      }
-    const LinearSolverResult linear = linear_solver.factorize_for_many(K, true);
-    return linear.success ? linear.n_negative_pivots : std::nullopt;
+    if (!assemble(now, K) && !tangent.is_symmetric_but_for_loads(now.loads))
+      return {};
+    return linear_solver.count_negative_pivots(K);
   }
 
 

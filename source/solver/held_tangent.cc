@@ -38,16 +38,16 @@ namespace Biface
 
 
     /** The stiffness by which the bodies hold the nodes in contact. */
-    std::unique_ptr<const TangentMatrix>
-    stiffness_of_contact(const ContactInteraction &contact,
-                         State                     state,
-                         const Loads              &loads)
+    void
+    add_stiffness_of_contact(const ContactInteraction &contact,
+                             State                     state,
+                             const Loads              &loads,
+                             TangentMatrix            &stiffness_of_contact)
     {
       for (const auto &[number, body] : loads.bodies)
         body.law->hold(state.contacts[number]);
-      const ShellMesh &mesh = contact.mesh;
-      auto       held = std::make_unique<TangentMatrix>(mesh, mesh.constraints);
-      LA::Vector nothing = mesh.owned_vector();
+      const ShellMesh &mesh    = contact.mesh;
+      LA::Vector       nothing = mesh.owned_vector();
       for (const unsigned int c : mesh.walls)
         {
           const Cell               &cell = mesh.cells[c];
@@ -91,10 +91,10 @@ namespace Biface
                     }
               }
           if (any)
-            held->add(c, matrix, MixedElement::NodalVector(), nothing);
+            stiffness_of_contact.add(
+              c, matrix, MixedElement::NodalVector(), nothing);
         }
-      held->compress();
-      return held;
+      stiffness_of_contact.compress();
     }
 
 
@@ -141,6 +141,21 @@ namespace Biface
   {}
 
 
+  HeldTangent::~HeldTangent() = default;
+
+
+  const LA::SparseMatrix &
+  HeldTangent::stiffness_of_contact(const State &state, const Loads &loads)
+  {
+    if (!of_contact)
+      of_contact =
+        std::make_unique<TangentMatrix>(contact.mesh, contact.mesh.constraints);
+    of_contact->clear();
+    add_stiffness_of_contact(contact, state, loads, *of_contact);
+    return of_contact->get();
+  }
+
+
   void
   HeldTangent::assemble(const State      &state,
                         const Loads      &loads,
@@ -154,35 +169,30 @@ namespace Biface
 
 
   void
-  HeldTangent::hold(const State      &state,
-                    const Loads      &loads,
-                    LA::SparseMatrix &K) const
+  HeldTangent::hold(const State &state, const Loads &loads, LA::SparseMatrix &K)
   {
     if (with_bodies_that_stay(loads).bodies.size() == loads.bodies.size())
       return;
-    K.add(1., stiffness_of_contact(contact, state, loads)->get());
+    K.add(1., stiffness_of_contact(state, loads));
   }
 
 
   std::vector<RigidMotion>
-  HeldTangent::free_motions(const State &state, const Loads &loads) const
+  HeldTangent::free_motions(const State &state, const Loads &loads)
   {
     if (loads.rolling)
       return {};
-    std::unique_ptr<const TangentMatrix> held;
-    if (!loads.bodies.empty())
-      held = stiffness_of_contact(contact, state, loads);
     return free_rigid_motions(
       equations.mesh,
       equations.internal_forces().in_shape_of_tangent(state).displacement,
-      held ? &held->get() : nullptr);
+      loads.bodies.empty() ? nullptr : &stiffness_of_contact(state, loads));
   }
 
 
   std::vector<RigidMotion>
   HeldTangent::neutral_motions(const State            &state,
                                const Loads            &loads,
-                               const LA::SparseMatrix &K) const
+                               const LA::SparseMatrix &K)
   {
     // part of the resistance that is computed for a rotation, to which
     // interpolation in a curved shell contributes

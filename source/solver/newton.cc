@@ -220,6 +220,21 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    Symmetry
+    symmetry(const EquationSystem &equations, const Loads &loads)
+    {
+      if (equations.is_symmetric(loads))
+        return Symmetry::full;
+      // loads with a potential are unsymmetric by the error of the
+      // discretization
+      return equations.is_symmetric_but_for_loads(loads) ? Symmetry::nearly
+                                                         : Symmetry::none;
+    }
+  } // namespace
+
+
   void
   Newton::choose_active_set(Iterate &iterate)
   {
@@ -248,8 +263,7 @@ namespace Biface
       equations.assemble(state, loads);
     }
     std::optional<ActiveSet> chosen;
-    if (linear_solver
-          .factorize(equations.tangent(), equations.is_symmetric(loads))
+    if (linear_solver.factorize(equations.tangent(), symmetry(equations, loads))
           .success)
       {
         condensed.restart(state);
@@ -473,12 +487,14 @@ namespace Biface
     std::optional<LinearSolver::Correction> correction;
     if (condensed)
       correction = condensed->correction(iterate.state, iterate.loads);
-    const bool symmetric = equations.is_symmetric(iterate.loads);
-    linear =
-      (correction
-         ? linear_solver.keep_factors(
-             equations.tangent(), symmetric, *correction)
-         : linear_solver.factorize(equations.tangent(), symmetric, settled));
+    const Symmetry known = symmetry(equations, iterate.loads);
+    if (correction || settled)
+      linear = linear_solver.keep_factors(
+        equations.tangent(),
+        known,
+        correction.value_or(LinearSolver::Correction()));
+    else
+      linear = linear_solver.factorize(equations.tangent(), known);
     count_pivots();
     if (linear.success)
       linear = linear_solver.solve(

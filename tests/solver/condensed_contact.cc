@@ -98,7 +98,7 @@ namespace
                  unit.forces);
       }
 
-    solver.factorize(equations.tangent(), false);
+    solver.factorize(equations.tangent(), Symmetry::none);
     condensed.restart(state);
     const auto chosen = condensed.choose(state, loads, points, residual);
     solver.solve(x, with, 0);
@@ -134,7 +134,7 @@ namespace
     contact.set_active_points(state, touching);
     other.assemble(state, loads);
     ExactFactors exact(timer);
-    exact.factorize(other.tangent(), false);
+    exact.factorize(other.tangent(), Symmetry::none);
     exact.solve(x, other.residual(), 0);
     unsigned int n_touching = 0, n_violated = 0;
     for (unsigned int i = 0; i < points.size(); ++i)

@@ -31,13 +31,13 @@ main(int argc, char *argv[])
 
   MumpsSolver single(MPI_COMM_WORLD, timer, true);
   system.set(0.1);
-  print("single precision", single.factorize(system.matrix, true));
+  print("single precision", single.factorize(system.matrix, Symmetry::full));
   print("for many systems", single.factorize_for_many(system.matrix, true));
 
   MumpsSolver precise(MPI_COMM_WORLD, timer, false);
-  print("double precision", precise.factorize(system.matrix, true));
+  print("double precision", precise.factorize(system.matrix, Symmetry::full));
   system.set(-3);
   print("factors of a positive definite one",
-        precise.factorize(system.matrix, true, true));
+        precise.keep_factors(system.matrix, Symmetry::full));
   print("after GMRES failed", precise.solve(system.solution, system.rhs, 0));
 }

@@ -10,7 +10,7 @@ class IdleSolver : public Biface::LinearSolver
 {
 public:
   Biface::LinearSolverResult
-  factorize(const Biface::LA::SparseMatrix &, const bool, const bool) override
+  factorize(const Biface::LA::SparseMatrix &, const Biface::Symmetry) override
   {
     return done();
   }

@@ -56,7 +56,7 @@ main(int argc, char *argv[])
         }
       matrix.compress(VectorOperation::insert);
       rhs.compress(VectorOperation::insert);
-      const bool success = solver.factorize(matrix, false).success &&
+      const bool success = solver.factorize(matrix, Symmetry::none).success &&
                            solver.solve(solution, rhs, 0).success;
       matrix.residual(residual, solution, rhs);
       out << "distance " << distance << ": " << (success ? "solved" : "failed")

@@ -49,14 +49,15 @@ namespace
     multigrid.max_iterations    = 25;
     MultigridSolver solver(multigrid, mesh, timer);
 
-    LA::Vector x  = mesh.owned_vector();
-    const bool ok = solver.factorize(equations.tangent(), true).success &&
-                    solver.solve(x, equations.residual(), 1e-6).success;
+    LA::Vector x = mesh.owned_vector();
+    const bool ok =
+      solver.factorize(equations.tangent(), Symmetry::full).success &&
+      solver.solve(x, equations.residual(), 1e-6).success;
 
     const auto direct =
       make_linear_solver(LinearSolver::Parameters(), mesh, timer);
     LA::Vector exact = mesh.owned_vector();
-    direct->factorize(equations.tangent(), true);
+    direct->factorize(equations.tangent(), Symmetry::full);
     direct->solve(exact, equations.residual(), 0);
     x -= exact;
     const double error = x.linfty_norm(), size = exact.linfty_norm();

@@ -28,7 +28,9 @@ main(int argc, char *argv[])
     [&](const std::string &name, const double shift, const bool similar) {
       system.set(shift);
       const bool success =
-        solver.factorize(system.matrix, true, similar).success &&
+        (similar ? solver.keep_factors(system.matrix, Symmetry::full)
+                 : solver.factorize(system.matrix, Symmetry::full))
+          .success &&
         solver.solve(system.solution, system.rhs, 0).success;
       out << name << ": " << (success ? "solved" : "failed") << ", residual "
           << (system.relative_residual() < 1e-8 ? "below" : "above")

@@ -50,11 +50,9 @@ namespace
     {}
 
     LinearSolverResult
-    factorize(const LA::SparseMatrix &A,
-              const bool              symmetric,
-              const bool) override
+    factorize(const LA::SparseMatrix &A, const Symmetry symmetry) override
     {
-      last = solver.factorize(A, symmetric);
+      last = solver.factorize(A, symmetry);
       return last;
     }
 

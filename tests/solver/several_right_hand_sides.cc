@@ -34,7 +34,7 @@ main(int argc, char *argv[])
     {
       const bool factorized =
         (many ? solver.factorize_for_many(system.matrix, true)
-              : solver.factorize(system.matrix, true))
+              : solver.factorize(system.matrix, Symmetry::full))
           .success;
       std::vector<LA::Vector> x(rhs.size(), system.solution);
       const bool              solved  = solver.solve_all(x, rhs, 0).success;

@@ -31,7 +31,7 @@ main(int argc, char *argv[])
 
       const auto solve = [&](const std::string &name) {
         const bool success =
-          solver.factorize(system.matrix, true).success &&
+          solver.factorize(system.matrix, Symmetry::full).success &&
           solver.solve(system.solution, system.rhs, 0).success;
         const auto n_calls = timer.get_summary_data(TimerOutput::n_calls);
         out << "  " << name << ": " << (success ? "solved" : "failed")

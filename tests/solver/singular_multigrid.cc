@@ -34,14 +34,16 @@ main(int argc, char *argv[])
   singular.copy_from(equations.tangent());
   singular = 0;
 
-  const bool root    = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const bool regular = solver.factorize(equations.tangent(), true).success;
+  const bool root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const bool regular =
+    solver.factorize(equations.tangent(), Symmetry::full).success;
   if (root)
     check_true("the tangent is regular", regular);
   for (const bool similar : {true, false})
     {
       const LinearSolverResult result =
-        solver.factorize(singular, true, similar);
+        (similar ? solver.keep_factors(singular, Symmetry::full)
+                 : solver.factorize(singular, Symmetry::full));
       if (root)
         check_true(similar ? "failure with kept coarse matrices is reported"
                            : "failure with new coarse matrices is reported",

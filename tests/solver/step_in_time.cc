@@ -112,6 +112,12 @@ namespace
       return shell.is_symmetric(loads);
     }
 
+    bool
+    is_symmetric_but_for_loads(const Loads &loads) const override
+    {
+      return shell.is_symmetric_but_for_loads(loads);
+    }
+
     std::vector<RankOne>
     low_rank_part(const State &state, const Loads &loads) const override
     {

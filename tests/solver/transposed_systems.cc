@@ -26,7 +26,7 @@ namespace
         const LA::Vector       &b,
         const double            tolerance)
   {
-    const bool factorized = solver.factorize(A, false).success;
+    const bool factorized = solver.factorize(A, Symmetry::none).success;
     for (const LinearSystem system : {LinearSystem::transposed,
                                       LinearSystem::original,
                                       LinearSystem::transposed})
@@ -96,9 +96,9 @@ main(int argc, char *argv[])
     MumpsSolver      mumps(MPI_COMM_WORLD, timer);
     const LA::Vector b = arbitrary_displacements(mesh, 1);
     LA::Vector       x(b), exact(b), of_original(b);
-    multigrid.factorize(equations.tangent(), false);
+    multigrid.factorize(equations.tangent(), Symmetry::none);
     const bool solved = multigrid.solve_transposed(x, b, 1e-12).success;
-    mumps.factorize(equations.tangent(), false);
+    mumps.factorize(equations.tangent(), Symmetry::none);
     mumps.solve_transposed(exact, b, 0);
     mumps.solve(of_original, b, 0);
     x -= exact;

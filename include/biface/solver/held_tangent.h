@@ -5,6 +5,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <memory>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -15,6 +16,9 @@
 
 namespace Biface
 {
+  class TangentMatrix;
+
+
   /**
    * The tangent of an equilibrium for motions that do not change the nodes in
    * contact, for eigenvalue problems: with the prestress and the loads that
@@ -38,6 +42,8 @@ namespace Biface
                 const ContactInteraction &contact,
                 dealii::TimerOutput      &timer);
 
+    ~HeldTangent();
+
     /** The tangent of the shell without the bodies, or with them if it rolls
      * with friction. The last assembly of the equations is lost. */
     void
@@ -46,12 +52,12 @@ namespace Biface
     /** Add what holds the nodes in contact, if there are bodies, and if
      * assemble() has not. */
     void
-    hold(const State &state, const Loads &loads, LA::SparseMatrix &K) const;
+    hold(const State &state, const Loads &loads, LA::SparseMatrix &K);
 
     /** The rigid motions of the shell that neither supports nor bodies
      * resist; none while it rolls. */
     std::vector<RigidMotion>
-    free_motions(const State &state, const Loads &loads) const;
+    free_motions(const State &state, const Loads &loads);
 
     /** The motions among free_motions() that loads and reactions do not resist,
      * either, as a rotation of an unloaded shell.
@@ -59,7 +65,7 @@ namespace Biface
     std::vector<RigidMotion>
     neutral_motions(const State            &state,
                     const Loads            &loads,
-                    const LA::SparseMatrix &K) const;
+                    const LA::SparseMatrix &K);
 
     /** The loads without the bodies in contact. */
     static Loads
@@ -76,9 +82,15 @@ namespace Biface
     is_symmetric_but_for_loads(const Loads &loads) const;
 
   private:
+    /** The stiffness by which the bodies hold the nodes in contact. */
+    const LA::SparseMatrix &
+    stiffness_of_contact(const State &state, const Loads &loads);
+
     ShellEquations           &equations;
     const ContactInteraction &contact;
     dealii::TimerOutput      &timer;
+    /** Kept for its pattern. */
+    std::unique_ptr<TangentMatrix> of_contact;
   };
 
 

@@ -2,7 +2,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <EpetraExt_MatrixMatrix.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Vector.h>
 
@@ -74,20 +73,5 @@ namespace Biface
     difference -= x * product;
     return std::abs(difference) <=
            10 * (roundoff(mesh, K, x) + roundoff(mesh, K, y));
-  }
-
-
-  void
-  take_symmetric_part(LA::SparseMatrix &K)
-  {
-    LA::SparseMatrix whole;
-    whole.copy_from(K);
-    // rows of other ranks have no place for all of the entries: deal.II cannot
-    // add them one by one
-    auto     &sum    = const_cast<Epetra_CrsMatrix &>(K.trilinos_matrix());
-    const int status = EpetraExt::MatrixMatrix::Add(
-      whole.trilinos_matrix(), true, 0.5, sum, 0.5);
-    Assert(status == 0, LA::SparseMatrix::ExcTrilinosError(status));
-    (void) status;
   }
 } // namespace Biface

@@ -197,19 +197,27 @@ namespace Biface
 
 
   LinearSolverResult
-  MultigridSolver::factorize(const LA::SparseMatrix &A,
-                             const bool              symmetric,
-                             const bool              similar)
+  MultigridSolver::factorize(const LA::SparseMatrix &A, const Symmetry symmetry)
   {
-    matrix              = &A;
-    matrix_is_symmetric = symmetric;
+    matrix         = &A;
+    this->symmetry = symmetry;
+    return levels.empty() ? coarsest->factorize(A, symmetry) : set_up();
+  }
+
+
+  LinearSolverResult
+  MultigridSolver::keep_factors(const LA::SparseMatrix &A,
+                                const Symmetry          symmetry,
+                                const Correction       &correction)
+  {
     if (levels.empty())
-      return coarsest->factorize(A, symmetric, similar);
+      return coarsest->keep_factors(A, symmetry, correction);
+    if (!coarse_matrices_exist)
+      return factorize(A, symmetry);
 
-    coarse_matrices_are_kept = similar && coarse_matrices_exist;
-    if (!coarse_matrices_are_kept)
-      return set_up();
-
+    matrix                   = &A;
+    this->symmetry           = symmetry;
+    coarse_matrices_are_kept = true;
     TimerOutput::Scope scope(timer, "Linear solver: multigrid set-up");
     LinearSolverResult result;
     result.success = initialize_smoother(levels.front(), A);
@@ -248,7 +256,7 @@ namespace Biface
         on_level = level.coarse_matrix.get();
       }
 
-    result                = coarsest->factorize(*on_level, matrix_is_symmetric);
+    result                = coarsest->factorize(*on_level, symmetry);
     coarse_matrices_exist = result.success;
     // these are not pivots of the tangent
     result.n_negative_pivots.reset();

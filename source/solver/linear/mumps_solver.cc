@@ -31,7 +31,12 @@ namespace Biface
   class MumpsSolver::Factors
   {
   public:
+    explicit Factors(const Part part) : part(part)
+    {}
+
     virtual ~Factors() = default;
+
+    const Part part;
 
     virtual bool
     in_single_precision() const = 0;
@@ -39,7 +44,7 @@ namespace Biface
     /** Whether they are for the sparsity pattern of a matrix. Must be called on
      * all ranks; likewise below. */
     virtual bool
-    is_for(const LA::SparseMatrix &A, const bool symmetric) const = 0;
+    is_for(const LA::SparseMatrix &A, const Part part) const = 0;
 
     /** @return INFOG(1) of MUMPS, negative if it failed; likewise below. */
     virtual int
@@ -104,15 +109,15 @@ namespace Biface
   public:
     FactorsIn(const MPI_Comm          communicator,
               const LA::SparseMatrix &A,
-              const bool              symmetric)
-      : symmetric(symmetric)
+              const Part              part)
+      : Factors(part)
       , graph(A.trilinos_matrix().Graph())
       , communicator(communicator)
       , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       mumps.comm_fortran = MPI_Comm_c2f(communicator);
       mumps.par          = 1;
-      mumps.sym          = (symmetric ? 2 : 0);
+      mumps.sym          = (part == Part::whole ? 0 : 2);
       call(initialize);
 
       // no output by MUMPS
@@ -126,11 +131,17 @@ namespace Biface
       if (Utilities::MPI::n_mpi_processes(communicator) <= 4)
         icntl(13) = 1;
 
+      const bool only_counts =
+        (part == Part::symmetric_part && !in_single_precision());
+      icntl(31) = only_counts; // discard the factors
+
       // MUMPS would let METIS order unknowns: more fill-in, but in very thin
       // shells, which need double precision, a smaller error of the solution
-      if (in_single_precision())
+      if (in_single_precision() || only_counts)
         order_by_nodes(A);
 
+      if (part == Part::symmetric_part)
+        find_transposed_entries(A);
       collect_pattern(A);
       mumps.n       = A.m();
       mumps.nnz_loc = rows.size();
@@ -153,9 +164,9 @@ namespace Biface
     }
 
     bool
-    is_for(const LA::SparseMatrix &A, const bool symmetric) const override
+    is_for(const LA::SparseMatrix &A, const Part part) const override
     {
-      if (this->symmetric != symmetric)
+      if (this->part != part)
         return false;
       return !Utilities::MPI::logical_or(!has_pattern_of(A), communicator);
     }
@@ -298,8 +309,50 @@ namespace Biface
       const int *column_ids = epetra.ColMap().MyGlobalElements();
       for (int row = 0; row < epetra.NumMyRows(); ++row)
         for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
-          if (!symmetric || column_ids[local_columns[k]] <= row_ids[row])
-            action(row, local_columns[k], matrix_values[k]);
+          {
+            const int below = row_ids[row] - column_ids[local_columns[k]];
+            double    value = matrix_values[k];
+            if (part == Part::symmetric_part && below != 0)
+              {
+                // MUMPS adds what other ranks pass above the diagonal
+                if (const int other = transposed_entries[k]; other >= 0)
+                  value += matrix_values[other];
+                value /= 2;
+              }
+            if (below >= 0 || part == Part::whole ||
+                (part == Part::symmetric_part && transposed_entries[k] < 0))
+              action(row, local_columns[k], value);
+          }
+    }
+
+    /** Find the transposed entry of each of this rank's, negative if it is
+     * another rank's. */
+    void
+    find_transposed_entries(const LA::SparseMatrix &A)
+    {
+      const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+      int                    *row_starts, *columns;
+      double                 *values;
+      const int               error =
+        epetra.ExtractCrsDataPointers(row_starts, columns, values);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+
+      transposed_entries.assign(epetra.NumMyNonzeros(), -1);
+      for (int row = 0; row < epetra.NumMyRows(); ++row)
+        {
+          const int own_column = epetra.LCID(epetra.GRID(row));
+          for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
+            if (const int other = epetra.LRID(epetra.GCID(columns[k]));
+                other >= 0)
+              {
+                const int *const        begin = columns + row_starts[other],
+                                 *const end   = columns + row_starts[other + 1],
+                                 *const it =
+                                   std::lower_bound(begin, end, own_column);
+                Assert(it != end && *it == own_column, ExcInternalError());
+                transposed_entries[k] = it - columns;
+              }
+        }
     }
 
     void
@@ -321,6 +374,9 @@ namespace Biface
       const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
       if (epetra.Graph().DataPtr() == graph.DataPtr())
         return true;
+      if (part == Part::symmetric_part &&
+          transposed_entries.size() != std::size_t(epetra.NumMyNonzeros()))
+        return false;
       std::size_t n    = 0;
       bool        same = true;
       for_each_entry(A, [&](const int row, const int column, const double) {
@@ -373,7 +429,6 @@ namespace Biface
 
     const MPI_Datatype mpi_type = Utilities::MPI::mpi_type_id_for_type<number>;
 
-    const bool symmetric;
     /** Shares its data with the matrix. */
     const Epetra_CrsGraph          graph;
     const MPI_Comm                 communicator;
@@ -385,9 +440,11 @@ namespace Biface
     std::vector<MUMPS_INT> positions;
     std::vector<MUMPS_INT> rows;
     std::vector<MUMPS_INT> columns;
-    std::vector<number>    values;
-    std::vector<double>    row_scales;
-    std::vector<double>    column_scales;
+    /** See find_transposed_entries(); empty if it does not matter. */
+    std::vector<int>    transposed_entries;
+    std::vector<number> values;
+    std::vector<double> row_scales;
+    std::vector<double> column_scales;
     /** The part of a right hand side or solution on this rank. */
     std::vector<number> own_rows;
     /** The right hand sides, then the solutions, on the first rank. */
@@ -446,14 +503,10 @@ namespace Biface
 
 
   LinearSolverResult
-  MumpsSolver::factorize(const LA::SparseMatrix &A,
-                         const bool              symmetric,
-                         const bool              similar)
+  MumpsSolver::factorize(const LA::SparseMatrix &A, const Symmetry symmetry)
   {
-    if (similar)
-      return keep_factors(A, symmetric, {});
-    matrix              = &A;
-    matrix_is_symmetric = symmetric;
+    matrix         = &A;
+    this->symmetry = symmetry;
     return factorize_anew();
   }
 
@@ -467,16 +520,16 @@ namespace Biface
 
   LinearSolverResult
   MumpsSolver::keep_factors(const LA::SparseMatrix &A,
-                            const bool              symmetric,
+                            const Symmetry          symmetry,
                             const Correction       &correction)
   {
+    matrix         = &A;
+    this->symmetry = symmetry;
     if (factors_of == FactorsOf::nothing || !can_keep_factors() ||
-        !factors->is_for(A, symmetric))
-      return factorize(A, symmetric);
-    matrix              = &A;
-    matrix_is_symmetric = symmetric;
-    this->correction    = correction;
-    factors_of          = FactorsOf::similar_matrix;
+        !factors->is_for(A, wanted_part()))
+      return factorize_anew();
+    this->correction = correction;
+    factors_of       = FactorsOf::similar_matrix;
     return factorized();
   }
 
@@ -497,18 +550,53 @@ namespace Biface
   MumpsSolver::factorize_for_many(const LA::SparseMatrix &A,
                                   const bool              symmetric)
   {
-    const bool wanted               = single_precision;
-    single_precision                = false;
-    const LinearSolverResult result = factorize(A, symmetric);
-    single_precision                = wanted;
+    const bool wanted = single_precision;
+    single_precision  = false;
+    const LinearSolverResult result =
+      factorize(A, symmetric ? Symmetry::full : Symmetry::none);
+    single_precision = wanted;
     return result;
+  }
+
+
+  std::optional<unsigned int>
+  MumpsSolver::count_negative_pivots(const LA::SparseMatrix &A)
+  {
+    if (!counting_factors || !counting_factors->is_for(A, Part::symmetric_part))
+      {
+        TimerOutput::Scope scope(timer, "Linear solver: analysis");
+        counting_factors = std::make_unique<FactorsIn<double>>(
+          communicator, A, Part::symmetric_part);
+        if (counting_factors->analyze() < 0)
+          {
+            counting_factors.reset();
+            return {};
+          }
+      }
+    TimerOutput::Scope scope(timer, "Linear solver: factorization");
+    if (counting_factors->factorize(A) < 0)
+      return {};
+    return counting_factors->n_negative_pivots();
+  }
+
+
+  MumpsSolver::Part
+  MumpsSolver::wanted_part() const
+  {
+    // in small problems there is no GMRES
+    const bool has_gmres =
+      single_precision &&
+      (!factors || factors->in_single_precision() || can_keep_factors());
+    if (symmetry == Symmetry::nearly && symmetric_part_suffices && has_gmres)
+      return Part::symmetric_part;
+    return symmetry == Symmetry::full ? Part::half : Part::whole;
   }
 
 
   bool
   MumpsSolver::factors_fit() const
   {
-    if (!factors || !factors->is_for(*matrix, matrix_is_symmetric))
+    if (!factors || !factors->is_for(*matrix, wanted_part()))
       return false;
     // in small problems single precision saves no time
     return factors->in_single_precision() == single_precision ||
@@ -549,13 +637,15 @@ namespace Biface
     if (single_precision)
       {
         factors = std::make_unique<FactorsIn<float>>(
-          communicator, *matrix, matrix_is_symmetric);
+          communicator, *matrix, wanted_part());
         const int status = factors->analyze();
         if (status < 0 || factors->max_gmres_iterations() > 0)
           return status;
       }
     factors = std::make_unique<FactorsIn<double>>(
-      communicator, *matrix, matrix_is_symmetric);
+      communicator,
+      *matrix,
+      symmetry == Symmetry::full ? Part::half : Part::whole);
     return factors->analyze();
   }
 
@@ -573,12 +663,11 @@ namespace Biface
   {
     LinearSolverResult result;
     result.success = true;
-    if (matrix_is_symmetric)
-      {
-        result.n_negative_pivots = factors->n_negative_pivots();
-        result.pivots_are_exact =
-          (factors_of == FactorsOf::matrix && !factors->in_single_precision());
-      }
+    if (factors->part != Part::whole)
+      result.n_negative_pivots = factors->n_negative_pivots();
+    result.pivots_are_exact =
+      (symmetry == Symmetry::full && factors_of == FactorsOf::matrix &&
+       !factors->in_single_precision());
     return result;
   }
 
@@ -670,6 +759,13 @@ namespace Biface
           return result;
         result = factorize_anew();
       }
+    if (result.success && factors->part == Part::symmetric_part)
+      {
+        if (solve_with_gmres(x, b, tolerance))
+          return result;
+        symmetric_part_suffices = false;
+        result                  = factorize_anew();
+      }
     if (result.success && factors->in_single_precision())
       {
         if (solve_with_gmres(x, b, tolerance))
@@ -700,7 +796,8 @@ namespace Biface
   {
     Assert(matrix != nullptr, ExcNotInitialized());
     if (factors_of != FactorsOf::matrix || factors->in_single_precision())
-      if (const auto result = factorize_for_many(*matrix, matrix_is_symmetric);
+      if (const auto result =
+            factorize_for_many(*matrix, symmetry == Symmetry::full);
           !result.success)
         return result;
 

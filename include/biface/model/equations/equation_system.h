@@ -59,6 +59,12 @@ namespace Biface
     virtual bool
     is_symmetric(const Loads &loads) const = 0;
 
+    /** Whether loads that follow the shell are all that makes the tangent
+     * unsymmetric for these loads. Where its edges are held, only the error of
+     * the discretization does. */
+    virtual bool
+    is_symmetric_but_for_loads(const Loads &loads) const = 0;
+
     /** Minus a part of the derivative of residual() that tangent() does not
      * contain, @f$-\sum\mathbf f\otimes\mathbf g@f$: forces @f$\mathbf f@f$
      * per unit of a quantity with the gradient @f$\mathbf g@f$, see

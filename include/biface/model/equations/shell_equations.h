@@ -81,11 +81,8 @@ namespace Biface
     bool
     has_unsymmetric_contact(const Loads &loads) const;
 
-    /** Whether loads that follow the shell are all that makes the tangent
-     * unsymmetric for these loads. Where its edges are held, only the error of
-     * the discretization does. */
     bool
-    is_symmetric_but_for_loads(const Loads &loads) const;
+    is_symmetric_but_for_loads(const Loads &loads) const override;
 
     /** Whether a tangent for these loads is symmetric. Loads that follow the
      * shell may have a potential on a shell whose edges are held, which the

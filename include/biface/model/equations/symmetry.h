@@ -24,11 +24,6 @@ namespace Biface
    * products with vectors. */
   bool
   is_symmetric(const ShellMesh &mesh, const LA::SparseMatrix &K);
-
-  /** @f$(\mathbf K+\mathbf K^T)/2@f$ of a tangent, whose entries stand
-   * symmetrically. Must be called on all ranks. */
-  void
-  take_symmetric_part(LA::SparseMatrix &K);
 } // namespace Biface
 
 #endif

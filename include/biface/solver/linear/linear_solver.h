@@ -25,12 +25,22 @@ namespace Biface
     /** An estimate of the error of a solution relative to its maximum; zero if
      * the residual leaves no doubt. */
     double error = 0;
-    /** The number of negative pivots of the last matrix that was factorized, if
-     * it was symmetric and the solver counts them. */
+    /** The number of negative pivots of the last matrix that was factorized, or
+     * of its symmetric part, if that was, if the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
     /** Whether that is the given matrix, in double precision, and not a similar
      * one or a rounded one. */
     bool pivots_are_exact = false;
+  };
+
+
+  /** What is known of a matrix. */
+  enum class Symmetry
+  {
+    none,
+    /** Its symmetric part is close to it. */
+    nearly,
+    full
   };
 
 
@@ -88,28 +98,24 @@ namespace Biface
      * until the last of them is solved. A failure, such as a singular matrix,
      * is an ordinary result, the same on all ranks.
      *
-     * @param symmetric whether the matrix is symmetric, so that half of it is
-     * sufficient.
-     * @param similar whether the matrix is close to the last one, so that a
-     * solver may keep the old factors as a preconditioner.
+     * Half of a symmetric matrix is sufficient; the symmetric part of one that
+     * is nearly symmetric is a preconditioner.
      */
     virtual LinearSolverResult
-    factorize(const LA::SparseMatrix &A,
-              const bool              symmetric,
-              const bool              similar = false) = 0;
+    factorize(const LA::SparseMatrix &A, const Symmetry symmetry) = 0;
 
     /** Turns a solution with the factors of one matrix into nearly one of
      * another. */
     using Correction = std::function<void(LA::Vector &x)>;
 
-    /** Like factorize(), with the factors of another matrix and a correction,
-     * which may be empty, as a preconditioner if the solver has any. */
+    /** Like factorize(), with the factors of another matrix, which is similar
+     * or made so by a correction, as a preconditioner if the solver has any. */
     virtual LinearSolverResult
     keep_factors(const LA::SparseMatrix &A,
-                 const bool              symmetric,
-                 const Correction & /*correction*/)
+                 const Symmetry          symmetry,
+                 const Correction & /*correction*/ = {})
     {
-      return factorize(A, symmetric);
+      return factorize(A, symmetry);
     }
 
     /** Whether the solver has factors that it can keep. */
@@ -141,7 +147,17 @@ namespace Biface
     virtual LinearSolverResult
     factorize_for_many(const LA::SparseMatrix &A, const bool symmetric)
     {
-      return factorize(A, symmetric);
+      return factorize(A, symmetric ? Symmetry::full : Symmetry::none);
+    }
+
+    /** The number of negative pivots of the symmetric part of a matrix whose
+     * entries stand symmetrically, in double precision, if the solver counts
+     * them: that of its negative eigenvalues. Factors of other matrices
+     * stay. */
+    virtual std::optional<unsigned int>
+    count_negative_pivots(const LA::SparseMatrix & /*A*/)
+    {
+      return {};
     }
 
     /**

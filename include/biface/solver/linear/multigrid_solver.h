@@ -47,12 +47,15 @@ namespace Biface
                     const ShellMesh     &mesh,
                     dealii::TimerOutput &timer);
 
-    /** For a similar matrix, those of the coarser meshes are kept as long as a
-     * few iterations are sufficient. */
     LinearSolverResult
-    factorize(const LA::SparseMatrix &A,
-              const bool              symmetric,
-              const bool              similar = false) override;
+    factorize(const LA::SparseMatrix &A, const Symmetry symmetry) override;
+
+    /** The matrices of the coarser meshes are kept as long as a few iterations
+     * are sufficient. */
+    LinearSolverResult
+    keep_factors(const LA::SparseMatrix &A,
+                 const Symmetry          symmetry,
+                 const Correction       &correction = {}) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
@@ -142,8 +145,8 @@ namespace Biface
     bool coarse_matrices_are_kept = false;
     /** The rigid translations of the mesh. */
     std::array<LA::Vector, 3> translations;
-    const LA::SparseMatrix   *matrix              = nullptr;
-    bool                      matrix_is_symmetric = false;
+    const LA::SparseMatrix   *matrix   = nullptr;
+    Symmetry                  symmetry = Symmetry::none;
   };
 } // namespace Biface
 

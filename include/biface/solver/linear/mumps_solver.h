@@ -25,6 +25,11 @@ namespace Biface
    * factors are computed in double precision from then on. In small problems,
    * where the time of a factorization is not what matters, they always are.
    *
+   * Where there is GMRES anyway, a nearly symmetric matrix is preconditioned by
+   * the factors of its symmetric part, which take half the time and tell its
+   * negative pivots. If it does not converge in a few iterations, the whole
+   * matrix is factorized from then on.
+   *
    * The factors of a similar matrix are kept as a preconditioner, too. If GMRES
    * does not converge in a few iterations, which together take less time than a
    * factorization, the matrix is factorized after all.
@@ -41,14 +46,12 @@ namespace Biface
     ~MumpsSolver() override;
 
     LinearSolverResult
-    factorize(const LA::SparseMatrix &A,
-              const bool              symmetric,
-              const bool              similar = false) override;
+    factorize(const LA::SparseMatrix &A, const Symmetry symmetry) override;
 
     LinearSolverResult
     keep_factors(const LA::SparseMatrix &A,
-                 const bool              symmetric,
-                 const Correction       &correction) override;
+                 const Symmetry          symmetry,
+                 const Correction       &correction = {}) override;
 
     bool
     can_keep_factors() const override;
@@ -68,6 +71,9 @@ namespace Biface
     factorize_for_many(const LA::SparseMatrix &A,
                        const bool              symmetric) override;
 
+    std::optional<unsigned int>
+    count_negative_pivots(const LA::SparseMatrix &A) override;
+
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
@@ -83,6 +89,15 @@ namespace Biface
                      const double      tolerance) override;
 
   private:
+    /** What of a matrix is factorized. */
+    enum class Part
+    {
+      whole,
+      /** Half of a symmetric one. */
+      half,
+      symmetric_part
+    };
+
     class Factors;
     template <typename number>
     class FactorsIn;
@@ -95,6 +110,10 @@ namespace Biface
       similar_matrix,
       matrix
     };
+
+    /** What new factors are of. */
+    Part
+    wanted_part() const;
 
     /** Whether the factors have the pattern of the matrix and the precision of
      * new ones. */
@@ -129,10 +148,15 @@ namespace Biface
     const MPI_Comm       communicator;
     dealii::TimerOutput &timer;
     /** Whether new factors are in single precision where that saves time. */
-    bool                     single_precision;
-    const LA::SparseMatrix  *matrix              = nullptr;
-    bool                     matrix_is_symmetric = false;
+    bool single_precision;
+    /** Whether the symmetric part of nearly symmetric matrices has been
+     * sufficient. */
+    bool                     symmetric_part_suffices = true;
+    const LA::SparseMatrix  *matrix                  = nullptr;
+    Symmetry                 symmetry                = Symmetry::none;
     std::unique_ptr<Factors> factors;
+    /** Those of count_negative_pivots(). */
+    std::unique_ptr<Factors> counting_factors;
     FactorsOf                factors_of = FactorsOf::nothing;
     /** Of what the factors of a similar matrix give; may be empty. */
     Correction correction;
