@@ -208,65 +208,68 @@ namespace Biface
     if (stiffness)
       for (auto &row : *stiffness)
         row.fill(0);
-    const AtPoints                                 strains = at_gauss_points(E);
-    AtPoints                                       at_points;
-    std::array<Resultants::Matrix, n_gauss_points> C;
-    std::array<bool, n_gauss_points>               any{};
+    const AtPoints strains = at_gauss_points(E);
+    AtPoints       at_points;
+    bool           loaded = (points != nullptr), soft = loaded;
 
+    // how the thickness stress changes by the modes
+    std::array<double, Modes::n> f{};
+    double                       compliance = 0;
+    PlyPoints::ThicknessState    state;
     if (points)
-      {
-        // how the thickness stress changes by the modes
-        std::array<double, Modes::n> f{};
-        double                       compliance = 0;
-        const auto state = points->thickness_state(strains, stresses.points);
-        PlyPoints::Response response;
-        for (unsigned int g = 0; g < n_gauss_points; ++g)
-          {
-            points->respond(strains[g],
-                            stresses.points,
-                            state,
-                            g,
-                            stiffness != nullptr,
-                            response);
-            at_points[g] = response.H;
-            any[g]       = true;
-            if (!stiffness)
-              continue;
-            C[g] = response.C;
-            Modes::for_parts_at_gauss_point(g,
-                                            with_twist,
-                                            [&](const unsigned int m,
-                                                const unsigned int s,
-                                                const double       value) {
-                                              f[m] += value * response.f[s] /
-                                                      n_gauss_points;
-                                            });
-            compliance += response.compliance / n_gauss_points;
-          }
-        if (stiffness)
-          for (unsigned int m = 0; m < Modes::n; ++m)
-            for (unsigned int n = 0; n < Modes::n; ++n)
-              (*stiffness)[m][n] += f[m] * f[n] / compliance;
-      }
+      state = points->thickness_state(strains, stresses.points);
+    PlyPoints::Response response_of_points;
+    Resultants::Matrix  C;
 
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       {
+        bool any = false;
+        if (points)
+          {
+            PlyPoints::Response &at = response_of_points;
+            points->respond(
+              strains[g], stresses.points, state, g, stiffness != nullptr, at);
+            at_points[g] = at.H;
+            any          = true;
+            if (stiffness)
+              {
+                C = at.C;
+                Modes::for_parts_at_gauss_point(g,
+                                                with_twist,
+                                                [&](const unsigned int m,
+                                                    const unsigned int s,
+                                                    const double       value) {
+                                                  f[m] += value * at.f[s] /
+                                                          n_gauss_points;
+                                                });
+                compliance += at.compliance / n_gauss_points;
+              }
+          }
         for (unsigned int k = 0; k < cords.size(); ++k)
           {
             const CordPoint &cord = cords[k];
             const auto       at   = response(stresses, g, k, strains[g]);
-            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-              at_points[g][s] += cord.thickness * at.stress * cord.direction[s];
+            if (at.stress != 0)
+              {
+                loaded = true;
+                for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+                  at_points[g][s] +=
+                    cord.thickness * at.stress * cord.direction[s];
+              }
             if (at.modulus == 0)
               continue;
-            any[g] = true;
-            if (stiffness)
-              for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
-                for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
-                  C[g][s][t] += cord.thickness * at.modulus *
-                                cord.direction[s] * cord.direction[t];
+            soft = true;
+            if (!stiffness)
+              continue;
+            if (!any)
+              C = 0;
+            any = true;
+            for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
+              for (unsigned int t = 0; t < Resultants::n_tangential; ++t)
+                C[s][t] += cord.thickness * at.modulus * cord.direction[s] *
+                           cord.direction[t];
           }
-        if (!stiffness || !any[g])
+        if (!stiffness || !any)
           continue;
 
         // C times the modes, then the modes times that
@@ -276,7 +279,7 @@ namespace Biface
           with_twist,
           [&](const unsigned int m, const unsigned int s, const double value) {
             for (unsigned int t = 0; t < Resultants::n; ++t)
-              by_mode[t][m] += value / n_gauss_points * C[g][t][s];
+              by_mode[t][m] += value / n_gauss_points * C[t][s];
           });
         Modes::for_parts_at_gauss_point(
           g,
@@ -286,10 +289,14 @@ namespace Biface
               (*stiffness)[m][n] += value * by_mode[s][n];
           });
       }
-    resultants = Modes::from_gauss_points(at_points, with_twist);
+    if (points && stiffness)
+      for (unsigned int m = 0; m < Modes::n; ++m)
+        for (unsigned int n = 0; n < Modes::n; ++n)
+          (*stiffness)[m][n] += f[m] * f[n] / compliance;
+    resultants = (loaded ? Modes::from_gauss_points(at_points, with_twist)
+                         : Modes::Vector());
     add_varying(E, stresses, resultants, stiffness);
-    return std::any_of(
-      any.begin(), any.end(), [](const bool here) { return here; });
+    return soft;
   }
 
 
