@@ -77,7 +77,14 @@ namespace Biface
                                  Utilities::int_to_string(step, 4) + "-" +
                                  Utilities::int_to_string(i + 1, 3) + ".vtu";
         ModePatches patches(equations.mesh, state.displacement, shapes[i]);
-        write_vtu(patches, i + 1, file, directory);
+        write_texts_of_ranks(
+          directory.path(file),
+          vtu_of_rank(patches,
+                      i + 1,
+                      directory.units,
+                      Utilities::MPI::this_mpi_process(communicator),
+                      Utilities::MPI::n_mpi_processes(communicator)),
+          communicator);
         times_and_names.emplace_back(i + 1, file);
       }
     write_list(path(step), times_and_names);

@@ -170,11 +170,12 @@ namespace Biface
   void
   PliesVtu::write(const StepReport &report, const State &state)
   {
-    PlyPatches patches(equations,
-                       state,
-                       criteria,
-                       report.heat ? &*report.heat : nullptr,
-                       report.level.temperature);
-    write_patches(patches, report.step);
+    write_patches<3>(
+      std::make_unique<PlyPatches>(equations,
+                                   state,
+                                   criteria,
+                                   report.heat ? &*report.heat : nullptr,
+                                   report.level.temperature),
+      report.step);
   }
 } // namespace Biface

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -25,6 +26,7 @@
 namespace Biface
 {
   using namespace dealii;
+  namespace fs = std::filesystem;
 
   ResultsDirectory::ResultsDirectory(const std::string &name,
                                      const MPI_Comm     communicator,
@@ -35,7 +37,7 @@ namespace Biface
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::error_code error;
-        std::filesystem::create_directories(name, error);
+        fs::create_directories(name, error);
         if (error)
           reason = "the directory cannot be created (" + error.message() + ")";
         else
@@ -73,6 +75,23 @@ namespace Biface
   }
 
 
+  void
+  ResultsDirectory::remove(const std::string &names) const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    const std::regex pattern(names);
+    std::error_code  error;
+    for (fs::directory_iterator entry(name, error), end; !error && entry != end;
+         entry.increment(error))
+      if (std::regex_match(entry->path().filename().string(), pattern))
+        {
+          std::error_code not_removed;
+          fs::remove(entry->path(), not_removed);
+        }
+  }
+
+
   std::string
   ResultsDirectory::path(const std::string &file)
   {
@@ -103,6 +122,16 @@ namespace Biface
     , directory(directory)
     , equations(equations)
   {}
+
+
+  std::string
+  ResultFile::names_of_files() const
+  {
+    std::string names;
+    for (const char c : name)
+      names += (c == '*' ? "[0-9]{4,}" : c == '.' ? "\\." : std::string(1, c));
+    return names;
+  }
 
 
   void

@@ -28,7 +28,7 @@ namespace Biface
     prm.add_parameter("Directory",
                       directory,
                       "Directory of the results. It is created if it does not "
-                      "exist; files of an earlier run are replaced.",
+                      "exist; results of an earlier run in it are removed.",
                       Patterns::Anything());
     forces.add_parameters(prm);
     profile.add_parameters(prm);
@@ -77,6 +77,10 @@ namespace Biface
     add(std::make_unique<PliesVtu>(
       parameters.plies_vtu, parameters.criteria, directory, equations));
 
+    // what an earlier run has written there is not of this one
+    if (!continued)
+      for (const auto &file : files)
+        directory.remove(file->names_of_files());
     for (const auto &file : files)
       if (continued && continued->count(file->name) > 0)
         file->resume(continued->at(file->name));
@@ -127,7 +131,12 @@ namespace Biface
     // the history last: all files of the steps that it lists exist
     for (auto file = files.rbegin(); file != files.rend(); ++file)
       if ((*file)->is_wanted())
-        (*file)->write_step(report, state);
+        {
+          if (file->get() == history)
+            for (const auto &other : files)
+              other->complete_step();
+          (*file)->write_step(report, state);
+        }
   }
 
 

@@ -155,7 +155,8 @@ namespace Biface
   void
   ShellVtu::write(const StepReport &report, const State &state)
   {
-    FacePatches patches(equations, state, report.loads, report.slip_velocities);
-    write_patches(patches, report.step);
+    write_patches<2>(std::make_unique<FacePatches>(
+                       equations, state, report.loads, report.slip_velocities),
+                     report.step);
   }
 } // namespace Biface

@@ -81,41 +81,55 @@ namespace Biface
 
 
   template <int dim>
-  void
-  write_vtu(VertexPatches<dim> &patches,
-            const double        time,
-            const std::string  &file,
-            ResultsDirectory   &directory)
+  std::string
+  vtu_of_rank(VertexPatches<dim> &patches,
+              const double        time,
+              const Units        &units,
+              const unsigned int  rank,
+              const unsigned int  n_ranks)
   {
-    const MPI_Comm        communicator = directory.communicator;
     DataOutBase::VtkFlags flags;
     flags.time              = time;
-    flags.physical_units    = directory.units.of_fields(patches.names);
+    flags.physical_units    = units.of_fields(patches.names);
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     patches.set_flags(flags);
 
-    // the pieces of all ranks between the head of the file, from the first
-    // rank, and its end, from the last. Parallel files of MPI would also work,
-    // but do not report a full disk
     std::ostringstream stream;
     patches.write_vtu(stream);
     std::string       text    = stream.str();
     const std::string closing = "</Piece>\n";
-    if (Utilities::MPI::this_mpi_process(communicator) + 1 <
-        Utilities::MPI::n_mpi_processes(communicator))
+    if (rank + 1 < n_ranks)
       text.erase(text.rfind(closing) + closing.size());
-    if (Utilities::MPI::this_mpi_process(communicator) > 0)
+    if (rank > 0)
       text.erase(0, text.find("<Piece"));
-    write_texts_of_ranks(directory.path(file), text, communicator);
+    return text;
   }
 
 
   template <int dim>
   void
-  VtuSeries::write_patches(VertexPatches<dim> &patches,
-                           const unsigned int  step) const
+  VtuSeries::write_patches(std::unique_ptr<VertexPatches<dim>> patches,
+                           const unsigned int                  step)
   {
-    write_vtu(patches, step, file_name(step), directory);
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
+                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    // in a thread, without MPI; in complete_step() if there can be none
+    text =
+      std::async([this, patches = std::move(patches), step, rank, n_ranks] {
+        return vtu_of_rank(*patches, step, directory.units, rank, n_ranks);
+      });
+  }
+
+
+  void
+  VtuSeries::complete_step()
+  {
+    // on all ranks or on none
+    if (!text.valid())
+      return;
+    // parallel files of MPI would also work, but do not report a full disk
+    write_texts_of_ranks(
+      directory.path(file_name(get_steps().back())), text.get(), communicator);
     write_record();
   }
 
@@ -140,19 +154,17 @@ namespace Biface
   template class VertexPatches<2>;
   template class VertexPatches<3>;
 
-  template void
-  write_vtu(VertexPatches<2> &,
-            const double,
-            const std::string &,
-            ResultsDirectory &);
-  template void
-  write_vtu(VertexPatches<3> &,
-            const double,
-            const std::string &,
-            ResultsDirectory &);
+  template std::string
+  vtu_of_rank(VertexPatches<2> &,
+              const double,
+              const Units &,
+              const unsigned int,
+              const unsigned int);
 
   template void
-  VtuSeries::write_patches(VertexPatches<2> &, const unsigned int) const;
+  VtuSeries::write_patches(std::unique_ptr<VertexPatches<2>>,
+                           const unsigned int);
   template void
-  VtuSeries::write_patches(VertexPatches<3> &, const unsigned int) const;
+  VtuSeries::write_patches(std::unique_ptr<VertexPatches<3>>,
+                           const unsigned int);
 } // namespace Biface

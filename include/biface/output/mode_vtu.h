@@ -39,6 +39,12 @@ namespace Biface
               ResultsDirectory     &directory,
               const ShellEquations &equations);
 
+    std::string
+    names_of_files() const override
+    {
+      return prefix + "-[0-9]{4,}(\\.pvd|-[0-9]{3,}\\.vtu)";
+    }
+
   protected:
     /** Write shapes of a step, each with its parts, see ModePatches. */
     void

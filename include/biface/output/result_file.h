@@ -34,6 +34,11 @@ namespace Biface
     ResultsDirectory &
     operator=(const ResultsDirectory &) = delete;
 
+    /** Remove the files whose names match a regular expression, as far as the
+     * system lets it. */
+    void
+    remove(const std::string &names) const;
+
     /** The path of a file in the directory, which is about to be written. */
     std::string
     path(const std::string &file);
@@ -98,6 +103,10 @@ namespace Biface
       return {};
     }
 
+    /** A regular expression for the names of the files. */
+    virtual std::string
+    names_of_files() const;
+
     /** Start the file. Throws OutputError. */
     virtual void
     start()
@@ -112,6 +121,12 @@ namespace Biface
      * OutputError. */
     void
     write_step(const StepReport &report, const State &state);
+
+    /** Write what write_step() has left to be prepared meanwhile. Throws
+     * OutputError. */
+    virtual void
+    complete_step()
+    {}
 
     /** The steps in the file. */
     const std::vector<unsigned int> &

@@ -46,7 +46,8 @@ namespace Biface
     using Written = std::map<std::string, std::vector<unsigned int>>;
 
     /**
-     * Start the files. Throws OutputError if that fails.
+     * Start the files. Those of an earlier run are removed. Throws OutputError
+     * if that fails.
      *
      * @param directory kept by reference.
      * @param stages those of the run.

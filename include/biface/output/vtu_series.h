@@ -5,6 +5,8 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <future>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -57,14 +59,15 @@ namespace Biface
   };
 
 
-  /** Write the patches of all ranks to a VTU file. Must be called on all ranks.
-   * Throws OutputError. */
+  /** The part of a VTU file that a rank writes: its patches as a piece, after
+   * the head of the file on the first rank, and before its end on the last. */
   template <int dim>
-  void
-  write_vtu(VertexPatches<dim> &patches,
-            const double        time,
-            const std::string  &file,
-            ResultsDirectory   &directory);
+  std::string
+  vtu_of_rank(VertexPatches<dim> &patches,
+              const double        time,
+              const Units        &units,
+              const unsigned int  rank,
+              const unsigned int  n_ranks);
 
 
   /** VTU files, and a PVD file that lists them for ParaView. */
@@ -103,7 +106,9 @@ namespace Biface
   };
 
 
-  /** A VTU file per step, and NAME.pvd, which lists all of them. */
+  /** A VTU file per step, and NAME.pvd, which lists all of them. Most of the
+   * time that a file takes is that of its compression, during which other files
+   * are written. */
   class VtuSeries : public ParaViewFiles
   {
   public:
@@ -112,16 +117,27 @@ namespace Biface
               ResultsDirectory     &directory,
               const ShellEquations &equations);
 
+    std::string
+    names_of_files() const override
+    {
+      return series + "(\\.pvd|-[0-9]{4,}\\.vtu)";
+    }
+
   protected:
     void
     cut_back() override;
 
-    /** Write the file of a step, with the patches of all ranks. */
+    /** Write the file of a step, with the patches of all ranks, until
+     * complete_step(). */
     template <int dim>
     void
-    write_patches(VertexPatches<dim> &patches, const unsigned int step) const;
+    write_patches(std::unique_ptr<VertexPatches<dim>> patches,
+                  const unsigned int                  step);
 
   private:
+    void
+    complete_step() override;
+
     /** Write the list of the files of all steps. */
     void
     write_record() const;
@@ -130,6 +146,8 @@ namespace Biface
     file_name(const unsigned int step) const;
 
     const std::string series;
+    /** What this rank writes for the last step, unless it is written. */
+    std::future<std::string> text;
   };
 } // namespace Biface
 
