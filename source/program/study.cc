@@ -38,6 +38,28 @@ namespace Biface
 
   namespace
   {
+    /** Refuse a variable whose column in study.csv would have the name of
+     * another one. */
+    void
+    check_column_of(const DesignVariable                       &variable,
+                    const std::vector<StudyParameters::Output> &outputs)
+    {
+      const auto taken = [&](const std::string &column) {
+        return column == variable.get_name();
+      };
+      const std::vector<std::string> own = {
+        "sample", "status", "steps", "iterations", "seconds"};
+      if (std::any_of(own.begin(), own.end(), taken) ||
+          std::any_of(outputs.begin(), outputs.end(), [&](const auto &output) {
+            return taken(output.name());
+          }))
+        throw InputError("the entry 'Study/Variables' names a variable " +
+                         Biface::quoted(variable.get_name()) +
+                         ", but study.csv has another column of this name; "
+                         "choose a different one.");
+    }
+
+
     constexpr const char *base_name  = "base.prm";
     constexpr const char *study_name = "study.prm";
 
@@ -296,7 +318,10 @@ namespace Biface
       try
         {
           for (const auto &variable : parameters.sampling.variables)
-            variable.check(base_prm);
+            {
+              variable.check(base_prm);
+              check_column_of(variable, parameters.outputs);
+            }
           settings(
             parameters.sampling.variables, samples[0], base_prm, "--study");
           for (const StudyParameters::Output &output : parameters.outputs)
