@@ -6,8 +6,9 @@ from python_test import check, run, scratch
 
 output = scratch()
 (output / "modes-of-mine.csv").write_text("mine\n", encoding="utf-8")
-first = run({"Named points": "crown: 0, 0", "Stage 1/Modes": 1,
-             "Sensitivities/Entries": "Stage 2/Travel",
+first = run({"Named points": "crown: 0 0", "Stage 1/Modes": 1,
+             "Material cord/Density": 1e-9,
+             "Sensitivities/Entries": "Stage 2/Travel", "Sensitivities/Outputs": "force",
              "Output/Write VTU": True, "Output/Write ply VTU": True}, output)
 check(first.derivatives() and first.modes() is not None
       and first.probes() is not None and first.plies() is not None

@@ -50,6 +50,7 @@ for edge in ("cyclic", "symmetry"):
     check(np.allclose(turned[:, :2, 1], [1, 2]), "heights change")
 for kind, edge, low, high in ((revolution, "free", 0, 30), ("plane", "cyclic", 0, 30),
                               (revolution, "cyclic", 0, 50),
+                              (revolution, "cyclic", 0, 0.002),
                               (revolution, "symmetry", 0, 120)):
     count = len(copies_of(Run(kind, edge), sector(low, high)))
     check(count == 1, f"{edge} edges at {low} and {high}: {count} copies")

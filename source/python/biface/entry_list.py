@@ -9,7 +9,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from .program import call
+from .errors import BifaceError
+from .program import call, find_program
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,11 @@ def entries(program: str | os.PathLike | None = None) -> dict[str, EntryDescript
     material or stage have the names "Material cord" and "Stage 1".
 
     Raises BifaceError if the program is not found."""
-    declared = json.loads(call(program, "--print-parameters=json"))
+    try:
+        declared = json.loads(call(program, "--print-parameters=json"))
+    except json.JSONDecodeError:
+        raise BifaceError(f"{find_program(program)} does not list the entries of "
+                          "parameter files: it is not biface.") from None
     return {entry.name: entry for entry in describe(declared, "")}
 
 

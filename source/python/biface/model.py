@@ -31,9 +31,12 @@ class Model:
         """The variables and outputs are those of sweep(), and the other arguments
         those of run(); results are in numbered directories in `output`. Without
         `derivatives` there are values only."""
+        if isinstance(variables, str) or isinstance(outputs, str):
+            raise BifaceError("Variables and outputs must be lists of names.")
         self.file, self.variables, self.outputs = file, list(variables), list(outputs)
         self.settings = dict(settings or {})
         if derivatives:
+            check_factors(self.variables)
             self.settings["Sensitivities/Entries"] = "; ".join(variables)
             self.settings["Sensitivities/Outputs"] = list(dict.fromkeys(
                 result_and_stage(output)[0] for output in outputs))
@@ -43,15 +46,22 @@ class Model:
     def value(self, point: Sequence[float], output: str) -> float:
         """An output at a point, the values of the variables. Raises RunError if the
         run fails."""
-        return float(self._run(point)[0][output])
+        values = {result_and_stage(name): value
+                  for name, value in self._run(point)[0].items()}
+        found = values.get(result_and_stage(output))
+        if found is None:
+            raise BifaceError(f"'{output}' is not an output of the model: it has "
+                              f"{', '.join(map(repr, self.outputs))}.")
+        return float(found)
 
     def gradient(self, point: Sequence[float], output: str) -> np.ndarray:
         """The derivatives of an output by the variables. Outputs at the end of a
         stage other than the last one need `Sensitivities/Stages` in the settings."""
         result, stage = result_and_stage(output)
         results = self.results(point)
-        derivatives = (results.stage(stage) if stage else results).derivatives().get(
-            result)
+        # those of an earlier stage belong to 'OUTPUT @ STAGE'
+        derivatives = results.stage(
+            stage or results.last("stage")).derivatives().get(result)
         if derivatives is None:
             raise BifaceError(f"{results.directory} has no derivatives of '{output}'; "
                               "see 'Sensitivities/Stages'.")
@@ -66,9 +76,12 @@ class Model:
 
     def _run(self, point):
         key = tuple(map(float, point))
+        if len(key) != len(self.variables):
+            raise BifaceError(f"The point has {len(key)} numbers, but the model has "
+                              f"{len(self.variables)} variables.")
         if key not in self.runs:
             study = sweep(self.file, {variable: [x] for variable, x
-                                      in zip(self.variables, key, strict=True)},
+                                      in zip(self.variables, key)},
                           self.outputs, self.settings,
                           self.output / f"{len(self.runs) + 1:04d}",
                           options={"Group size": self.ranks}, ranks=self.ranks,
@@ -83,6 +96,25 @@ def result_and_stage(output):
     """The two parts of 'force @ inflation'; the stage may be empty."""
     result, _, stage = output.partition("@")
     return result.strip(), stage.strip()
+
+
+def numbers_of(variable):
+    """The numbers of the file that a variable sets or multiplies."""
+    words = variable.rpartition(":")[2].strip()
+    words = words.removeprefix("factor of") if is_factor(variable) else words
+    names = (word.strip().removeprefix("-").strip() for word in words.split(","))
+    return {name if name.endswith("]") else f"{name}[1]" for name in names}
+
+
+def check_factors(variables):
+    """The program takes derivatives by the number in the file, which is not the variable
+    where a factor multiplies it."""
+    factors = set().union(*map(numbers_of, filter(is_factor, variables)))
+    for variable in variables:
+        common = [] if is_factor(variable) else sorted(numbers_of(variable) & factors)
+        if common:
+            raise BifaceError(f"A factor multiplies '{common[0]}', which the variable "
+                              f"'{name_of(variable)}' sets: there is no derivative by it.")
 
 
 def is_factor(variable):

@@ -103,9 +103,10 @@ def write_parameters(path: str | os.PathLike, settings: Mapping[str, object],
     folder of the new one."""
     texts = {name: to_text(value) for name, value in settings.items()}
     for name, text in texts.items():
-        if "#" in text or "\n" in text:
+        if "#" in text or "\n" in text or text.endswith("\\"):
             raise BifaceError(f"The value of '{name}' is '{text}', but the values in a "
-                              "parameter file cannot contain '#' or more than a line.")
+                              "parameter file cannot contain '#' or more than a line, "
+                              "or end with a backslash.")
     lines = [] if base is None else read_text(base).split("\n")
     found = [(place, name) for place, name, _, _ in scan(lines) if name in texts]
     for place, name in reversed(found):  # from the end: numbers of lines remain valid
@@ -117,7 +118,10 @@ def write_parameters(path: str | os.PathLike, settings: Mapping[str, object],
         *sections, entry = name.split("/")
         lines += [f"subsection {section}" for section in sections]
         lines += [f"set {entry} = {text}"] + ["end"] * len(sections)
-    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    try:
+        Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    except OSError as error:
+        raise BifaceError(f"{path} cannot be written ({error.strerror}).") from None
 
 
 def to_text(value: object) -> str:

@@ -10,6 +10,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 from .errors import BifaceError
 
 # Exit codes of the program, see README.md
@@ -49,8 +51,9 @@ def execute(words, ranks=1, program=None, progress=None):
 
     The function progress is called with each line about a step or a sample. Ctrl-C
     and any other exception stop the program, which keeps the steps done."""
-    if ranks != int(ranks) or ranks < 1:
-        raise BifaceError(f"The number of ranks is {ranks}, but must be 1 or more.")
+    if not isinstance(ranks, (int, np.integer)) or ranks < 1:
+        raise BifaceError(f"The number of ranks is {ranks!r}, but must be an integer, 1 "
+                          "or more.")
     command = [find_program(program), *map(os.fspath, words)]
     if ranks > 1:
         if not shutil.which("mpirun"):
@@ -61,9 +64,14 @@ def execute(words, ranks=1, program=None, progress=None):
         command.append("--quiet")
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as errors:
         # in a session of its own, so that Ctrl-C reaches the program once
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors,
-            text=True, errors="replace", env=environment(), start_new_session=True)
+        try:
+            process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=errors, text=True, errors="replace", env=environment(),
+                start_new_session=True)
+        except OSError as error:
+            raise BifaceError(f"{command[0]} cannot be started "
+                              f"({error.strerror}).") from None
         try:
             for line in process.stdout:
                 if progress and (match := re.match("  ((step )?[0-9]+ of .*)", line)):

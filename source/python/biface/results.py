@@ -155,7 +155,7 @@ class Results:
         """contact-NNNN.csv: the nodes in contact with the foundation or a body, and
         those beside them."""
         kind, prefix = ("contact", "") if body is None else \
-            (f"contact-{body}", f"{body.replace(' ', '_')}_")
+            (f"contact-{body.replace(' ', '_')}", f"{body.replace(' ', '_')}_")
         table = self._read_step(kind, CONTACT_COLUMNS, step)
         at = np.searchsorted(self.steps, step or self.step)
         expected = self.history[f"{prefix}contact_nodes"][at]

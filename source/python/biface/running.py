@@ -86,8 +86,15 @@ def sweep(file: str | os.PathLike, variables: Mapping[str, Sequence[float]],
     The samples that fail have NaN in place of outputs, and the reason in the column
     "status", which is "ok" for the others. Raises RunError if the program refuses
     the input."""
+    for variable, values in variables.items():
+        if isinstance(values, str) or not hasattr(values, "__iter__"):
+            raise BifaceError(f"The values of '{variable}' are {values!r}, but must be a "
+                              "list of numbers.")
     output = Path(output)
-    output.mkdir(parents=True, exist_ok=True)
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BifaceError(f"{output} cannot be created ({error.strerror}).") from None
     separator = ", " if samples is None else ":"
     study = {"Base file": Path(file).resolve(),
              "Variables": "; ".join(variables),

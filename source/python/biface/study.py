@@ -40,6 +40,10 @@ class Study(Table):
         if len(lines) == 1:
             raise BifaceError(f"{path} has no sample: there is nothing to report "
                               "before the first one is done.")
+        twice = [name for i, name in enumerate(names) if name in names[:i]]
+        if twice:
+            raise BifaceError(f"{path} has two columns '{twice[0]}': give the variable "
+                              "another name.")
         for i, line in enumerate(lines[1:], start=2):
             if len(line) != len(names):
                 raise BifaceError(f"{path}, line {i}, is damaged: it has "

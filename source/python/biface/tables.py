@@ -26,6 +26,10 @@ class Table(dict):
         super().__init__(columns)
         self.n_rows = len(next(iter(columns.values())))
 
+    def __missing__(self, name):
+        raise BifaceError(f"There is no column '{name}' among "
+                          f"{', '.join(map(repr, self))}.")
+
     def __len__(self):
         return self.n_rows
 
@@ -105,6 +109,8 @@ def read_csv(path, required, may_be_cut=False):
     is_cut = lines.pop() != ""
     if is_cut and not may_be_cut:
         raise BifaceError(f"{path} is damaged: its last line is cut off.")
+    if not lines and not required:
+        raise BifaceError(f"{path} is damaged: it is empty.")
     names = lines[0].split(",") if lines else []
     for name in required:
         if name not in names:

@@ -31,7 +31,10 @@ def read_vtu(path):
     """The arrays of all pieces by name, 'Points' for the positions; the numbers of
     points in 'connectivity' count through all pieces."""
     parts, n_points = {}, 0
-    for piece in re.findall(r"<Piece.*?</Piece>", read_text(path), re.DOTALL):
+    text_of_file = read_text(path)
+    if not text_of_file.rstrip().endswith("</VTKFile>"):
+        raise BifaceError(f"{path} is damaged: it is cut off.")
+    for piece in re.findall(r"<Piece.*?</Piece>", text_of_file, re.DOTALL):
         n = 0
         for attributes, text in re.findall(
                 r"<DataArray([^>]*)>(.*?)</DataArray>", piece, re.DOTALL):

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .buckling import kinds_of_steps
-from .drawing import BLUE, DISTINCT, GRAY, RED, headroom, legend_below
+from .drawing import BLUE, DISTINCT, GRAY, RED, headroom, legend_below, plain
 from .loading import branch_name, branches, counted_steps, varying_load
-from .page import ROUND_OFF, count
+from .page import ROUND_OFF, TOLERANCE, count
 from .units import units_of
 
 # More curves in one chart would be hard to tell apart
@@ -39,9 +39,11 @@ def stiffness(run):
     if not curves:
         return None
     approach, force = curves[-1]
-    if approach[-1] == approach[-2]:
+    change = force[-1] - force[-2]
+    # a force that the stage holds changes within the tolerance of the iteration
+    if approach[-1] == approach[-2] or abs(change) <= TOLERANCE * abs(force[-1]):
         return None
-    return (force[-1] - force[-2]) / (approach[-1] - approach[-2])
+    return change / (approach[-1] - approach[-2])
 
 
 def draw_contact_curve(run):
@@ -55,7 +57,7 @@ def draw_contact_curve(run):
                       DISTINCT if len(curves) > 1 else [BLUE]))
     for i, (approach, force) in enumerate(curves):
         axes.plot(approach, force, "o-", color=colors.get(i, GRAY), markersize=4,
-                  clip_on=False, label=names[i] if i in colors else None,
+                  clip_on=False, label=plain(names[i]) if i in colors else None,
                   zorder=2.5 if i in colors else 2)
     others = len(curves) - len(colors)
     if others:
@@ -146,11 +148,12 @@ class ProbeCurves:
         axes.axhline(0, color="0.6", linewidth=0.8, zorder=1)
         axes.axvline(0, color="0.6", linewidth=0.8, zorder=1)
         for k, name in enumerate([] if one else self.names):
-            axes.plot([], [], color=DISTINCT[k % len(DISTINCT)], label=name)
+            axes.plot([], [], color=DISTINCT[k % len(DISTINCT)],
+                      label=plain(name))
         for i, ((name, direction), _) in enumerate(curves):
             axes.plot([], [], color=DISTINCT[i] if one else GRAY,
                       linestyle=LINES[0 if one else i],
-                      label=f"{name}, $u_{direction}$")
+                      label=plain(name) + f", $u_{direction}$")
         axes.set(xlabel=self.units.label("displacement", "length"),
                  ylabel=self.load_name)
         legend_below(axes)
@@ -186,7 +189,7 @@ def mark_stages(axes, run):
             each.axvline(run.steps[i] - 0.5, color="0.3", linewidth=0.8,
                          linestyle="--")
     for i in [0] + starts if 0 < len(starts) < MAXIMUM_STAGES else []:
-        axes.annotate(names[i], (run.steps[i] - 0.45, 1), (1, 2),
+        axes.annotate(plain(names[i]), (run.steps[i] - 0.45, 1), (1, 2),
                       xycoords=("data", "axes fraction"),
                       textcoords="offset points", fontsize=9, color="0.3",
                       va="bottom", rotation=25)

@@ -12,7 +12,7 @@ from biface.parameters import is_same
 from . import charts, maps
 from .content import (find_footprint, foundation_if_known, normal_of, section_caption,
                       section_lines)
-from .drawing import BLUE, RED, STYLE, embed, headroom, legend_below
+from .drawing import BLUE, RED, STYLE, embed, headroom, legend_below, plain
 from .page import (LeftOut, Section, figure, missing, number, page, paragraph,
                    plain_number, table)
 from .section import SectionPlane
@@ -107,7 +107,7 @@ def curves(runs, names):
         for run, label, color, line in zip(runs, names, COLORS, LINES):
             for i, (approach, force) in enumerate(charts.contact_curves(run)):
                 axes.plot(approach, force, "o", color=color, linestyle=line,
-                          markersize=3.5, label=None if i else label)
+                          markersize=3.5, label=None if i else plain(label))
         charts.label_contact_curve(axes, units_of(runs[0]))
         words = "the force on the foundation against its approach"
     else:
@@ -138,8 +138,9 @@ def draw_points(axes, runs, names):
     for each, label, color, line in zip(found, names, COLORS, LINES):
         for i, (moved, load, _) in enumerate(each.curves[common[0]]):
             axes.plot(moved, load, "o", color=color, linestyle=line, markersize=3.5,
-                      label=None if i else label)
-    axes.set(xlabel=units_of(runs[0]).label(f"{point}, $u_{direction}$", "length"),
+                      label=None if i else plain(label))
+    axes.set(xlabel=units_of(runs[0]).label(f"{plain(point)}, $u_{direction}$",
+                                             "length"),
              ylabel=found[0].load_name)
     return f"the {found[0].load_name} against the displacement of {escape(point)}"
 
@@ -150,10 +151,13 @@ def pressures(runs, names):
     profiles = [run.profile() for run in runs]
     if any(profile is None or not profile["pressure"].any() for profile in profiles):
         return LeftOut(name, "Not both runs have contact pressures in their profiles.")
+    if len({run.setting("Surface/Meridian") == "circular arc" for run in runs}) > 1:
+        return LeftOut(name, "alpha_1 is an angle in one of the runs and a length in "
+                       "the other.")
     drawing, axes = plt.subplots(figsize=(5.6, 3.8))
     for profile, label, color, line in zip(profiles, names, COLORS, LINES):
         axes.plot(profile["alpha_1"], profile["pressure"], color=color, linestyle=line,
-                  marker="o", markersize=3.5, label=label)
+                  marker="o", markersize=3.5, label=plain(label))
     shown = [profile["alpha_1"][profile["pressure"] > 0] for profile in profiles]
     low, high = (end(np.concatenate(shown)) for end in (np.min, np.max))
     margin = 0.15 * (high - low) or 1
@@ -197,8 +201,8 @@ def sections(runs, names):
     profiles = [lines[1][-1] for lines in found]
     plane = SectionPlane(profiles, normal_of(runs[0]), found[0][2])
     drawing, is_to_scale, has_foundation = maps.draw_sections(
-        plane, profiles, names, [foundation_if_known(run, run.step) for run in runs],
-        units_of(runs[0]), COLORS)
+        plane, profiles, list(map(plain, names)),
+        [foundation_if_known(run, run.step) for run in runs], units_of(runs[0]), COLORS)
     return Section("section", name, figure(
         embed(drawing), "Drawing of the deformed sections of both shells.",
         section_caption(runs[0], found[0][3], is_to_scale, has_foundation)))

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import charts, maps, view
 from .buckling import buckling, critical_points, kinds_of_steps
-from .drawing import STYLE, embed
+from .drawing import STYLE, embed, plain
 from .footprint import Footprint, normal_of_nodes
 from .foundation import foundation_in_step, foundation_of
 from .loading import counted_steps, step_labels
@@ -168,7 +168,8 @@ def sections_of_shell(run):
     foundations = [foundation_if_known(run, step) for step in chosen]
     drawing, is_to_scale, has_foundation = maps.draw_sections(
         SectionPlane(profiles, normal_of(run), across), profiles,
-        step_labels(run, chosen), foundations, units_of(run))
+        [plain(label) for label in step_labels(run, chosen)], foundations,
+        units_of(run))
     return Section("section", name, figure(
         embed(drawing), "Drawing of the deformed section of the shell, from step "
         f"{chosen[0]} to step {chosen[-1]}.",

@@ -63,6 +63,13 @@ def save(figure, target, **options):
     plt.close(figure)
 
 
+def plain(name):
+    """A name of the user as text of a figure: no formula between dollars, and shown in
+    a legend also if it starts with an underscore."""
+    name = name.replace("$", r"\$")
+    return "\u200b" + name if name.startswith("_") else name
+
+
 def embed(figure, kind="svg"):
     """A figure as a picture within the page: SVG for lines, PNG for areas of
     color."""

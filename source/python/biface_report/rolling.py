@@ -7,7 +7,7 @@ from html import escape
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .drawing import DISTINCT, embed
+from .drawing import DISTINCT, embed, plain
 from .loading import rows_before
 from .page import LeftOut, Section, details, figure, number, paragraph, table
 from .units import units_of
@@ -176,7 +176,7 @@ def draw_curves(axes, found, chosen, x, column):
     for i, rows in enumerate(chosen):
         stages = dict.fromkeys(found["stage"][rows[1:]])
         axes.plot(x[i], found[column][rows], "o-", markersize=4,
-                  color=DISTINCT[i % len(DISTINCT)], label=", ".join(stages))
+                  color=DISTINCT[i % len(DISTINCT)], label=plain(", ".join(stages)))
     axes.axhline(0, color="0.6", linewidth=0.8, zorder=1)
     axes.axvline(0, color="0.6", linewidth=0.8, zorder=1)
 

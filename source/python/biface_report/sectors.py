@@ -5,6 +5,8 @@ import numpy as np
 
 # What is closer to the axle than this share of the radius has no angle
 AT_AXLE = 1e-3
+# Sectors thinner than a part of the turn are slices of long shells, not wheels
+MAXIMUM_COPIES = 360
 
 
 def copies_of(run, points):
@@ -24,7 +26,8 @@ def copies_of(run, points):
     width = np.ptp(angles)
     count = round(2 * np.pi / width)
     step = 2 * np.pi / count
-    if abs(width - step) > 1e-3 * step or (edge == "symmetry" and count % 2):
+    if (count > MAXIMUM_COPIES or abs(width - step) > 1e-3 * step
+            or (edge == "symmetry" and count % 2)):
         return [[1, 0, 0, 1]]
     # about the middle of the sector, every other one is reflected by symmetry
     center = np.angle(middle) + (angles.min() + angles.max()) / 2

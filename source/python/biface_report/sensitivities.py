@@ -8,7 +8,7 @@ from html import escape
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .drawing import BLUE, RED, embed
+from .drawing import BLUE, RED, embed, plain
 from .page import (TOLERANCE, LeftOut, Section, count, details, figure, number,
                    paragraph, table)
 
@@ -148,7 +148,7 @@ def draw(bars):
         axes.set_visible(False)
     for axes, (output, entries) in zip(panels.flat, shown.items()):
         values = [value for _, value in entries]
-        labels = [textwrap.fill(entry, LABEL_WIDTH) for entry, _ in entries]
+        labels = [plain(textwrap.fill(entry, LABEL_WIDTH)) for entry, _ in entries]
         drawn = axes.barh(range(len(values)), values, height=0.6,
                           color=[RED if value < 0 else BLUE for value in values])
         axes.bar_label(drawn, map(plain_text, values), padding=3, fontsize=9)
@@ -162,7 +162,7 @@ def draw(bars):
             axes.set_xlim(low - (room if low < 0 else 0),
                           high + (room if high > 0 else 0))
         axes.axvline(0, color="0.3", linewidth=0.8)
-        axes.set_title(output, fontsize=10)
+        axes.set_title(plain(output), fontsize=10)
         axes.locator_params(axis="x", nbins=6)
         axes.tick_params(axis="x", labelsize=9)
         axes.tick_params(axis="y", length=0)

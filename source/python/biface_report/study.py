@@ -8,9 +8,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from biface.parameters import read_parameters
-from biface.tables import read_text
 
-from .drawing import BLUE, GRAY, RED, STYLE, embed
+from .drawing import BLUE, GRAY, RED, STYLE, embed, plain
 from .page import (TOLERANCE, LeftOut, Section, count, details, figure, missing, number,
                    page, paragraph, plain_number, table)
 from .units import Units
@@ -50,7 +49,7 @@ def report(study):
 def units_of_study(study):
     """The units of its base file."""
     path = study.directory / "base.prm"
-    entry = (read_parameters(read_text(path)).find("Units") if path.exists()
+    entry = (read_parameters(path).find("Units") if path.exists()
              else None)
     return Units(entry and entry.value)
 
@@ -146,7 +145,7 @@ def main_effects(study):
         each.set_title(label(output), fontsize=10)
         each.set_xlabel("% of the mean", fontsize=10)
         each.grid(axis="y", visible=False)
-    axes[0][0].set_yticks(range(len(varying)), varying)
+    axes[0][0].set_yticks(range(len(varying)), map(plain, varying))
     axes[0][0].invert_yaxis()
     text = paragraph(
         "The change of each output while one variable goes through its range and "
@@ -161,7 +160,7 @@ def main_effects(study):
 
 def label(name):
     """The name of a column, broken into short lines."""
-    return textwrap.fill(name.replace("_", " "), 14)
+    return plain(textwrap.fill(name.replace("_", " "), 14))
 
 
 def grid_of_charts(rows, columns):
@@ -189,7 +188,7 @@ def responses(study):
             each.tick_params(labelsize=8)
         line[0].set_ylabel(label(output), fontsize=9)
     for each, variable in zip(axes[-1], columns):
-        each.set_xlabel(variable, fontsize=10)
+        each.set_xlabel(plain(variable), fontsize=10)
     text = ("Dots: samples. Lines: the fitted polynomial, with the other variables "
             "in the middle of their ranges.")
     return Section("responses", name, figure(

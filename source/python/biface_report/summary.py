@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The head of the page, and the table of its most important numbers."""
 
+import re
 from collections import namedtuple
 from html import escape
 
@@ -8,6 +9,7 @@ import numpy as np
 
 from biface import read_vtu
 from biface.parameters import stages
+from biface.tables import read_text
 
 from . import charts, plies
 from .page import Section, count, number, paragraph, plain_number, table
@@ -47,8 +49,17 @@ def warnings(run):
         result.append("The last line of history.csv is cut off, as if the run was "
                       "stopped while writing it; that line is left out.")
     if run.parameters and run.step == run.last_step:
-        result += unfinished(run)
+        result += unfinished(run) or ended_early(run)
     return result
+
+
+def ended_early(run):
+    """Whether run.log does not end as that of a complete run."""
+    path = run.directory / "run.log"
+    ends = (re.findall(r"^Results (so far )?in ", read_text(path), re.MULTILINE)
+            if path.exists() else [""])
+    return [] if ends and not ends[-1] else [
+        "The run is not complete: it is still running, or was stopped."]
 
 
 def unfinished(run):
@@ -143,8 +154,9 @@ def contact_rows(run, footprint):
     if slope is not None:
         rows.append(Row("Stiffness", slope, units["stiffness"],
                         "increment of force over increment of approach"))
+    points = "point" if run.has_points_in_cells else "node"
     rows.append(Row("Contact area", area, units["area"],
-                    f"{count(int(run.last('contact_nodes')), 'node')}, on the "
+                    f"{count(int(run.last('contact_nodes')), points)}, on the "
                     "undeformed middle surface"))
     has_footprint = "footprint_length" in run.history
     if has_footprint:
@@ -153,7 +165,8 @@ def contact_rows(run, footprint):
         rows.append(Row("Mean contact pressure", force / area,
                         units["pressure"], "force over contact area"))
     rows.append(Row("Maximum contact pressure", run.last("max_pressure"),
-                    units["pressure"], "at a node" + place_of_peak(run)))
+                    units["pressure"], "at a point in a cell"
+                    if run.has_points_in_cells else "at a node" + place_of_peak(run)))
     if has_footprint:
         rows += history_rows(run, PRESSURE_ROWS)
     elif footprint is not None:
@@ -205,7 +218,7 @@ def place_in_history(run, column):
     """Where a maximum of the history is, from the columns beside it."""
     return (f"α<sub>1</sub> = {plain_number(run.last(column + '_alpha_1'))}, "
             f"α<sub>2</sub> = {plain_number(run.last(column + '_alpha_2'))}, "
-            f"ply {int(run.last(column + '_ply'))}")
+            f"ply {plain_number(run.last(column + '_ply'))}")
 
 
 def tension_rows(run):

@@ -26,7 +26,7 @@ LICENSE = Path("/usr/share/doc/libjs-three/copyright")
 OWN_SCRIPTS = ("view_curved.js", "view_part.js", "view_drawing.js", "view.js")
 
 # The data of a part in characters, about, which limits the states in the page
-MAXIMUM_DATA = {"shell": 6_000_000, "plies": 4_000_000}
+MAXIMUM_DATA = {"shell": 4_000_000, "plies": 2_500_000, "shapes": 1_500_000}
 
 # Where a closed shell without contact is seen from, and half a turn of copies of a
 # sector, and what is up
@@ -88,7 +88,7 @@ def shapes(run, series, found, values, direction, up):
     paths = [run.directory / f"{series}-{step:04d}-{i:03d}.vtu" for i in numbers]
     if not is_available() or not all(path.exists() for path in paths):
         return ""
-    count = affordable(run, "shell", paths, None)
+    count = affordable(run, "shapes", paths, None)
     names = [f"{i}: {value}" for i, value in zip(numbers, values)]
     part = Part("shell", names[:count], paths[:count], units_of(run),
                 motion=None)

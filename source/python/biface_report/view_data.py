@@ -24,7 +24,8 @@ IN_ZONE = ("contact_pressure", "active", "slipping", "friction", "slip_velocity"
 KINDS = (("displacement", "length"), ("contact_pressure", "pressure"),
          ("friction", "pressure"), ("slip_velocity", "velocity"), ("H_", "tension"),
          ("cord_tension", "force"), ("interlaminar", "pressure"),
-         ("cauchy_", "pressure"), ("s_", "pressure"), ("t_", "pressure"))
+         ("cauchy_", "pressure"), ("s_", "pressure"), ("t_", "pressure"),
+         ("von_mises", "pressure"))
 
 
 class Part:
