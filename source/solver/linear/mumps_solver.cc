@@ -123,8 +123,12 @@ namespace Biface
       // no output by MUMPS
       for (const int i : {1, 2, 3})
         icntl(i) = -1;
-      icntl(4)  = 0;
-      icntl(8)  = 0;  // set_scales() is sufficient, and faster
+      icntl(4) = 0;
+      icntl(8) = 0; // set_scales() is sufficient, and faster
+      // A preconditioner need not be stable: a threshold of 0.01 for pivots
+      // doubles the time where a wheel starts to roll.
+      if (in_single_precision())
+        cntl(1) = 1e-3;
       icntl(14) = 40; // per cent of workspace beyond the estimate
       icntl(18) = 3;  // each rank passes its own entries
       // ScaLAPACK is slower for the root front on few ranks
@@ -290,6 +294,13 @@ namespace Biface
     icntl(const int i)
     {
       return mumps.icntl[i - 1];
+    }
+
+    /** Likewise CNTL. */
+    number &
+    cntl(const int i)
+    {
+      return mumps.cntl[i - 1];
     }
 
     /** Call @p action with local row, local column and value of each entry of
