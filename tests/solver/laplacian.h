@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <cmath>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -71,6 +72,31 @@ public:
         matrix.set(i, i, diagonal);
       }
     matrix.compress(VectorOperation::insert);
+  }
+
+  /** Add the identity times a factor, and a skew-symmetric part. */
+  void
+  set_with_wind(const double shift, const double wind)
+  {
+    for (const auto i : rhs.locally_owned_elements())
+      for (const auto j : neighbors(i))
+        matrix.set(i, j, i == j ? 6 + shift : -1 + (i < j ? wind : -wind));
+    matrix.compress(VectorOperation::insert);
+  }
+
+  /** The number of negative eigenvalues of its symmetric part. */
+  static unsigned int
+  n_negative(const double shift)
+  {
+    unsigned int n    = 0;
+    const auto   part = [](const unsigned int k) {
+      return 2 - 2 * std::cos(k * numbers::PI / (side + 1));
+    };
+    for (unsigned int i = 1; i <= side; ++i)
+      for (unsigned int j = 1; j <= side; ++j)
+        for (unsigned int k = 1; k <= side; ++k)
+          n += (part(i) + part(j) + part(k) + shift < 0);
+    return n;
   }
 
   /** Relative to the matrix and the solution. */
