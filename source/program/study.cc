@@ -47,8 +47,7 @@ namespace Biface
       const auto taken = [&](const std::string &column) {
         return column == variable.get_name();
       };
-      const std::vector<std::string> own = {
-        "sample", "status", "steps", "iterations", "seconds"};
+      const auto &own = StudyTable::own_columns;
       if (std::any_of(own.begin(), own.end(), taken) ||
           std::any_of(outputs.begin(), outputs.end(), [&](const auto &output) {
             return taken(output.name());

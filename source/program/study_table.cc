@@ -51,13 +51,14 @@ namespace Biface
                          const std::vector<std::string>         &columns,
                          const std::vector<std::vector<double>> &samples)
     : directory(directory)
-    , header("sample")
+    , header(own_columns[0])
     , samples(samples)
     , rows(samples.size())
   {
     for (const std::string &column : columns)
       header += ',' + column;
-    header += ",status,steps,iterations,seconds";
+    for (unsigned int i = 1; i < own_columns.size(); ++i)
+      header += std::string(",") + own_columns[i];
   }
 
 

@@ -3,6 +3,7 @@
 #ifndef biface_program_study_table_h
 #define biface_program_study_table_h
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ namespace Biface
       unsigned int n_iterations = 0;
       double       seconds      = 0;
     };
+
+    /** The first column, and those after the variables and outputs. */
+    static constexpr std::array<const char *, 5> own_columns = {
+      {"sample", "status", "steps", "iterations", "seconds"}};
 
     /** @param directory that of the study.
      * @param columns the names of the variables and outputs.

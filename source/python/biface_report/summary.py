@@ -54,7 +54,7 @@ def warnings(run):
 
 
 def ended_early(run):
-    """Whether run.log does not end as that of a complete run."""
+    """A warning if run.log does not end as that of a complete run."""
     path = run.directory / "run.log"
     ends = (re.findall(r"^Results (so far )?in ", read_text(path), re.MULTILINE)
             if path.exists() else [""])
