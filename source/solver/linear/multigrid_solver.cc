@@ -226,6 +226,13 @@ namespace Biface
   }
 
 
+  std::optional<unsigned int>
+  MultigridSolver::count_negative_pivots(const LA::SparseMatrix &A)
+  {
+    return levels.empty() ? coarsest->count_negative_pivots(A) : std::nullopt;
+  }
+
+
   LinearSolverResult
   MultigridSolver::set_up()
   {
@@ -256,7 +263,8 @@ namespace Biface
         on_level = level.coarse_matrix.get();
       }
 
-    result                = coarsest->factorize(*on_level, symmetry);
+    result = coarsest->factorize(
+      *on_level, symmetry == Symmetry::full ? Symmetry::full : Symmetry::none);
     coarse_matrices_exist = result.success;
     // these are not pivots of the tangent
     result.n_negative_pivots.reset();

@@ -102,6 +102,25 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The entries of a matrix on this rank, row by row; their columns are
+     * numbers on this rank in ascending order. */
+    struct LocalEntries
+    {
+      int    *row_starts, *columns;
+      double *values;
+
+      explicit LocalEntries(const Epetra_CrsMatrix &A)
+      {
+        const int error = A.ExtractCrsDataPointers(row_starts, columns, values);
+        AssertThrow(error == 0,
+                    TrilinosWrappers::SparseMatrix::ExcTrilinosError(error));
+      }
+    };
+  } // namespace
+
+
   /** @tparam number the precision of the factors. */
   template <typename number>
   class MumpsSolver::FactorsIn : public Factors
@@ -310,58 +329,51 @@ namespace Biface
     for_each_entry(const LA::SparseMatrix &A, const Action &action) const
     {
       const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
-      int                    *row_starts, *local_columns;
-      double                 *matrix_values;
-      const int               error =
-        epetra.ExtractCrsDataPointers(row_starts, local_columns, matrix_values);
-      AssertThrow(error == 0, ExcTrilinosError(error));
+      const LocalEntries      local(epetra);
 
       const int *row_ids    = epetra.RowMap().MyGlobalElements();
       const int *column_ids = epetra.ColMap().MyGlobalElements();
       for (int row = 0; row < epetra.NumMyRows(); ++row)
-        for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
+        for (int k = local.row_starts[row]; k < local.row_starts[row + 1]; ++k)
           {
-            const int below = row_ids[row] - column_ids[local_columns[k]];
-            double    value = matrix_values[k];
+            const int below = row_ids[row] - column_ids[local.columns[k]];
+            double    value = local.values[k];
             if (part == Part::symmetric_part && below != 0)
               {
                 // MUMPS adds what other ranks pass above the diagonal
                 if (const int other = transposed_entries[k]; other >= 0)
-                  value += matrix_values[other];
+                  value += local.values[other];
                 value /= 2;
               }
             if (below >= 0 || part == Part::whole ||
                 (part == Part::symmetric_part && transposed_entries[k] < 0))
-              action(row, local_columns[k], value);
+              action(row, local.columns[k], value);
           }
     }
 
-    /** Find the transposed entry of each of this rank's, negative if it is
-     * another rank's. */
+    /** Find the transposed entry of each of this rank's, negative if there is
+     * none here. */
     void
     find_transposed_entries(const LA::SparseMatrix &A)
     {
       const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
-      int                    *row_starts, *columns;
-      double                 *values;
-      const int               error =
-        epetra.ExtractCrsDataPointers(row_starts, columns, values);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-
+      const LocalEntries      local(epetra);
       transposed_entries.assign(epetra.NumMyNonzeros(), -1);
       for (int row = 0; row < epetra.NumMyRows(); ++row)
         {
           const int own_column = epetra.LCID(epetra.GRID(row));
-          for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
-            if (const int other = epetra.LRID(epetra.GCID(columns[k]));
+          for (int k = local.row_starts[row]; k < local.row_starts[row + 1];
+               ++k)
+            if (const int other = epetra.LRID(epetra.GCID(local.columns[k]));
                 other >= 0)
               {
-                const int *const        begin = columns + row_starts[other],
-                                 *const end   = columns + row_starts[other + 1],
-                                 *const it =
-                                   std::lower_bound(begin, end, own_column);
-                Assert(it != end && *it == own_column, ExcInternalError());
-                transposed_entries[k] = it - columns;
+                const int *const begin =
+                  local.columns + local.row_starts[other];
+                const int *const end =
+                  local.columns + local.row_starts[other + 1];
+                const int *const it = std::lower_bound(begin, end, own_column);
+                if (it != end && *it == own_column)
+                  transposed_entries[k] = it - local.columns;
               }
         }
     }

@@ -150,10 +150,9 @@ namespace Biface
       return factorize(A, symmetric ? Symmetry::full : Symmetry::none);
     }
 
-    /** The number of negative pivots of the symmetric part of a matrix whose
-     * entries stand symmetrically, in double precision, if the solver counts
-     * them: that of its negative eigenvalues. Factors of other matrices
-     * stay. */
+    /** The number of negative pivots of the symmetric part of a matrix in
+     * double precision, if the solver counts them: that of its negative
+     * eigenvalues. Factors of other matrices stay. */
     virtual std::optional<unsigned int>
     count_negative_pivots(const LA::SparseMatrix & /*A*/)
     {

@@ -57,6 +57,10 @@ namespace Biface
                  const Symmetry          symmetry,
                  const Correction       &correction = {}) override;
 
+    /** Only where there are no coarser meshes. */
+    std::optional<unsigned int>
+    count_negative_pivots(const LA::SparseMatrix &A) override;
+
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
