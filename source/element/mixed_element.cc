@@ -41,26 +41,22 @@ namespace Biface
     const ElementGeometry::Vertex &vertex = geometry.vertices[q];
 
     DisplacementGradient u;
-    for (const auto part : {MixedElement::mean, MixedElement::half_difference})
+    const Tensor<1, 3> half = nodal_value(V, q, MixedElement::half_difference);
+    u.beta                  = 2 / vertex.thickness * half;
+    const Tensor<1, 3> v    = nodal_value(V, q, MixedElement::mean);
+    for (unsigned int a = 0; a < 2; ++a)
       {
-        const Tensor<1, 3> v = nodal_value(V, q, part);
-        for (unsigned int a = 0; a < 2; ++a)
-          {
-            const Tensor<1, 3> g =
-              vertex.slope[a] *
-                (v - vertex.turn[a] * nodal_value(V, q ^ (1 << a), part)) +
-              vertex.connection[a] * v;
-            for (unsigned int face = 0; face < 2; ++face)
-              u.g[face][a] += part == MixedElement::mean
-                                ? g
-                                : MixedElement::face_sign[face] * g;
-          }
-        if (part == MixedElement::half_difference)
-          u.beta = 2 / vertex.thickness * v;
+        const unsigned int neighbor = q ^ (1 << a);
+        const Tensor<1, 3> of_mean  = geometry.derivative(
+          q, a, v, nodal_value(V, neighbor, MixedElement::mean));
+        const Tensor<1, 3> of_half = geometry.derivative(
+          q, a, half, nodal_value(V, neighbor, MixedElement::half_difference));
+        for (unsigned int face = 0; face < 2; ++face)
+          for (unsigned int i = 0; i < 3; ++i)
+            u.g[face][a][i] = of_mean[i] +
+                              MixedElement::face_sign[face] * of_half[i] -
+                              vertex.face_slope[face][a] * u.beta[i];
       }
-    for (unsigned int face = 0; face < 2; ++face)
-      for (unsigned int a = 0; a < 2; ++a)
-        u.g[face][a] -= vertex.face_slope[face][a] * u.beta;
     return u;
   }
 
@@ -89,14 +85,15 @@ namespace Biface
             f = 2 / vertex.thickness * conjugate_beta;
           for (unsigned int a = 0; a < 2; ++a)
             {
-              const Tensor<1, 3> p = part == MixedElement::mean
-                                       ? conjugate.g[1][a] + conjugate.g[0][a]
-                                       : conjugate.g[1][a] - conjugate.g[0][a];
-              f += vertex.slope[a] * p + p * vertex.connection[a];
-              const Tensor<1, 3> at_neighbor = p * vertex.turn[a];
+              const auto [own, other] = geometry.conjugate_of_derivative(
+                q,
+                a,
+                part == MixedElement::mean
+                  ? conjugate.g[1][a] + conjugate.g[0][a]
+                  : conjugate.g[1][a] - conjugate.g[0][a]);
+              f += own;
               for (unsigned int i = 0; i < 3; ++i)
-                force[MixedElement::dof(q ^ (1 << a), i, part)] -=
-                  vertex.slope[a] * at_neighbor[i];
+                force[MixedElement::dof(q ^ (1 << a), i, part)] += other[i];
             }
           for (unsigned int i = 0; i < 3; ++i)
             force[MixedElement::dof(q, i, part)] += f[i];
@@ -402,14 +399,12 @@ namespace Biface
                                    const unsigned int  face,
                                    const unsigned int  a,
                                    const Tensor<1, 3> &p) {
-              const Tensor<1, 3> at_q =
-                vertex.slope[a] * p + p * vertex.connection[a];
-              const Tensor<1, 3> at_neighbor = p * vertex.turn[a];
+              const auto [at_q, at_neighbor] =
+                geometry.conjugate_of_derivative(q, a, p);
               for (unsigned int i = 0; i < 3; ++i)
                 {
                   own[strain][3 * q + i] += at_q[i];
-                  neighbor[a][strain][3 * (q ^ (1 << a)) + i] -=
-                    vertex.slope[a] * at_neighbor[i];
+                  neighbor[a][strain][3 * (q ^ (1 << a)) + i] += at_neighbor[i];
                 }
               if (vertex.face_slope[face][a] != 0)
                 add_beta(strain, -vertex.face_slope[face][a] * p);
@@ -584,6 +579,8 @@ namespace Biface
           matrix[3 * row + i][3 * column + i] += value;
       };
 
+      const bool turns = geometry.interpolation != Interpolation::components;
+
       for (unsigned int q = 0; q < 4; ++q)
         {
           const ElementGeometry::Vertex &vertex = geometry.vertices[q];
@@ -595,7 +592,7 @@ namespace Biface
           const std::array<double, 2>      &slope  = vertex.slope;
           const double                      d_beta = 2 / vertex.thickness;
 
-          // g_a = own_a v_q - slope_a turn_a v_neighbor
+          // g_a = own_a v_q - slope_a turn_a v_neighbor, see ElementGeometry
           std::array<Tensor<2, 3>, 2> own;
           for (unsigned int a = 0; a < 2; ++a)
             {
@@ -628,24 +625,35 @@ namespace Biface
                 add(of_faces,
                     neighbor[a],
                     q,
-                    -slope[a] * (transpose(vertex.turn[a]) * coupled[a]));
+                    -slope[a] * (turns ? transpose(vertex.turn[a]) * coupled[a]
+                                       : coupled[a]));
                 add_scalar(of_faces,
                            neighbor[a],
                            neighbor[a],
                            slope[a] * slope[a] * gg[a] / 2);
               }
-            add(of_faces,
-                neighbor[0],
-                neighbor[1],
-                slope[0] * slope[1] * gg[2] *
-                  (transpose(vertex.turn[0]) * vertex.turn[1]));
+            if (turns)
+              add(of_faces,
+                  neighbor[0],
+                  neighbor[1],
+                  slope[0] * slope[1] * gg[2] *
+                    (transpose(vertex.turn[0]) * vertex.turn[1]));
+            else
+              add_scalar(of_faces,
+                         neighbor[0],
+                         neighbor[1],
+                         slope[0] * slope[1] * gg[2]);
 
             add(of_director, q, q, d_beta * (gb[0] * own[0] + gb[1] * own[1]));
             for (unsigned int a = 0; a < 2; ++a)
-              add(of_director,
-                  q,
-                  neighbor[a],
-                  -slope[a] * d_beta * gb[a] * vertex.turn[a]);
+              if (turns)
+                add(of_director,
+                    q,
+                    neighbor[a],
+                    -slope[a] * d_beta * gb[a] * vertex.turn[a]);
+              else
+                add_scalar(
+                  of_director, q, neighbor[a], -slope[a] * d_beta * gb[a]);
           };
           add_products(1, sum, director_sum);
           add_products(-1, difference, director_difference);
@@ -1012,50 +1020,52 @@ namespace Biface
     if (with_normal_thickness())
       subtract_leaning(G, H, DB);
 
+    std::array<unsigned int, Modes::n> modes;
+    unsigned int                       n_modes = 0;
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < stiffness.size(group); ++i)
+        modes[n_modes++] = group.first_mode + i;
+
     // rows of the tangent, with columns part by part
-    const auto add_row = [&](const unsigned int vertex,
-                             const unsigned int component,
+    const auto add_row = [&](const unsigned int k,
                              const Part         part,
                              const PartVector  &by_mean,
                              const PartVector  &by_half_difference) {
-      const unsigned int                     k = 3 * vertex + component;
       alignas(64) std::array<double, n_dofs> row;
       for (unsigned int l = 0; l < n_of_part; ++l)
         {
           row[l]             = by_mean[l];
           row[n_of_part + l] = by_half_difference[l];
         }
-      for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < stiffness.size(group); ++i)
-          {
-            const double b = B[group.first_mode + i][n_of_part * part + k];
-            for (unsigned int l = 0; l < n_dofs; ++l)
-              row[l] += b * DB[group.first_mode + i][l];
-          }
-      auto &of_dof = K[dof(vertex, component, part)];
+      for (unsigned int n = 0; n < n_modes; ++n)
+        {
+          const double b  = B[modes[n]][n_of_part * part + k];
+          const auto  &db = DB[modes[n]];
+          for (unsigned int l = 0; l < n_dofs; ++l)
+            row[l] += b * db[l];
+        }
+      auto &of_dof = K[dof(k / 3, k % 3, part)];
       for (unsigned int q = 0; q < 4; ++q)
         for (unsigned int i = 0; i < 3; ++i)
           for (const auto other : {mean, half_difference})
             of_dof[dof(q, i, other)] += row[n_of_part * other + 3 * q + i];
     };
 
-    for (unsigned int q = 0; q < 4; ++q)
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          const unsigned int k = 3 * q + i;
-          PartVector         sum, difference, mean_by_half, half_by_half;
-          for (unsigned int l = 0; l < n_of_part; ++l)
-            {
-              sum[l] = variation.sum[k][l] + variation.sum[l][k];
-              const double d =
-                variation.difference[k][l] + variation.difference[l][k];
-              difference[l]   = d + variation.director_sum[k][l];
-              mean_by_half[l] = d + variation.director_sum[l][k];
-              half_by_half[l] = sum[l] + variation.director_difference[k][l] +
-                                variation.director_difference[l][k];
-            }
-          add_row(q, i, mean, sum, mean_by_half);
-          add_row(q, i, half_difference, difference, half_by_half);
-        }
+    for (unsigned int k = 0; k < n_of_part; ++k)
+      {
+        PartVector sum, difference, mean_by_half, half_by_half;
+        for (unsigned int l = 0; l < n_of_part; ++l)
+          {
+            sum[l] = variation.sum[k][l] + variation.sum[l][k];
+            const double d =
+              variation.difference[k][l] + variation.difference[l][k];
+            difference[l]   = d + variation.director_sum[k][l];
+            mean_by_half[l] = d + variation.director_sum[l][k];
+            half_by_half[l] = sum[l] + variation.director_difference[k][l] +
+                              variation.director_difference[l][k];
+          }
+        add_row(k, mean, sum, mean_by_half);
+        add_row(k, half_difference, difference, half_by_half);
+      }
   }
 } // namespace Biface

@@ -70,6 +70,62 @@ namespace Biface
     }
 
     /**
+     * The derivative of a vector along @f$\alpha_a@f$ at vertex @p q, divided
+     * by @f$A_a@f$.
+     *
+     * @param own the components at the vertex.
+     * @param other the components at its neighbor.
+     */
+    dealii::Tensor<1, 3>
+    derivative(const unsigned int          q,
+               const unsigned int          a,
+               const dealii::Tensor<1, 3> &own,
+               const dealii::Tensor<1, 3> &other) const
+    {
+      const Vertex        &vertex = vertices[q];
+      dealii::Tensor<1, 3> d;
+      for (unsigned int i = 0; i < 3; ++i)
+        if (interpolation == Interpolation::components)
+          d[i] = vertex.slope[a] * (own[i] - other[i]) +
+                 vertex.connection[a][i][0] * own[0] +
+                 vertex.connection[a][i][1] * own[1] +
+                 vertex.connection[a][i][2] * own[2];
+        else
+          d[i] = vertex.slope[a] * (own[i] - vertex.turn[a][i][0] * other[0] -
+                                    vertex.turn[a][i][1] * other[1] -
+                                    vertex.turn[a][i][2] * other[2]);
+      return d;
+    }
+
+    /** The transpose of derivative(): what is work-conjugate to the components
+     * at the vertex and at its neighbor, from what is to the derivative. */
+    std::array<dealii::Tensor<1, 3>, 2>
+    conjugate_of_derivative(const unsigned int          q,
+                            const unsigned int          a,
+                            const dealii::Tensor<1, 3> &p) const
+    {
+      const Vertex                       &vertex = vertices[q];
+      std::array<dealii::Tensor<1, 3>, 2> result;
+      for (unsigned int i = 0; i < 3; ++i)
+        if (interpolation == Interpolation::components)
+          {
+            result[0][i] = vertex.slope[a] * p[i] +
+                           p[0] * vertex.connection[a][0][i] +
+                           p[1] * vertex.connection[a][1][i] +
+                           p[2] * vertex.connection[a][2][i];
+            result[1][i] = -vertex.slope[a] * p[i];
+          }
+        else
+          {
+            result[0][i] = vertex.slope[a] * p[i];
+            result[1][i] = -vertex.slope[a] * (p[0] * vertex.turn[a][0][i] +
+                                               p[1] * vertex.turn[a][1][i] +
+                                               p[2] * vertex.turn[a][2][i]);
+          }
+      return result;
+    }
+
+    /**
      * The constant weight of the element's strains and resultants,
      * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
      * @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center of the
