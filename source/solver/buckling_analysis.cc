@@ -529,12 +529,13 @@ namespace Biface
 
 
   std::optional<unsigned int>
-  BucklingAnalysis::count_negative_pivots(const Equilibrium &now)
+  BucklingAnalysis::count_negative_pivots(const Equilibrium &now,
+                                          const bool         often)
   {
     LA::SparseMatrix K;
     if (!assemble(now, K) && !tangent.is_symmetric_but_for_loads(now.loads))
       return {};
-    return linear_solver.count_negative_pivots(K);
+    return linear_solver.count_negative_pivots(K, often);
   }
 
 

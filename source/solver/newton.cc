@@ -540,6 +540,13 @@ namespace Biface
 
     if (const ControlEquations *control = iterate.parametrized.equations)
       {
+        // a solver that does not need them for the solution may count them
+        if (auto &n = iterate.result.n_negative_pivots;
+            !n && known != Symmetry::none &&
+            control->reads_pivots(iterate.here()))
+          if ((n = linear_solver.count_negative_pivots(equations.tangent(),
+                                                       true)))
+            n = low_rank.n_negative(*n);
         const ControlEquations::Iteration here = iterate.here();
         std::vector<LA::Vector>           per_parameter(control->rates.size(),
                                               equations.mesh.owned_vector());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <limits>
 
 #include <biface/stepping/critical_point_search.h>
 
@@ -18,21 +19,27 @@ namespace Biface
     n.before              = run.progress.n_negative_pivots;
     n.after               = attempt.result.n_negative_pivots;
     const bool every_step = run.stage.locates_critical_points() ||
-                            counts_symmetric_part(run, attempt);
+                            counts_symmetric_part(run, attempt) ||
+                            is_too_thin(run, attempt);
     if (every_step)
-      n.after = count(run, attempt.state, attempt.level);
+      n.after = count(run, attempt.state, attempt.level, every_step);
     if (!n.after)
       {
         if (attempt.result.iterations > 0)
           warn_of_uncounted_pivots(run);
         return n;
       }
-    // the stage before may not have counted them, or had another foundation
-    const bool first = (run.control->done() == 0);
-    if (!n.before || (n.differ() && first))
-      n.before = count(run, run.state, run.progress.reached);
+    // The stage before may not have counted them, or had another foundation;
+    // numbers that differ are counted in double precision.
+    const bool same_without_contact = run.stage.contact &&
+                                      run.contact.pairs.size() == 1 &&
+                                      run.contact.count_active(run.state) == 0;
+    const bool other_tangent =
+      run.control->done() == 0 && !same_without_contact;
+    if (!n.before || (n.differ() && other_tangent))
+      n.before = count(run, run.state, run.progress.reached, every_step);
     if (n.differ() && !every_step)
-      n.after = count(run, attempt.state, attempt.level);
+      n.after = count(run, attempt.state, attempt.level, every_step);
     return n;
   }
 
@@ -48,13 +55,27 @@ namespace Biface
   }
 
 
+  bool
+  CriticalPointSearch::is_too_thin(const StageRun &run,
+                                   const Attempt  &attempt) const
+  {
+    // the ratio of bending to membrane stiffness in digits of single precision
+    constexpr double digits = 10;
+    const double     ratio =
+      run.equations.mesh.size() / run.equations.mesh.thickness();
+    return !attempt.result.exact_pivots() && attempt.result.n_negative_pivots &&
+           ratio * ratio * std::numeric_limits<float>::epsilon() > digits;
+  }
+
+
   std::optional<unsigned int>
   CriticalPointSearch::count(const StageRun  &run,
                              const State     &state,
-                             const LoadLevel &level)
+                             const LoadLevel &level,
+                             const bool       often)
   {
-    const auto n =
-      buckling_analysis.count_negative_pivots({state, run.loads_at(level)});
+    const auto n = buckling_analysis.count_negative_pivots(
+      {state, run.loads_at(level)}, often);
     if (!n)
       warn_of_uncounted_pivots(run);
     return n;
@@ -112,7 +133,7 @@ namespace Biface
           }
         half.result.iterations += attempt.result.iterations;
         const std::optional<unsigned int> n =
-          (half.result.converged ? count(run, half.state, half.level)
+          (half.result.converged ? count(run, half.state, half.level, true)
                                  : std::nullopt);
         if (!n)
           {

@@ -4,7 +4,8 @@
 // tangent is unsymmetric by the error of the discretization: one with supported
 // ends at the load of von Mises (1914; Timoshenko and Gere, Theory of Elastic
 // Stability, section 11.5), one with fixed ends at that of 'Buckling', and the
-// step that passes it says so. All this does not depend on the number of ranks.
+// step that passes it says so. All this does not depend on the number of ranks
+// or on the linear solver.
 
 #include <deal.II/base/mpi.h>
 
@@ -105,6 +106,12 @@ main(int argc, char *argv[])
     critical_pressure("fixed ends, dead", {"Loads/Pressure type=dead"});
   // its direction does not resist n waves: 1 - 1/n^2, as for a ring
   check("against dead pressure", located, (1 - 1. / 49) * dead, 0.005);
+  // without coarser meshes it is the direct solver
+  const double iterative =
+    critical_pressure("fixed ends, iterative",
+                      {"Linear solver/Type=iterative",
+                       "Linear solver/Multigrid/Coarsest unknowns=1000000"});
+  check("against the direct solver", iterative, located, 1e-9);
   critical_pressure("fixed ends, report",
                     {"Stage 1/Critical points=report", "Stage 1/Steps=4"});
 }

@@ -140,9 +140,10 @@ namespace Biface
      * unsymmetric one, which is an error of the discretization if the loads
      * have a potential; critical_mode() tells whether they do. The last
      * assembly of the equations is lost.
+     * @param often see LinearSolver::count_negative_pivots().
      */
     std::optional<unsigned int>
-    count_negative_pivots(const Equilibrium &now);
+    count_negative_pivots(const Equilibrium &now, const bool often);
 
     /** The number of eigenvalues closest to zero among which critical_mode()
      * looks. If more change their sign at once, as where cells get too small,

@@ -77,6 +77,13 @@ namespace Biface
       return parameter_changes(iteration, dV_R, dV_q);
     }
 
+    /** Whether an iteration reads the number of negative pivots. */
+    virtual bool
+    reads_pivots(const Iteration & /*iteration*/) const
+    {
+      return false;
+    }
+
     /** The largest violation of an equation, relative to the prescribed
      * value. */
     virtual double

@@ -79,10 +79,19 @@ namespace Biface
     bool
     counts_symmetric_part(const StageRun &run, const Attempt &attempt) const;
 
+    /** Whether the shell is so thin that factors in single precision may have
+     * another number of negative pivots than the tangent. */
+    bool
+    is_too_thin(const StageRun &run, const Attempt &attempt) const;
+
     /** The number of negative pivots of an equilibrium with the loads of a
-     * stage, in double precision; warns once if it cannot be counted. */
+     * stage, in double precision; warns once if it cannot be counted.
+     * @param often see LinearSolver::count_negative_pivots(). */
     std::optional<unsigned int>
-    count(const StageRun &run, const State &state, const LoadLevel &level);
+    count(const StageRun  &run,
+          const State     &state,
+          const LoadLevel &level,
+          const bool       often);
 
     /** Warn once of a tangent whose negative pivots are not counted. */
     void

@@ -227,9 +227,11 @@ namespace Biface
 
 
   std::optional<unsigned int>
-  MultigridSolver::count_negative_pivots(const LA::SparseMatrix &A)
+  MultigridSolver::count_negative_pivots(const LA::SparseMatrix &A,
+                                         const bool              often)
   {
-    return levels.empty() ? coarsest->count_negative_pivots(A) : std::nullopt;
+    return levels.empty() ? coarsest->count_negative_pivots(A, often)
+                          : std::nullopt;
   }
 
 

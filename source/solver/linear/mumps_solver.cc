@@ -583,8 +583,16 @@ namespace Biface
 
 
   std::optional<unsigned int>
-  MumpsSolver::count_negative_pivots(const LA::SparseMatrix &A)
+  MumpsSolver::count_negative_pivots(const LA::SparseMatrix &A,
+                                     const bool              often)
   {
+    const bool release = !often && can_keep_factors();
+    if (release)
+      {
+        factors_of = FactorsOf::nothing;
+        correction = {};
+        factors.reset();
+      }
     if (!counting_factors || !counting_factors->is_for(A, Part::symmetric_part))
       {
         TimerOutput::Scope scope(timer, "Linear solver: analysis");
@@ -596,10 +604,15 @@ namespace Biface
             return {};
           }
       }
-    TimerOutput::Scope scope(timer, "Linear solver: factorization");
-    if (counting_factors->factorize(A) < 0)
-      return {};
-    return counting_factors->n_negative_pivots();
+    std::optional<unsigned int> n;
+    {
+      TimerOutput::Scope scope(timer, "Linear solver: factorization");
+      if (counting_factors->factorize(A) >= 0)
+        n = counting_factors->n_negative_pivots();
+    }
+    if (release)
+      counting_factors.reset();
+    return n;
   }
 
 
@@ -778,7 +791,8 @@ namespace Biface
     result.success = true;
     if (factors_of != FactorsOf::matrix)
       {
-        if (solve_with_gmres(x, b, tolerance))
+        if (factors_of != FactorsOf::nothing &&
+            solve_with_gmres(x, b, tolerance))
           return result;
         result = factorize_anew();
       }

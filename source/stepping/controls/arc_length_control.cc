@@ -36,6 +36,12 @@ namespace Biface
         return forward ? size : -size;
       }
 
+      bool
+      reads_pivots(const Iteration &iteration) const override
+      {
+        return iteration.total.norm_sqr() == 0;
+      }
+
       double
       violation(const Iteration & /*iteration*/) const override
       {

@@ -59,7 +59,7 @@ namespace Biface
 
     /** Only where there are no coarser meshes. */
     std::optional<unsigned int>
-    count_negative_pivots(const LA::SparseMatrix &A) override;
+    count_negative_pivots(const LA::SparseMatrix &A, const bool often) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;

@@ -72,7 +72,7 @@ namespace Biface
                        const bool              symmetric) override;
 
     std::optional<unsigned int>
-    count_negative_pivots(const LA::SparseMatrix &A) override;
+    count_negative_pivots(const LA::SparseMatrix &A, const bool often) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
