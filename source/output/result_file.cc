@@ -76,7 +76,8 @@ namespace Biface
 
 
   void
-  ResultsDirectory::remove(const std::string &names) const
+  ResultsDirectory::remove(const std::string                 &names,
+                           const std::optional<unsigned long> last_step) const
   {
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
@@ -84,11 +85,23 @@ namespace Biface
     std::error_code  error;
     for (fs::directory_iterator entry(name, error), end; !error && entry != end;
          entry.increment(error))
-      if (std::regex_match(entry->path().filename().string(), pattern))
-        {
-          std::error_code not_removed;
-          fs::remove(entry->path(), not_removed);
-        }
+      {
+        std::smatch       match;
+        const std::string file = entry->path().filename().string();
+        std::error_code   failed;
+        if (!std::regex_match(file, match, pattern) ||
+            !fs::is_regular_file(entry->symlink_status(failed)))
+          continue;
+        if (last_step &&
+            !(match.size() > 1 && match[1].matched &&
+              std::strtoul(match[1].str().c_str(), nullptr, 10) > *last_step))
+          continue;
+        if (std::none_of(
+              kept.begin(), kept.end(), [&](const std::string &path) {
+                return fs::equivalent(path, entry->path(), failed);
+              }))
+          fs::remove(entry->path(), failed);
+      }
   }
 
 
@@ -129,7 +142,9 @@ namespace Biface
   {
     std::string names;
     for (const char c : name)
-      names += (c == '*' ? "[0-9]{4,}" : c == '.' ? "\\." : std::string(1, c));
+      names += (c == '*'   ? "([0-9]{4,})"
+                : c == '.' ? "\\."
+                           : std::string(1, c));
     return names;
   }
 
@@ -138,6 +153,7 @@ namespace Biface
   ResultFile::resume(const std::vector<unsigned int> &steps)
   {
     this->steps = steps;
+    directory.remove(names_of_files(), steps.empty() ? 0 : steps.back());
     cut_back();
   }
 

@@ -128,15 +128,17 @@ namespace Biface
   void
   ResultsWriter::write_step(const StepReport &report, const State &state)
   {
-    // the history last: all files of the steps that it lists exist
-    for (auto file = files.rbegin(); file != files.rend(); ++file)
-      if ((*file)->is_wanted())
-        {
-          if (file->get() == history)
-            for (const auto &other : files)
-              other->complete_step();
+    // Tables after the larger files, which may find the disk full, and the
+    // history last: all files of the steps that it lists exist.
+    const auto write = [&](const bool tables) {
+      for (auto file = files.rbegin(); file != files.rend(); ++file)
+        if ((*file)->is_wanted() && (*file)->is_table() == tables)
           (*file)->write_step(report, state);
-        }
+    };
+    write(false);
+    for (const auto &file : files)
+      file->complete_step();
+    write(true);
   }
 
 

@@ -113,11 +113,17 @@ namespace Biface
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    // in a thread, without MPI; in complete_step() if there can be none
-    text =
-      std::async([this, patches = std::move(patches), step, rank, n_ranks] {
+    // In a thread, without MPI; in complete_step() if there can be none, for
+    // which std::async() copies the function once more.
+    const auto write =
+      [this,
+       patches = std::shared_ptr<VertexPatches<dim>>(std::move(patches)),
+       step,
+       rank,
+       n_ranks] {
         return vtu_of_rank(*patches, step, directory.units, rank, n_ranks);
-      });
+      };
+    text = std::async(write);
   }
 
 

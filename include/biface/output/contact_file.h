@@ -14,6 +14,13 @@ namespace Biface
   public:
     ContactFile(ResultsDirectory &directory, const ShellEquations &equations);
 
+    /** Also those of other bodies, which have their names. */
+    std::string
+    names_of_files() const override
+    {
+      return "contact-(?:.+-)?([0-9]{4,})\\.csv";
+    }
+
   private:
     void
     write(const StepReport &report, const State &state) override;

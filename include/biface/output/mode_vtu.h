@@ -42,7 +42,7 @@ namespace Biface
     std::string
     names_of_files() const override
     {
-      return prefix + "-[0-9]{4,}(\\.pvd|-[0-9]{3,}\\.vtu)";
+      return prefix + "-([0-9]{4,})(?:\\.pvd|-[0-9]{3,}\\.vtu)";
     }
 
   protected:

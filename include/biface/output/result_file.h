@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,10 +35,20 @@ namespace Biface
     ResultsDirectory &
     operator=(const ResultsDirectory &) = delete;
 
-    /** Remove the files whose names match a regular expression, as far as the
-     * system lets it. */
+    /** Keep a file that this run reads. */
     void
-    remove(const std::string &names) const;
+    keep(const std::string &path)
+    {
+      kept.push_back(path);
+    }
+
+    /** Remove the files whose names match a regular expression, as far as the
+     * system lets it, but those to keep.
+     * @param last_step if set, only those with a greater number as the first
+     * subexpression. */
+    void
+    remove(const std::string                 &names,
+           const std::optional<unsigned long> last_step = {}) const;
 
     /** The path of a file in the directory, which is about to be written. */
     std::string
@@ -56,8 +67,9 @@ namespace Biface
     void
     unlock();
 
-    const std::string     name;
-    std::set<std::string> unsynced;
+    const std::string        name;
+    std::set<std::string>    unsynced;
+    std::vector<std::string> kept;
     /** The open directory, on the first rank; -1 if it cannot be locked. */
     int lock = -1;
   };
@@ -103,9 +115,17 @@ namespace Biface
       return {};
     }
 
-    /** A regular expression for the names of the files. */
+    /** A regular expression for the names of the files, in a series with the
+     * number of the step as a subexpression. */
     virtual std::string
     names_of_files() const;
+
+    /** Whether the steps are lines of one file, and not files. */
+    virtual bool
+    is_table() const
+    {
+      return false;
+    }
 
     /** Start the file. Throws OutputError. */
     virtual void
@@ -180,6 +200,12 @@ namespace Biface
               ResultsDirectory     &directory,
               const ShellEquations &equations,
               const bool            wanted = true);
+
+    bool
+    is_table() const override
+    {
+      return true;
+    }
 
     bool
     is_wanted() const override

@@ -120,7 +120,7 @@ namespace Biface
     std::string
     names_of_files() const override
     {
-      return series + "(\\.pvd|-[0-9]{4,}\\.vtu)";
+      return series + "(?:\\.pvd|-([0-9]{4,})\\.vtu)";
     }
 
   protected:
