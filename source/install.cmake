@@ -71,8 +71,8 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
 Program, library with headers, Python package, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# the second line is what the Python package, biface-report and biface-rubber
-# need
+# the second line is what the Python package, biface-report, biface-rubber and
+# biface-tire-model need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
   "python3-numpy, python3-pandas, python3-matplotlib, python3-scipy, libjs-three")

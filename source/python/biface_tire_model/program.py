@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line of biface-tire-model."""
+
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from biface import Results
+from biface.errors import BifaceError
+from biface_report.command_line import Arguments, complain, missing_module
+from . import text
+from .axes import SIGNS, mirror
+from .check import report
+from .fitting import fit
+from .fitted_file import SIDES, make_tir
+from .table import LARGEST_ANGLE, LARGEST_SLIP, read_table, write_table
+from .tir_file import read_tir
+from .tydex import read_tydex, write_tydex
+from .units import System
+
+COMMAND = "biface-tire-model"
+
+# More values of one quantity are a mistake
+MOST_VALUES = 100_000
+
+
+def make_parser():
+    """The command line."""
+    parser = Arguments(prog=COMMAND, description="Tire models for vehicle dynamics: "
+                       "evaluates, fits and checks the Magic Formula in .tir files, and "
+                       "writes TYDEX files.")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    add_evaluate(commands)
+    add_fit(commands)
+    add_tydex(commands)
+    checked = commands.add_parser("check", help="what is missing or unusual in a .tir "
+                                                "file; exits with 1 if values are unusual")
+    checked.add_argument("file", metavar="FILE.tir", type=Path)
+    return parser
+
+
+def add_units(parser, what):
+    """The options for units and axes."""
+    parser.add_argument("--units", default="m, N, s", metavar="UNITS",
+                        help=f"of length, force and time, {what} (default: 'm, N, s'); "
+                             "pressures and moments follow")
+    parser.add_argument("--angles", default="deg", choices=("deg", "rad"),
+                        help="the unit of angles (default: deg)")
+    parser.add_argument("--axes", default="iso", choices=tuple(SIGNS),
+                        help="the signs (default: iso, the W axes of ISO 8855)")
+
+
+def add_evaluate(commands):
+    """The command evaluate."""
+    parser = commands.add_parser(
+        "evaluate", help="forces and moments of a .tir file as a table",
+        description="Prints a table of forces and moments at all combinations of the "
+                    "given values: numbers separated by commas, or FIRST:LAST:STEP.")
+    parser.add_argument("file", metavar="FILE.tir", type=Path)
+    parser.add_argument("--fz", required=True, metavar="VALUES", help="loads")
+    parser.add_argument("--alpha", default="0", metavar="VALUES", help="slip angles")
+    parser.add_argument("--kappa", default="0", metavar="VALUES",
+                        help="longitudinal slips; -1 is a locked wheel")
+    parser.add_argument("--gamma", default="0", metavar="VALUES",
+                        help="inclination angles")
+    parser.add_argument("--pressure", metavar="VALUES",
+                        help="inflation pressures (default: that of the file)")
+    parser.add_argument("--velocity", metavar="VALUES",
+                        help="forward velocities, for M_y (default: LONGVL)")
+    parser.add_argument("--mirror", action="store_true",
+                        help="the tire on the other side of the vehicle than in the file")
+    parser.add_argument("--starred", action="store_true",
+                        help="tan(alpha) and sin(gamma) in place of the angles")
+    parser.add_argument("-o", "--output", type=Path, metavar="TABLE.csv",
+                        help="where to (default: standard output)")
+    parser.add_argument("--picture", type=Path, metavar="FILE",
+                        help="draws the curves without camber (pdf, svg or png)")
+    add_units(parser, "of the values and the table")
+
+
+def add_table(parser):
+    """The arguments for measured data."""
+    parser.add_argument("table", metavar="TABLE.csv", type=Path,
+                        help="columns F_z, slip_ratio, slip_angle, "
+                             "inclination_angle, pressure, velocity, F_x, F_y, M_x, M_y, "
+                             "M_z; or a directory of TYDEX files, or of the results of "
+                             "a tire test")
+    add_units(parser, "of columns without one")
+
+
+def add_fit(commands):
+    """The command fit."""
+    parser = commands.add_parser("fit", help="a .tir file from measured forces and moments")
+    add_table(parser)
+    parser.add_argument("--format", required=True, choices=("5.2", "6.1"),
+                        help="the version of the Magic Formula")
+    parser.add_argument("--output", "-o", required=True, type=Path, metavar="FILE.tir")
+    parser.add_argument("--radius", required=True, type=float, metavar="R",
+                        help="of the unloaded tire, in the unit of length")
+    parser.add_argument("--nominal-load", type=float, metavar="F",
+                        help="FNOMIN (default: the load near the mean of all)")
+    parser.add_argument("--nominal-pressure", type=float, metavar="P",
+                        help="NOMPRES (default: the usual pressure of the table)")
+    parser.add_argument("--velocity", type=float, metavar="V",
+                        help="the reference velocity LONGVL (default: that of the table, "
+                             "or 16.7 m/s)")
+    parser.add_argument("--side", default="LEFT", choices=SIDES,
+                        help="where the tire was mounted (default: LEFT)")
+    parser.add_argument("--picture", type=Path, metavar="FILE",
+                        help="draws the curves and the points (pdf, svg or png)")
+
+
+def add_tydex(commands):
+    """The command tydex."""
+    parser = commands.add_parser("tydex", help="a table as TYDEX files, one for each sweep")
+    add_table(parser)
+    parser.add_argument("--output", "-o", required=True, type=Path, metavar="DIRECTORY")
+
+
+# ---- values of options
+
+def values_of(words, option):
+    """The numbers of an option."""
+    try:
+        if ":" in words:
+            first, last, step = (float(word) for word in words.split(":"))
+            count = round((last - first) / step, 9)
+            if not 0 <= count < MOST_VALUES:
+                raise ValueError
+            return first + step * np.arange(int(count) + 1)
+        result = np.array([float(word) for word in words.split(",")])
+        if np.isfinite(result).all():
+            return result
+    except (ValueError, ZeroDivisionError, OverflowError):
+        pass
+    raise BifaceError(f"{option} is '{words}', but must be numbers separated by commas, or "
+                      "FIRST:LAST:STEP.")
+
+
+def join_negative(words):
+    """Words of the command line where a value such as -10:10:1 is not taken for an
+    option."""
+    result = []
+    for word in words:
+        if (re.match(r"-[\d.]", word) and result and result[-1].startswith("--")
+                and "=" not in result[-1]):
+            result[-1] += "=" + word
+        else:
+            result.append(word)
+    return result
+
+
+def positive(value, option, unit=1):
+    """The value of an option that must be positive, in SI units; None if not given."""
+    if value is None:
+        return None
+    if not 0 < value < float("inf"):
+        raise BifaceError(f"{option} is {value:g}, but must be positive.")
+    return value * unit
+
+
+# ---- the commands
+
+def results_table(arguments):
+    """The table of a tire test, if a directory of results is given."""
+    path = arguments.table / "tire_test.csv"
+    return path if path.exists() else None
+
+
+def units_of(arguments):
+    """The units of the table and of options: those that results name, or the given
+    ones."""
+    named = results_table(arguments) and Results(arguments.table).setting("Units")
+    return System(named or arguments.units, arguments.angles)
+
+
+def read_data(arguments, system):
+    """The measurements that a command works on."""
+    path = results_table(arguments) or arguments.table
+    if path.is_dir() or path.suffix.lower() == ".tdx":
+        return read_tydex(path)
+    return read_table(path, system, arguments.axes)
+
+
+def evaluate(arguments):
+    """Forces and moments as a table."""
+    system = System(arguments.units, arguments.angles)
+    file = read_tir(arguments.file)
+    formula = file.formula(arguments.starred)
+    given = {"slip_ratio": ("--kappa", "slip"), "slip_angle": ("--alpha", "angle"),
+             "inclination_angle": ("--gamma", "angle"),
+             "pressure": ("--pressure", "pressure"),
+             "velocity": ("--velocity", "velocity"), "F_z": ("--fz", "force")}
+    columns = {name: values_of(words, option) * system[kind]
+               for name, (option, kind) in given.items()
+               for words in [getattr(arguments, option[2:])] if words is not None}
+    if np.prod([len(values) for values in columns.values()], dtype=float) > 1e7:
+        raise BifaceError("the table would have more than ten million rows.")
+    signs = SIGNS[arguments.axes]
+    for name in columns:
+        columns[name] = columns[name] * signs.get(name, 1)
+    limits(columns)
+    grid = np.meshgrid(*columns.values(), indexing="ij")
+    columns = {name: values.ravel() for name, values in zip(columns, grid)}
+    warn_outside(file, columns)
+    seen = mirror(columns) if arguments.mirror else columns
+    forces = formula.evaluate(seen["F_z"], seen["slip_ratio"], seen["slip_angle"],
+                              seen["inclination_angle"], seen.get("pressure"),
+                              seen.get("velocity"))
+    forces = forces._asdict()
+    columns.update(mirror(forces) if arguments.mirror else forces)
+    table = write_table(columns, system, arguments.axes)
+    if arguments.output:
+        arguments.output.write_text(table, encoding="utf-8")
+    else:
+        print(table, end="")
+    if arguments.picture:
+        draw(formula, columns, arguments.picture)
+    return 0
+
+
+def limits(columns):
+    """Refuses inputs that are not possible."""
+    for name, largest, what in (("slip_ratio", LARGEST_SLIP, "--kappa"),
+                                ("slip_angle", LARGEST_ANGLE, "--alpha"),
+                                ("inclination_angle", LARGEST_ANGLE, "--gamma")):
+        if (np.abs(columns[name]) >= largest).any():
+            limit = f"{LARGEST_SLIP}" if what == "--kappa" else "90 degrees"
+            raise BifaceError(f"{what} must lie between -{limit} and {limit}.")
+    if (columns["F_z"] <= 0).any():
+        raise BifaceError("--fz must be positive, in SAE axes negative.")
+    for name in ("pressure", "velocity"):
+        if name in columns and (columns[name] <= 0).any():
+            raise BifaceError(f"--{name} must be positive.")
+
+
+def warn_outside(file, columns):
+    """Tells which values are out of the ranges of the file."""
+    for name, low, high in (("slip_ratio", "KPUMIN", "KPUMAX"),
+                            ("slip_angle", "ALPMIN", "ALPMAX"),
+                            ("inclination_angle", "CAMMIN", "CAMMAX"),
+                            ("pressure", "PRESMIN", "PRESMAX"),
+                            ("F_z", "FZMIN", "FZMAX")):
+        if name not in columns:
+            continue
+        begin, end = file.find(low, -np.inf), file.find(high, np.inf)
+        margin = 1e-9 * max(abs(columns[name]).max(), 1e-9)
+        outside = ((columns[name] < begin - margin) | (columns[name] > end + margin)).sum()
+        if outside:
+            print(f"{COMMAND}: warning: {outside} of {len(columns[name])} rows have a "
+                  f"{name} out of the range of the file, {low} to {high}.",
+                  file=sys.stderr)
+
+
+def draw(formula, columns, path, data=None):
+    """Writes a picture of curves at the loads and up to the slips of columns."""
+    missing = missing_module({"matplotlib": "python3-matplotlib"})
+    if missing:
+        raise BifaceError(missing)
+    from . import picture
+    loads = np.unique(columns["F_z"]) if data is None else data.levels("F_z")[0]
+    ranges = {"loads": loads[np.linspace(0, len(loads) - 1, min(len(loads), 6))
+                             .round().astype(int)]}
+    for name, otherwise in (("slip_angle", np.radians(12)), ("slip_ratio", 0.25)):
+        ranges[name] = np.abs(columns[name]).max() or otherwise
+    try:
+        picture.draw(formula, ranges, path, data)
+    except ValueError as error:
+        raise BifaceError(f"--picture is {path}, but must be a pdf, svg or png file.") \
+            from error
+
+
+def fit_table(arguments):
+    """A .tir file from a table."""
+    system = units_of(arguments)
+    radius = positive(arguments.radius, "--radius", system["length"])
+    load = positive(arguments.nominal_load, "--nominal-load", system["force"])
+    pressure = positive(arguments.nominal_pressure, "--nominal-pressure",
+                        system["pressure"])
+    velocity = positive(arguments.velocity, "--velocity", system["velocity"])
+    data = read_data(arguments, system)
+    result = fit(data, arguments.format, radius, load, pressure, velocity)
+    make_tir(result, arguments.side, f"From {arguments.table.name}.").write(
+        arguments.output)
+    print(text.of_fit(result), end="")
+    if arguments.picture:
+        draw(result.formula, data, arguments.picture, data)
+    return 0
+
+
+def tydex(arguments):
+    """TYDEX files from a table."""
+    paths = write_tydex(read_data(arguments, units_of(arguments)), arguments.output)
+    print("\n".join(str(path) for path in paths))
+    return 0
+
+
+def check(arguments):
+    """What is to be said of a file."""
+    words, is_unusual = report(read_tir(arguments.file))
+    print(words, end="")
+    return int(is_unusual)
+
+
+def main(words=None):
+    """Runs a command. The exit code is 1 if that is not possible."""
+    parser = make_parser()
+    arguments = parser.parse_args(join_negative(sys.argv[1:] if words is None else words))
+    command = {"evaluate": evaluate, "fit": fit_table, "tydex": tydex, "check": check}
+    try:
+        return command[arguments.command](arguments)
+    except BifaceError as error:
+        return complain(COMMAND, error)
+    except BrokenPipeError:
+        return 1
+    except OSError as error:
+        return complain(COMMAND, f"{error.filename} cannot be read or written "
+                                 f"({error.strerror}).")

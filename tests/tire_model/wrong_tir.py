@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# A wrong .tir file is refused in one sentence with file, line, entry and value.
+
+from tire_model_test import check, check_refused, require, scratch, write
+
+require("numpy", "scipy")
+
+GOOD = ("[MODEL]\nFITTYP = 61\n[DIMENSION]\nUNLOADED_RADIUS = 0.3\n[VERTICAL]\n"
+        "FNOMIN = 4000\n")
+CASES = [
+    ("", "has no section, such as [MODEL]"),
+    ("! only\n$ comments\n", "has no section"),
+    ("FITTYP = 61\n" + GOOD, "line 1: 'FITTYP = 61' stands before the first section"),
+    (GOOD + "[\n", "line 7: '[' is not a section, such as [MODEL]"),
+    (GOOD + "[]\n", "line 7: '[]' is not a section"),
+    (GOOD + "[SHAPE\n", "line 7: '[SHAPE' is not a section"),
+    (GOOD + "[model]\n", "line 7: the section [MODEL] occurs twice"),
+    (GOOD + "PCX1\n", "line 7: 'PCX1' is neither an entry, such as LCX = 1, nor a section "
+                      "nor a comment"),
+    (GOOD + "= 3\n", "line 7: '= 3' is neither an entry"),
+    (GOOD + "FNOMIN = 3000\n", "line 7: FNOMIN occurs twice in [VERTICAL]"),
+    (GOOD + "TEXT = 'open\n", "line 7: the text of TEXT has no closing quote"),
+    (GOOD + "PCX1 = one\n", "line 7: PCX1 is 'one', but must be a number"),
+    (GOOD + "PCX1 = \n", "line 7: PCX1 is '', but must be a number"),
+    (GOOD + "PCX1 = 1,3\n", "line 7: PCX1 is '1,3', but must be a number"),
+    (GOOD + "PCX1 = nan\n", "line 7: PCX1 is 'nan', but must be a number"),
+    (GOOD + "PCX1 = 1e999\n", "line 7: PCX1 is '1e999', but must be a number"),
+    (GOOD + "LFZ0 = 'one'\n", "line 7: LFZ0 is 'one', but must be a number"),
+    (GOOD + "WIDTH = wide $ comment\n", "line 7: WIDTH is 'wide', but must be a number"),
+    (GOOD.replace("61", "sixty"), "line 2: FITTYP is 'sixty', but must be a number"),
+    (GOOD.replace("61", "89"), "FITTYP is 89, but must be 5, 6, 21, 52, 60, 61 or 62"),
+    (GOOD.replace("FNOMIN = 4000", ""), "FNOMIN is missing, which the Magic Formula needs"),
+    (GOOD.replace("4000", "-4000"), "FNOMIN is -4000, but must be positive"),
+    (GOOD.replace("UNLOADED_RADIUS = 0.3", ""), "UNLOADED_RADIUS is missing"),
+    (GOOD.replace("0.3", "0"), "UNLOADED_RADIUS is 0, but must be positive"),
+    (GOOD + "[SHAPE]\n{}\n", "line 8: '{}' does not name columns, as {pen fz} does"),
+    (GOOD + "[SHAPE]\n{radial width}\n1 0 1\n",
+     "line 9: the row has 3 numbers where 2 columns are named"),
+    (GOOD + "[SHAPE]\n{radial width}\n1 half\n",
+     "line 9: the column WIDTH of [SHAPE] is 'half', but must be a number"),
+    (GOOD + "[SHAPE]\n{radial width}\n1 0\n{a b}\n",
+     "line 10: the section [SHAPE] has a second table"),
+    (GOOD + "[UNITS]\nLENGTH = 'furlong'\n",
+     "line 8: LENGTH is 'furlong', but must be m, meter,"),
+    (GOOD + "[UNITS]\nANGLE = 'grad'\n", "line 8: ANGLE is 'grad', but must be rad,"),
+    (GOOD + "[UNITS]\nPRESSURE = 'torr'\n", "line 8: PRESSURE is 'torr', but must be pa,"),
+    (GOOD + "[UNITS]\nTEMPERATURE = 'K'\n", "line 8: [UNITS] has the entry TEMPERATURE, "
+     "but only has LENGTH, FORCE, TIME, ANGLE, MASS or PRESSURE"),
+]
+for text, sentence in CASES:
+    check_refused(["check", write("tire.tir", text)], sentence)
+path = scratch() / "binary.tir"
+path.write_bytes(b"[MODEL]\0\0")
+check_refused(["check", path], "is not a text file")
+check_refused(["check", "no_such.tir"], "no_such.tir cannot be read (No such file")
+check_refused(["check", scratch()], "cannot be read (Is a directory")
+check(len(CASES) >= 30, "there are fewer cases")
