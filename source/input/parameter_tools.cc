@@ -153,6 +153,38 @@ namespace Biface
   }
 
 
+  std::vector<double>
+  parse_values(const std::string &entry,
+               const std::string &text,
+               const std::string &allowed,
+               const unsigned int limit)
+  {
+    std::vector<double> values;
+    for (const std::string &item : split_list(entry, text, ',', limit))
+      {
+        std::vector<double> numbers;
+        for (const std::string &number :
+             dealii::Utilities::split_string_list(item, ':'))
+          numbers.push_back(parse_number(entry, number, allowed));
+        if (numbers.size() == 1)
+          {
+            values.push_back(numbers[0]);
+            continue;
+          }
+        const double n = numbers.size() == 3 ? numbers[2] : 0;
+        if (!(n >= 2 && n <= limit) || n != std::floor(n))
+          throw InputError(entry, text, allowed);
+        for (unsigned int i = 0; i < n; ++i)
+          values.push_back(i + 1 == n ? numbers[1]
+                                      : numbers[0] + (numbers[1] - numbers[0]) *
+                                                       i / (n - 1));
+      }
+    if (values.size() > limit)
+      throw InputError(entry, text, allowed);
+    return values;
+  }
+
+
   std::vector<std::string>
   split_words(const std::string &text)
   {

@@ -10,6 +10,7 @@
 #include <biface/base/version.h>
 #include <biface/output/results_check.h>
 #include <biface/output/results_writer.h>
+#include <biface/output/tire_test_file.h>
 #include <biface/program/analysis.h>
 #include <biface/program/checkpoint_writer.h>
 #include <biface/program/continuation.h>
@@ -96,6 +97,8 @@ namespace Biface
         }
       ResultsDirectory results_directory(
         directory, communicator, parameters.units);
+      for (const std::string &file : parameters.input_files())
+        results_directory.keep(file);
       if (checkpoint == nullptr)
         remove_checkpoints(directory, communicator);
       ResultsWriter results(parameters.output,
@@ -106,6 +109,9 @@ namespace Biface
                             parameters.sensitivities.changes.size() *
                               parameters.sensitivities.outputs.size(),
                             written);
+
+      TireTestFile tire_test(
+        parameters.tire_test, parameters.stages, results_directory);
 
       log.open(directory + "/run.log", checkpoint != nullptr);
       if (checkpoint != nullptr)
@@ -142,6 +148,7 @@ namespace Biface
           for (const std::string &warning : check.add(report, state))
             out << "  " << warning << std::endl;
           results.write_step(report, state);
+          tire_test.write(progress.tested);
           record.summary.add(
             report, state, equations.mesh, results.get_failure_maxima());
           checkpoints.write_if_due(record);
@@ -151,6 +158,7 @@ namespace Biface
         [&]() { return signals.caught(communicator) != 0; },
         options.predictor);
       checkpoints.write(record);
+      tire_test.write(progress.tested);
 
       out << std::endl;
       if (out.is_active())
@@ -158,7 +166,13 @@ namespace Biface
       out << check.summary();
       print_costs(simulation, out);
       out << (result.success ? "Results" : "Results so far");
-      print_files(directory, results.list(), out);
+      std::vector<std::string> files = results.list();
+      if (!tire_test.description().empty())
+        files.insert(files.begin(), tire_test.description());
+      print_files(directory, files, out);
+      if (const std::string failures = tire_test.failures(progress.tested);
+          !failures.empty())
+        out << "Warning: " << failures << std::endl;
       if (result.success)
         {
           if (parameters.last_stage() + 1 < parameters.stages.size())

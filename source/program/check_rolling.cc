@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -83,11 +85,39 @@ namespace Biface
 
 
   void
+  Parameters::check_inclination(const std::string &section,
+                                const double       angle) const
+  {
+    const auto refuse = [&](const std::string &why) {
+      throw InputError(
+        section + "/Inclination angle", number_to_string(angle), why);
+    };
+    if (surface.type != ReferenceSurface::Parameters::Type::revolution)
+      refuse("it must be 0 unless 'Surface/Type = surface of revolution'");
+    const Tensor<1, 3> &direction = contact.body.line.direction;
+    const auto          is_steep  = [&]() {
+      const WheelAxes    axes(direction);
+      const double       radians = angle * numbers::PI / 180;
+      const Tensor<1, 3> down =
+        std::cos(radians) * direction / direction.norm() -
+        std::sin(radians) *
+          cross_product_3d(axes.forward, direction / direction.norm());
+      return !WheelAxes::fit(down) || down * direction <= 0;
+    };
+    if (!WheelAxes::fit(direction) || is_steep())
+      refuse(
+        "the ground must not be nearly parallel to the y axis, the axle of "
+        "the wheel");
+  }
+
+
+  void
   Parameters::check_rolling() const
   {
     const std::vector<bool> rolling = rolling_stages();
     // at the end of each stage
-    std::vector<bool> turned;
+    std::vector<bool>   turned;
+    std::vector<double> inclined;
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
         const Stage      &stage   = stages[i];
@@ -102,6 +132,10 @@ namespace Biface
                            number_to_string(*stage.wheel_turn),
                            "it must be 0 unless 'Surface/Type = surface of "
                            "revolution'");
+        inclined.push_back(stage.inclination_angle.value_or(
+          before && !stage.from_prestress ? inclined[*before] : 0));
+        if (inclined.back() != 0)
+          check_inclination(section, inclined.back());
         if (!rolling[i])
           continue;
 

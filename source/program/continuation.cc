@@ -171,17 +171,29 @@ namespace Biface
     const auto derivatives = values.find("Sensitivities/Entries");
     const bool with_derivatives =
       derivatives != values.end() && !derivatives->second.empty();
+    // the stages of a tire test follow those of the file
+    const bool in_tire_test =
+      values.count("Number of stages") > 0 &&
+      progress.stage >= std::stoul(values["Number of stages"]);
     for (const auto &entry : entries_of(now))
       {
         const auto old = values.find(entry.first);
-        if (entry.first == "Number of stages" &&
+        if (entry.first == "Number of stages" && in_tire_test &&
+            entry.second != old->second)
+          throw InputError(entry.first,
+                           entry.second,
+                           "the run to be continued has started its tire test "
+                           "after stage " +
+                             old->second);
+        if (entry.first == "Number of stages" && !in_tire_test &&
             std::stoul(entry.second) <= progress.stage)
           throw InputError(entry.first,
                            entry.second,
                            "the run to be continued has reached stage " +
                              std::to_string(progress.stage + 1));
         check_named_loads(progress, values, entry.first, entry.second);
-        if (may_change(entry.first, progress, with_derivatives))
+        if (may_change(entry.first, progress, with_derivatives) ||
+            (entry.first.rfind("Tire test/", 0) == 0 && !in_tire_test))
           continue;
         if (old == values.end())
           throw InputError("the entry " + in_quotes(entry.first) + " is " +

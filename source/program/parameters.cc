@@ -115,6 +115,10 @@ namespace Biface
         prm.leave_subsection();
       }
 
+    prm.enter_subsection("Tire test");
+    tire_test.add_parameters(prm);
+    prm.leave_subsection();
+
     prm.enter_subsection("Linear solver");
     linear_solver.add_parameters(prm);
     prm.leave_subsection();
@@ -138,6 +142,31 @@ namespace Biface
     prm.enter_subsection("Sensitivities");
     sensitivities.add_parameters(prm);
     prm.leave_subsection();
+  }
+
+
+  void
+  Parameters::add_tire_test()
+  {
+    tire_test.check(stages);
+    if (!tire_test.is_requested())
+      return;
+    const auto refuse = [](const std::string &why) {
+      throw InputError("the section 'Tire test' needs " + why + '.');
+    };
+    if (!mesh.closed ||
+        surface.type != ReferenceSurface::Parameters::Type::revolution)
+      refuse("a wheel: 'Surface/Type = surface of revolution' and 'Mesh/Closed "
+             "in alpha_2 = true'");
+    if (!sensitivities.entries.empty())
+      refuse("an empty entry 'Sensitivities/Entries'");
+    const unsigned int start =
+      tire_test.start_from == 0 ? stages.size() : tire_test.start_from;
+    if (rolling_stages()[start - 1])
+      refuse(
+        "a stage 'Start from' in which the wheel does not roll, not stage " +
+        std::to_string(start));
+    tire_test.append_to(stages);
   }
 
 
@@ -624,5 +653,23 @@ namespace Biface
             pairs[section + "Height file"].push_back(pair);
       }
     return pairs;
+  }
+
+
+  std::vector<std::string>
+  Parameters::input_files() const
+  {
+    std::vector<std::string> names{surface.points_file.name};
+    for (const TableFile &table : laminate.tables)
+      names.push_back(table.file.name);
+    for (const MaterialParameters &material : materials)
+      names.push_back(material.cord_and_rubber.curve.name);
+    for (const BodyParameters &body : bodies)
+      {
+        names.push_back(body.profile_file);
+        names.push_back(body.height_file);
+      }
+    names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+    return names;
   }
 } // namespace Biface

@@ -347,6 +347,7 @@ namespace Biface
     void
     complete(const MPI_Comm communicator, Parameters &parameters)
     {
+      parameters.add_tire_test();
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
         body.read_files(communicator);

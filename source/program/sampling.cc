@@ -29,7 +29,7 @@ namespace Biface
 
 
     std::vector<Sampling::Values>
-    parse_values(const std::string &entry, const std::string &text)
+    parse_samples(const std::string &entry, const std::string &text)
     {
       std::vector<Sampling::Values> result;
       for (const std::string &part : split_list(entry, text, ';', 1000))
@@ -44,34 +44,16 @@ namespace Biface
                                "the values of " +
                                  Biface::quoted(values.variable) +
                                  " are given twice");
-          for (const std::string &item :
-               split_list(entry, named.second, ',', max_samples))
-            {
-              const std::vector<std::string> parts =
-                Utilities::split_string_list(item, ':');
-              std::vector<double> numbers;
-              for (const std::string &number : parts)
-                numbers.push_back(parse_number(entry, number, values_form));
-              if (parts.size() == 2)
-                values.is_range = true;
-              if (parts.size() <= 2)
-                values.values.insert(
-                  values.values.end(), numbers.begin(), numbers.end());
-              else
-                {
-                  const double n = numbers[2];
-                  if (parts.size() > 3 || !(n >= 2 && n <= max_samples) ||
-                      n != static_cast<unsigned int>(n))
-                    throw InputError(entry, text, values_form);
-                  for (unsigned int i = 0; i < n; ++i)
-                    values.values.push_back(
-                      i + 1 == n
-                        ? numbers[1]
-                        : numbers[0] + (numbers[1] - numbers[0]) * i / (n - 1));
-                }
-            }
-          if (values.values.empty() || values.values.size() > max_samples ||
-              (values.is_range && values.values.size() != 2))
+          const auto range = Utilities::split_string_list(named.second, ':');
+          values.is_range =
+            range.size() == 2 && named.second.find(',') == std::string::npos;
+          if (values.is_range)
+            for (const std::string &end : range)
+              values.values.push_back(parse_number(entry, end, values_form));
+          else
+            values.values =
+              parse_values(entry, named.second, values_form, max_samples);
+          if (values.values.empty())
             throw InputError(entry, text, values_form);
           result.push_back(values);
         }
@@ -131,7 +113,7 @@ namespace Biface
                "Values",
                "",
                values,
-               parse_values,
+               parse_samples,
                "The values of the variables: a list of 'name: values', "
                "separated by semicolons. Values are 'a, b, c', or "
                "'begin:end:number' for equal intervals, ends included; for a "

@@ -243,7 +243,8 @@ namespace Biface
          ++next)
       {
         const unsigned int before = *stage_before(parameters.stages, next);
-        if (before < progress.stage && ends.count(before) == 0)
+        if (before < progress.stage && !progress.has_failed(before) &&
+            ends.count(before) == 0)
           throw InputError("Stage " + std::to_string(next + 1) + "/Start from",
                            std::to_string(before + 1),
                            "the run to be continued has not kept the end of "

@@ -17,7 +17,8 @@ namespace Biface
     if (from.level.angular_velocity != to.level.angular_velocity ||
         from.level.ground_velocity != to.level.ground_velocity ||
         from.level.slip_angle != to.level.slip_angle ||
-        from.level.wheel_turn != 0 || to.level.wheel_turn != 0)
+        from.level.wheel_turn != 0 || to.level.wheel_turn != 0 ||
+        from.level.inclination_angle != 0 || to.level.inclination_angle != 0)
       return {};
 
     const double       approach = to.level.travel - from.level.travel;

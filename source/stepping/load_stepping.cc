@@ -78,20 +78,36 @@ namespace Biface
         if (!progress.stage_begun)
           start_stage(run, stage_before(stages, progress.stage));
 
-        while (!run.is_complete())
+        bool failed = false;
+        while (!run.is_complete() && !failed)
           {
             auto step = next_step(run);
             if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
-              return *failure;
+              {
+                if (failure->stopped || !run.stage.may_fail())
+                  return *failure;
+                out << "  " << run.stage.name
+                    << " is left out: " << failure->message << std::endl;
+                progress.tested[progress.stage] =
+                  TireTestResult::failed(failure->message);
+                failed = true;
+                continue;
+              }
             StepReport &report = std::get<StepReport>(step);
             if (run.is_complete())
-              for (const auto &analysis : analyses)
-                analysis->end_stage(run, report);
+              {
+                for (const auto &analysis : analyses)
+                  analysis->end_stage(run, report);
+                if (run.stage.test_point > 0)
+                  progress.tested[progress.stage] =
+                    test_result(run.stage, report);
+              }
             observer(report, state);
           }
 
-        progress.end_stage(run.stage);
-        if (is_branched_from(stages, progress.stage))
+        if (!failed)
+          progress.end_stage(run.stage);
+        if (!failed && is_branched_from(stages, progress.stage))
           {
             RestorePoint end{state, progress};
             // a stage starts with its own control and without prediction
@@ -99,34 +115,45 @@ namespace Biface
             end.progress.predictor.reset();
             ends.insert_or_assign(progress.stage, std::move(end));
           }
-        if (progress.stage >= parameters.last_stage ||
-            progress.stage + 1 == stages.size())
+        if (!go_on(stages, ends, progress, state))
           return {};
-        go_on(stages, ends, progress, state);
       }
   }
 
 
-  void
+  bool
   LoadStepping::go_on(const std::vector<Stage> &stages,
                       const StageEnds          &ends,
                       Progress                 &progress,
                       State                    &state)
   {
-    const unsigned int next   = progress.stage + 1;
+    unsigned int next = progress.stage + 1;
+    for (;; ++next)
+      {
+        if (next > parameters.last_stage || next >= stages.size())
+          return false;
+        const Stage &start = stages[*stage_before(stages, next)];
+        if (!progress.has_failed(*stage_before(stages, next)))
+          break;
+        progress.tested[next] = TireTestResult::failed(
+          "it starts from " + start.name + ", which failed");
+      }
     const unsigned int before = *stage_before(stages, next);
     if (before != progress.stage)
       {
         const RestorePoint &end     = ends.at(before);
         const unsigned int  n_steps = progress.n_steps;
+        const auto          tested  = progress.tested;
         state                       = end.state;
         progress                    = end.progress;
         progress.n_steps            = n_steps;
+        progress.tested             = tested;
         out << "Start of " << stages[next].name << " from the end of stage "
             << before + 1 << ", " << stages[before].name << std::endl;
       }
     progress.stage       = next;
     progress.stage_begun = false;
+    return true;
   }
 
 

@@ -134,6 +134,17 @@ namespace Biface
       "degrees.");
     add_optional_number(
       prm,
+      "Inclination angle",
+      inclination_angle,
+      unchanged,
+      "Angle by which the wheel leans to its right at the end of the stage, "
+      "right-handed about its forward direction as in ISO 8855. The results "
+      "are in the axes of the wheel: the foundation leans the other way about "
+      "a line through the origin, after all its other motions, and 'Force' is "
+      "normal to it. It is added to the angle of 'Contact/Direction'. "
+      "'unchanged': as at the start of the stage. Unit: degrees.");
+    add_optional_number(
+      prm,
       "Angular velocity",
       angular_velocity,
       unchanged,
@@ -272,6 +283,7 @@ namespace Biface
     check_load("Load factor", common_factor);
     check_load("Turn", turn);
     check_load("Wheel turn", wheel_turn);
+    check_load("Inclination angle", inclination_angle);
     check_load("Angular velocity", angular_velocity);
     check_load("Ground velocity", ground_velocity);
     check_load("Slip angle", slip_angle);
@@ -302,6 +314,7 @@ namespace Biface
                        "it must be 0 unless 'Contact = true'");
     refuse_motion("Turn", turn);
     refuse_motion("Wheel turn", wheel_turn);
+    refuse_motion("Inclination angle", inclination_angle);
   }
 
 

@@ -79,12 +79,18 @@ namespace Biface
   StageRun::with_foundation(const RigidBody &body, const LoadLevel &level) const
   {
     const Tensor<1, 3> axle({0., 1., 0.});
-    return body
-      .displaced(level.slide,
-                 level.turn * numbers::PI / 180,
-                 progress.touched_point,
-                 contact.ground().body_at(0).direction())
-      .around(axle, -level.wheel_turn * numbers::PI / 180);
+    const Tensor<1, 3> direction = contact.ground().body_at(0).direction();
+    const RigidBody    upright =
+      body
+        .displaced(level.slide,
+                   level.turn * numbers::PI / 180,
+                   progress.touched_point,
+                   direction)
+        .around(axle, -level.wheel_turn * numbers::PI / 180);
+    if (level.inclination_angle == 0)
+      return upright;
+    return upright.around(WheelAxes(direction).forward,
+                          -level.inclination_angle * numbers::PI / 180);
   }
 
 

@@ -72,6 +72,8 @@ namespace Biface
     std::ostringstream text;
     if (level.wheel_turn != 0)
       text << ", wheel turned by " << level.wheel_turn;
+    if (level.inclination_angle != 0)
+      text << ", inclination angle " << level.inclination_angle;
     if (rolls)
       {
         text << ", angular velocity " << level.angular_velocity;

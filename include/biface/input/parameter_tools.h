@@ -98,6 +98,15 @@ namespace Biface
                const std::string &text,
                const std::string &allowed);
 
+  /** Read a list 'a, b, c' of numbers, in which 'begin:end:number' stands for
+   * so many equidistant ones; see parse_number(). Throws InputError also if
+   * there are more than @p limit. */
+  std::vector<double>
+  parse_values(const std::string &entry,
+               const std::string &text,
+               const std::string &allowed,
+               const unsigned int limit);
+
   /** The words of a text. */
   std::vector<std::string>
   split_words(const std::string &text);

@@ -27,6 +27,7 @@
 #include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
+#include <biface/stepping/tire_test.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/surface_parameters.h>
 
@@ -57,6 +58,7 @@ namespace Biface
     RollingHeat::Parameters         heat;
     std::vector<BodyParameters>     bodies;
     std::vector<Stage>              stages;
+    TireTest                        tire_test;
     LinearSolver::Parameters        linear_solver;
     Newton::Parameters              newton;
     LoadStepping::Parameters        load_stepping;
@@ -78,6 +80,11 @@ namespace Biface
     void
     assign_load_factors();
 
+    /** Append the stages of a tire test. Throws InputError if the tire cannot
+     * be tested. */
+    void
+    add_tire_test();
+
     /** Check everything that does not need a mesh: values, and whether the
      * points, edges, materials and tables named by entries exist. Throws
      * InputError. */
@@ -92,6 +99,10 @@ namespace Biface
     /** The pairs of the files named by entries, by entry. */
     PairsByEntry
     named_pairs() const;
+
+    /** The names of these files. */
+    std::vector<std::string>
+    input_files() const;
 
     /** The last stage that is run. */
     unsigned int
@@ -145,6 +156,11 @@ namespace Biface
     /** Whether the shell rolls in each of the stages. */
     std::vector<bool>
     rolling_stages() const;
+
+    /** Check the inclination angle of a stage.
+     * @param section that of the stage. */
+    void
+    check_inclination(const std::string &section, const double angle) const;
 
     /** Check the stages in which the shell rolls. */
     void

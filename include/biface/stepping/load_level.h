@@ -30,6 +30,9 @@ namespace Biface
     /** The angle by which the wheel has turned on the foundation, in degrees,
      * see RigidBody::around(). */
     Value<double> wheel_turn{};
+    /** The inclination angle of the wheel of ISO 8855, in degrees: the
+     * foundation leans the other way. */
+    Value<double> inclination_angle{};
 
     /** The motion of a rolling wheel, see Rolling; the slip angle is in
      * degrees. */
@@ -53,6 +56,7 @@ namespace Biface
     function(levels.slide...);
     function(levels.turn...);
     function(levels.wheel_turn...);
+    function(levels.inclination_angle...);
   }
 
 

@@ -112,8 +112,9 @@ namespace Biface
 
   private:
     /** Go on to the next stage: to the end of the stage before it, from which
-     * it starts. */
-    void
+     * it starts. Stages that start from a failed one have failed, too.
+     * @return whether there is a next stage. */
+    bool
     go_on(const std::vector<Stage> &stages,
           const StageEnds          &ends,
           Progress                 &progress,

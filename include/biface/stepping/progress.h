@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/tire_test.h>
 
 namespace Biface
 {
@@ -62,16 +64,27 @@ namespace Biface
     /** See Control::Equilibrium. */
     LA::Vector last_change;
 
+    /** The points of a tire test by the positions of their stages. */
+    std::map<unsigned int, TireTestResult> tested;
+
     /** The data of the control of the current stage, if it has started. */
     Control::Memory control;
 
     SecantPredictor predictor;
 
+    /** Whether a stage has failed and the run has gone on without it. */
+    bool
+    has_failed(const unsigned int position) const
+    {
+      const auto point = tested.find(position);
+      return point != tested.end() && !point->second.failure.empty();
+    }
+
     /** Whether the stages up to this one are complete. */
     bool
     at_end_of(const unsigned int last_stage) const
     {
-      return stage > last_stage ||
+      return stage > last_stage || has_failed(last_stage) ||
              (stage_begun && stage == last_stage && control.done >= 1);
     }
 
@@ -106,7 +119,7 @@ namespace Biface
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, free_rolling_radius);
       serialize_optional(archive, n_negative_pivots);
-      archive &control &predictor;
+      archive &tested &control &predictor;
     }
   };
 } // namespace Biface

@@ -52,6 +52,16 @@ namespace Biface
     /** Whether to start with the stresses and loads reached so far, but
      * undeformed. */
     bool from_prestress = false;
+    /** The number of the point of a TireTest at its end, from 1; 0 for none. */
+    unsigned int test_point = 0;
+
+    /** Whether the run goes on with other stages if this one fails: those after
+     * the first point of a tire test. */
+    bool
+    may_fail() const
+    {
+      return test_point > 1;
+    }
 
     /** Whether the shell rolls: it does not stand both at the start and at the
      * end of the stage. */
@@ -93,7 +103,7 @@ namespace Biface
       StageControl::serialize(archive, version);
       StageResults::serialize(archive, version);
       serialize_optional(archive, start_from);
-      archive &name &theory &from_prestress;
+      archive &name &theory &from_prestress &test_point;
     }
 
   private:

@@ -124,9 +124,10 @@ namespace Biface
     Utilities::MPI::sum(powers, mesh.communicator, powers);
 
     RollingSummary result;
-    result.force       = in_axes(exerted.force);
-    result.moment      = in_axes(exerted.moment_about(center));
-    result.axle_moment = axle_moment(contact, state, loads).value;
+    result.force         = in_axes(exerted.force);
+    result.moment        = in_axes(exerted.moment_about(center));
+    result.loaded_radius = center.norm();
+    result.axle_moment   = axle_moment(contact, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
          ? -(motion.velocity * axes.forward) / rolling.angular_velocity

@@ -45,6 +45,7 @@ CRITICAL_COLUMNS = ("step", "stage", "kind", "located", "negative_pivots_before"
 ROLLING_COLUMNS = ("step", "stage", "angular_velocity", "ground_velocity",
                    "slip_angle", "F_x", "F_y", "F_z", "M_x", "M_y", "M_z",
                    "axle_moment")
+TIRE_TEST_COLUMNS = ("point", "status", "axes", "load", "slip_ratio")
 SENSITIVITY_COLUMNS = ("step", "stage", "entry", "entry_value", "output",
                        "output_value", "derivative", "logarithmic_derivative")
 HYSTERESIS_COLUMNS = ("step", "stage", "ply", "material", "energy", "power")
@@ -237,6 +238,11 @@ class Results:
     def rolling(self) -> Table | None:
         """rolling.csv: forces, moments and powers of a rolling wheel."""
         return self._growing_table("rolling.csv", ROLLING_COLUMNS)
+
+    def tire_test(self) -> Table | None:
+        """tire_test.csv: the points of a tire test; NaN where one has failed."""
+        path = self.directory / "tire_test.csv"
+        return read_csv(path, TIRE_TEST_COLUMNS)[0] if path.exists() else None
 
     def hysteresis(self) -> Table | None:
         """hysteresis.csv: what the plies of a rolling wheel dissipate."""

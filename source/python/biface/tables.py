@@ -15,7 +15,7 @@ UNDEFINED = ("logarithmic_derivative",)
 
 # Columns of text
 WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
-         "entry", "output")
+         "entry", "output", "status", "axes")
 
 
 class Table(dict):

@@ -24,6 +24,9 @@ namespace Biface
      * point. */
     dealii::Tensor<1, 3> force, moment;
 
+    /** The distance of the contact center from the center of the wheel. */
+    double loaded_radius = 0;
+
     /** See axle_moment(). */
     double axle_moment = 0;
 
