@@ -153,9 +153,10 @@ namespace Biface
     /** The number of negative pivots of the symmetric part of a matrix in
      * double precision, if the solver counts them: that of its negative
      * eigenvalues.
-     * @param often whether matrices with the same pattern follow in every step.
-     * Otherwise large factors are released, also those of other matrices, so
-     * that there is memory for one set of them only. */
+     *
+     * If this is done often, for matrices with one pattern in every step,
+     * factors of all stay. Otherwise large factors are released, also those of
+     * other matrices, so that there is memory for one set of them only. */
     virtual std::optional<unsigned int>
     count_negative_pivots(const LA::SparseMatrix & /*A*/, const bool /*often*/)
     {
