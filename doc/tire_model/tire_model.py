@@ -48,7 +48,7 @@ in force times length: Pa and N m here, MPa and N mm for `--units "mm, N, s"`.
 
 ## Axes, signs and slips
 
-By default all is in the W axes of [ISO 8855](references.bib#ISO8855): x forward, y to the left, z
+By default all is in the W axes of [ISO 8855](references.bib#ISO8855), with x forward, y to the left, z
 up, as in [rolling.md](rolling.md#axes); forces and moments are those of the road on the tire. `--axes`
 chooses others, for input and output:
 
@@ -123,8 +123,9 @@ one of the slips and one force or moment are needed. Others are left out.
 
 A name may have its unit behind it, as in `F_z [kN]`; otherwise `--units` and `--angles` say it.
 Slips that are not there are 0; forces and moments may be empty. Lines that start with #
-are comments. The output of `evaluate` is such a table; a directory of TYDEX files may
-replace it. Here three loads, three inclination angles and combined slip:
+are comments. Rows whose column `status` is not `ok` are left out, and a column `axes` replaces
+`--axes`. The output of `evaluate` is such a table; a directory of TYDEX files may replace it, or
+one of the results of a [tire test](tire_test.md), whose units are then those of the results. Here three loads, three inclination angles and combined slip:
 
 {make}
 
@@ -152,15 +153,16 @@ is a guess.
 | Option | Meaning |
 | --- | --- |
 | `--format 5.2` or `6.1` | 5.2 also for Adams's PAC2002 and Chrono |
-| `--radius R` | of the unloaded tire, the arm of all moments |
+| `--radius R` | of the unloaded tire, the arm of all moments; by default that at which a line through the loaded radii has no load |
 | `--nominal-load F`, `--nominal-pressure P` | FNOMIN and NOMPRES; by default the load nearest to the mean of all and the most frequent pressure |
 | `--velocity V` | LONGVL |
 | `--side RIGHT` | where the tire was mounted; LEFT by default |
 | `--picture FILE` | a picture |
 
 Forces of a finite element model have no noise, but errors of the mesh; nodes that enter contact
-make them jump. Then the residuals say how far to trust the file. Vehicle programs need more entries than the fit
-knows, such as `VERTICAL_STIFFNESS`, relaxation lengths and masses: add them by hand, see
+make them jump. Then the residuals say how far to trust the file. `VERTICAL_STIFFNESS` is that of a line through
+the column `loaded_radius`, if there is one, of upright wheels that roll straight ahead. Vehicle programs need more
+entries than the fit knows, such as relaxation lengths and masses: add them by hand, see
 [tire_stiffness.md](tire_stiffness.md).
 
 ## TYDEX files
@@ -210,7 +212,7 @@ combined slip, derivatives by load and pressure.
 ## What is left out
 
 - turn slip, parking, rolling backward, standstill: the formulas hold for a forward velocity
-- relaxation lengths, stiffnesses, rolling radii: entries for them are kept but not used or
+- relaxation lengths, rolling radii, stiffnesses but the vertical one: entries for them are kept but not used or
   fitted
 - the decay of friction with the slip speed, $`\\lambda_{{\\mu V}}`$
 - MF-Swift, Adams's PAC89, PAC94, PAC-TIME and PAC-MC, Fiala's model: such files are refused
@@ -246,7 +248,7 @@ def columns_table():
     from biface_tire_model.channels import CHANNELS
     names = {"slip": "-", "angle": "degrees", "force": "force",
              "pressure": "force/length²", "velocity": "length/time",
-             "moment": "force · length"}
+             "moment": "force · length", "length": "length"}
     lines = ["| Column | Meaning | Unit |", "| --- | --- | --- |"]
     lines += [f"| `{channel.name}` | {channel.meaning} | {names[channel.kind]} |"
               for channel in CHANNELS.values()]

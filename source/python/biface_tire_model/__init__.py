@@ -19,6 +19,7 @@ tells more. Everything that goes wrong raises a BifaceError.
     units          names of units
     tydex          TYDEX files
     fitting        coefficients by least squares
+    vertical       vertical stiffness and radius without load
     fitted_file    the .tir file of a fit
     text           what the command prints
     picture        curves and points
@@ -32,7 +33,7 @@ _MODULES = {"Forces": "magic_formula", "MF52": "magic_formula", "MF61": "magic_f
             "Measurements": "table", "TirFile": "tir_file", "convert": "axes",
             "fit": "fitting", "make_tir": "fitted_file", "mirror": "axes",
             "read_table": "table", "read_tir": "tir_file", "read_tydex": "tydex",
-            "write_tydex": "tydex"}
+            "vertical": "vertical", "write_tydex": "tydex"}
 __all__ = list(_MODULES)
 
 

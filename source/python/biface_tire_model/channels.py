@@ -3,8 +3,8 @@
 
 from collections import namedtuple
 
-# Of each column: its kind of quantity, its channel and its unit in TYDEX files, and
-# what it is
+# Of each column: its kind of quantity, its channel and its unit in TYDEX files, None if
+# it is not written there, and what it is
 Channel = namedtuple("Channel", "name kind tydex tydex_unit meaning")
 
 CHANNELS = {channel.name: channel for channel in (
@@ -13,6 +13,7 @@ CHANNELS = {channel.name: channel for channel in (
     Channel("inclination_angle", "angle", "INCLANGL", "deg", "inclination angle"),
     Channel("pressure", "pressure", "INFLPRES", "bar", "inflation pressure"),
     Channel("velocity", "velocity", "TRAJVELW", "m/s", "velocity"),
+    Channel("loaded_radius", "length", None, None, "loaded radius"),
     Channel("F_x", "force", "FX", "N", "longitudinal force"),
     Channel("F_y", "force", "FYW", "N", "lateral force"),
     Channel("F_z", "force", "FZW", "N", "vertical force"),

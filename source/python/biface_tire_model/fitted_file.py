@@ -10,11 +10,12 @@ from .units import one_of
 SIDES = ("LEFT", "RIGHT")
 
 
-def make_tir(fit, side="LEFT", title=""):
+def make_tir(fit, side="LEFT", title="", vertical=None):
     """The file of a Fit: a TirFile.
 
-    side   where the tire was mounted when it was measured, LEFT or RIGHT
-    title  the first line of comments
+    side      where the tire was mounted when it was measured, LEFT or RIGHT
+    title     the first line of comments
+    vertical  the Vertical of the data; None if it is not known
 
     Comments tell the residuals, and which coefficients the data do not determine."""
     if side not in SIDES:
@@ -54,6 +55,11 @@ def make_tir(fit, side="LEFT", title=""):
             section.set(NAMES_52[name] if is_old else name, formula.nominal_pressure)
     file.section("VERTICAL").set("FNOMIN", formula.coefficients["FNOMIN"],
                                  "nominal load")
+    if vertical:
+        file.section("VERTICAL").set(
+            "VERTICAL_STIFFNESS", float(f"{vertical.stiffness:.9g}"),
+            f"of a line through the loaded radii from {vertical.lowest:.5g} to "
+            f"{vertical.highest:.5g} N")
     add_ranges(file, fit.data)
     add_coefficients(file, fit)
     return file

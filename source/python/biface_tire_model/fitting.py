@@ -224,6 +224,8 @@ class Work:
             if weakest is None:
                 break
             fewer = [name for name in names if name != weakest]
+            if not fewer:
+                break
             others, other = problem.run(fewer, values, LONG)
             if rms(other, target) > WORSE * rms(result, target) + SMALLEST_CHANGE:
                 # others make up for its changes, but not for its neutral value
@@ -395,14 +397,18 @@ def fit_aligning(work):
     states = work.states(group, "M_z", work.data.is_lateral, "slip_angle")
     if states is None:
         return
-    starts = [{"QDZ1": trail, "QBZ1": stiffness, "QCZ1": shape, "QEZ1": curvature,
-               "QBZ9": residual, "QDZ6": 1e-3}
-              for trail, stiffness, shape, curvature in
-              ((0.1, 10, 1.1, -1), (0.1, 6, 1.4, 0), (0.08, 15, 1.2, -3))
-              for residual in (5, 30)]
     work.solve(group, states, "M_z", lambda formula, data: formula.aligning_moment(
         data["F_z"], data["slip_angle"], data["inclination_angle"], data["pressure"]),
-        starts)
+        starts_of_aligning())
+
+
+def starts_of_aligning():
+    """Trails and residual moments of pure lateral slip."""
+    return [{"QDZ1": trail, "QBZ1": stiffness, "QCZ1": shape, "QEZ1": curvature,
+             "QBZ9": residual, "QDZ6": 1e-3}
+            for trail, stiffness, shape, curvature in
+            ((0.1, 10, 1.1, -1), (0.1, 6, 1.4, 0), (0.08, 15, 1.2, -3))
+            for residual in (5, 30)]
 
 
 def slips(data):
@@ -465,8 +471,9 @@ def fit_combined_aligning(work):
     if states is not None:
         work.solve(group, states, "M_z", aligning, [{}])
         states = work.data.where(np.isfinite(work.data["M_z"]))
+        before = work.formula.coefficients
         work.solve({**known.PURE_ALIGNING, **group}, states, "M_z", aligning,
-                   [work.formula.coefficients])
+                   [before] + [{**before, **start} for start in starts_of_aligning()])
 
 
 def fit_overturning(work):

@@ -19,6 +19,7 @@ from .table import LARGEST_ANGLE, LARGEST_SLIP, read_table, write_table
 from .tir_file import read_tir
 from .tydex import read_tydex, write_tydex
 from .units import System
+from .vertical import vertical
 
 COMMAND = "biface-tire-model"
 
@@ -84,8 +85,8 @@ def add_table(parser):
     """The arguments for measured data."""
     parser.add_argument("table", metavar="TABLE.csv", type=Path,
                         help="columns F_z, slip_ratio, slip_angle, "
-                             "inclination_angle, pressure, velocity, F_x, F_y, M_x, M_y, "
-                             "M_z; or a directory of TYDEX files, or of the results of "
+                             "inclination_angle, pressure, velocity, loaded_radius, F_x, "
+                             "F_y, M_x, M_y, M_z; or a directory of TYDEX files, or of the results of "
                              "a tire test")
     add_units(parser, "of columns without one")
 
@@ -97,8 +98,9 @@ def add_fit(commands):
     parser.add_argument("--format", required=True, choices=("5.2", "6.1"),
                         help="the version of the Magic Formula")
     parser.add_argument("--output", "-o", required=True, type=Path, metavar="FILE.tir")
-    parser.add_argument("--radius", required=True, type=float, metavar="R",
-                        help="of the unloaded tire, in the unit of length")
+    parser.add_argument("--radius", type=float, metavar="R",
+                        help="of the unloaded tire, in the unit of length (default: that "
+                             "at which the line through the loaded radii has no load)")
     parser.add_argument("--nominal-load", type=float, metavar="F",
                         help="FNOMIN (default: the load near the mean of all)")
     parser.add_argument("--nominal-pressure", type=float, metavar="P",
@@ -164,15 +166,20 @@ def positive(value, option, unit=1):
 # ---- the commands
 
 def results_table(arguments):
-    """The table of a tire test, if a directory of results is given."""
-    path = arguments.table / "tire_test.csv"
-    return path if path.exists() else None
+    """The table of a tire test, if it or the directory of the results is given."""
+    path = arguments.table
+    if path.is_dir():
+        path = path / "tire_test.csv"
+    is_result = path.name == "tire_test.csv" and path.exists() and all(
+        (path.parent / name).exists() for name in ("parameters.prm", "history.csv"))
+    return path if is_result else None
 
 
 def units_of(arguments):
     """The units of the table and of options: those that results name, or the given
     ones."""
-    named = results_table(arguments) and Results(arguments.table).setting("Units")
+    path = results_table(arguments)
+    named = path and Results(path.parent).setting("Units")
     return System(named or arguments.units, arguments.angles)
 
 
@@ -281,10 +288,19 @@ def fit_table(arguments):
                         system["pressure"])
     velocity = positive(arguments.velocity, "--velocity", system["velocity"])
     data = read_data(arguments, system)
-    result = fit(data, arguments.format, radius, load, pressure, velocity)
-    make_tir(result, arguments.side, f"From {arguments.table.name}.").write(
+    stiffness = vertical(data, pressure)
+    if radius is None and stiffness is None:
+        raise BifaceError("--radius is missing: the table has no column loaded_radius with "
+                          "upright wheels that roll straight ahead at two loads.")
+    loaded = data["loaded_radius"]
+    if radius and loaded is not None and not 0.5 < radius / loaded.max() < 2:
+        raise BifaceError(f"--radius is {radius:.5g} m, but must be near the loaded radii, "
+                          f"up to {loaded.max():.5g} m; see --units.")
+    result = fit(data, arguments.format, radius or stiffness.radius, load, pressure,
+                 velocity)
+    make_tir(result, arguments.side, f"From {arguments.table.name}.", stiffness).write(
         arguments.output)
-    print(text.of_fit(result), end="")
+    print(text.of_fit(result) + text.of_stiffness(stiffness), end="")
     if arguments.picture:
         draw(result.formula, data, arguments.picture, data)
     return 0

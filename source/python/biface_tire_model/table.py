@@ -52,10 +52,10 @@ class Measurements:
 
     def __getitem__(self, name):
         """A column; zeros for slips that are not there, NaN for what was not measured, and
-        None for pressure and velocity."""
+        None for pressure, velocity and loaded radius."""
         if name in self.columns:
             return self.columns[name]
-        if name in ("pressure", "velocity"):
+        if name in ("pressure", "velocity", "loaded_radius"):
             return None
         return np.full(len(self), 0.0 if name in INPUTS else np.nan)
 
@@ -218,7 +218,7 @@ def check(data, places):
     for name in ("slip_angle", "inclination_angle"):
         refuse(np.abs(data[name]) >= LARGEST_ANGLE,
                f"{name} must lie between -90 and 90 degrees.")
-    for name in ("pressure", "velocity"):
+    for name in ("pressure", "velocity", "loaded_radius"):
         if data[name] is not None:
             refuse(data[name] <= 0, f"{name} must be positive.")
 

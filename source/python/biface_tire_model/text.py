@@ -29,6 +29,14 @@ def left_neutral(fit):
                    for line in lines)
 
 
+def of_stiffness(vertical):
+    """A sentence on the vertical stiffness, if it is known."""
+    if vertical is None:
+        return ""
+    return (f"Vertical stiffness {vertical.stiffness:.5g} N/m, radius without load "
+            f"{vertical.radius:.5g} m.\n")
+
+
 def of_fit(fit):
     """The whole text: residuals in percent of the peak of each channel, and what stayed
     neutral."""

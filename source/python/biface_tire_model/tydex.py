@@ -18,7 +18,8 @@ from . import units
 from .channels import CHANNELS
 from .table import Measurements, check
 
-BY_TYDEX = {channel.tydex: channel.name for channel in CHANNELS.values()}
+BY_TYDEX = {channel.tydex: channel.name for channel in CHANNELS.values()
+            if channel.tydex}
 
 # Names that other programs write for the same
 BY_TYDEX["FXW"] = "F_x"
@@ -91,7 +92,7 @@ def text_of(data, identity, constants=()):
     data       Measurements of one measurement
     identity   a name for it, of up to 11 characters
     constants  further lines of constants: name, comment, unit, value"""
-    names = [name for name in CHANNELS if name in data.columns
+    names = [name for name in CHANNELS if CHANNELS[name].tydex and name in data.columns
              and not np.isnan(data[name]).any()]
     sizes = {name: size_of(name, CHANNELS[name].tydex_unit, identity) for name in names}
     # what is exactly constant need not stand in each line, which has 80 characters

@@ -29,6 +29,7 @@ OF_FILE = {"LENGTH": LENGTH, "FORCE": FORCE, "ANGLE": ANGLE, "MASS": MASS, "TIME
 OF_COLUMN = {
     "slip": {"-": 1, "%": 0.01},
     "angle": ANGLE,
+    "length": LENGTH,
     "pressure": PRESSURE,
     "velocity": {"m/s": 1, "km/h": 1 / 3.6, "kph": 1 / 3.6, "mph": 0.44704, "mm/s": 1e-3},
     "force": FORCE,
