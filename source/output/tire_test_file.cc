@@ -132,6 +132,6 @@ namespace Biface
   std::string
   TireTestFile::description() const
   {
-    return test.is_requested() ? file_name : "";
+    return n_written > 0 ? file_name : "";
   }
 } // namespace Biface

@@ -170,8 +170,8 @@ namespace Biface
       if (!tire_test.description().empty())
         files.insert(files.begin(), tire_test.description());
       print_files(directory, files, out);
-      if (const std::string failures = tire_test.failures(progress.tested);
-          !failures.empty())
+      const std::string failures = tire_test.failures(progress.tested);
+      if (!failures.empty())
         out << "Warning: " << failures << std::endl;
       if (result.success)
         {
@@ -180,7 +180,7 @@ namespace Biface
                 << " of " << parameters.stages.size()
                 << ", as '--stages' asks; '--restart' continues it."
                 << std::endl;
-          return {};
+          return {done, failures};
         }
       return explain_end(
         result, progress.n_steps, signals.caught(communicator), log, err);

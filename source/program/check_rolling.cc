@@ -92,6 +92,8 @@ namespace Biface
       throw InputError(
         section + "/Inclination angle", number_to_string(angle), why);
     };
+    if (!(std::abs(angle) < 90))
+      refuse("it must lie between -90 and 90");
     if (surface.type != ReferenceSurface::Parameters::Type::revolution)
       refuse("it must be 0 unless 'Surface/Type = surface of revolution'");
     const Tensor<1, 3> &direction = contact.body.line.direction;

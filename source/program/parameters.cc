@@ -486,6 +486,12 @@ namespace Biface
   {
     std::vector<std::string> sentences;
 
+    if (!tire_test.is_requested() &&
+        !(tire_test.pressures.empty() && tire_test.slip_angles.empty() &&
+          tire_test.slip_ratios.empty() && tire_test.ground_velocity == 0))
+      sentences.push_back("Warning: the section 'Tire test' has no 'Loads', "
+                          "so that there is no test.");
+
     const auto rests = [this](const unsigned int factor) {
       return std::all_of(
         stages.begin(), stages.end(), [factor](const Stage &stage) {

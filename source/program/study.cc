@@ -535,8 +535,7 @@ namespace Biface
       if (result.code == interrupted || result.code == terminated)
         return true;
 
-      if (result.code != done)
-        results.failure = result.reason;
+      results.failure = result.reason;
       results.seconds = timer.wall_time();
       write_text(
         table.row_file(i), table.row_text(i, results), false, communicator);

@@ -140,8 +140,8 @@ namespace Biface
       "Angle by which the wheel leans to its right at the end of the stage, "
       "right-handed about its forward direction as in ISO 8855. The results "
       "are in the axes of the wheel: the foundation leans the other way about "
-      "a line through the origin, after all its other motions, and 'Force' is "
-      "normal to it. It is added to the angle of 'Contact/Direction'. "
+      "a line through the origin, after 'Travel', 'Slide' and 'Turn' and "
+      "before 'Wheel turn', and 'Force' is normal to it. It is added to the angle of 'Contact/Direction'. "
       "'unchanged': as at the start of the stage. Unit: degrees.");
     add_optional_number(
       prm,

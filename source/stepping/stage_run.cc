@@ -78,19 +78,17 @@ namespace Biface
   RigidBody
   StageRun::with_foundation(const RigidBody &body, const LoadLevel &level) const
   {
+    // the wheel turns about its axle whatever its inclination
     const Tensor<1, 3> axle({0., 1., 0.});
     const Tensor<1, 3> direction = contact.ground().body_at(0).direction();
-    const RigidBody    upright =
-      body
-        .displaced(level.slide,
-                   level.turn * numbers::PI / 180,
-                   progress.touched_point,
-                   direction)
-        .around(axle, -level.wheel_turn * numbers::PI / 180);
-    if (level.inclination_angle == 0)
-      return upright;
-    return upright.around(WheelAxes(direction).forward,
-                          -level.inclination_angle * numbers::PI / 180);
+    RigidBody          placed    = body.displaced(level.slide,
+                                      level.turn * numbers::PI / 180,
+                                      progress.touched_point,
+                                      direction);
+    if (level.inclination_angle != 0)
+      placed = placed.around(WheelAxes(direction).forward,
+                             -level.inclination_angle * numbers::PI / 180);
+    return placed.around(axle, -level.wheel_turn * numbers::PI / 180);
   }
 
 

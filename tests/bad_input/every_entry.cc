@@ -41,6 +41,16 @@ namespace
     Settings                 others = {};
   };
 
+  const std::vector<std::string> wrong_lists{"x",
+                                             "1, two",
+                                             "1:2",
+                                             "1:2:1",
+                                             "1:2:2.5",
+                                             "1:2:3:4",
+                                             "1:2:100000",
+                                             "nan",
+                                             "1e999"};
+
   const Settings cords_in_rubber{{"Material rubber/Type", "cord and rubber"},
                                  {"Material rubber/E_cord", "2400"},
                                  {"Material rubber/E_rubber", "6"},
@@ -470,6 +480,13 @@ namespace
        {{"Stage 1/Contact", "true"},
         {"Stage 1/Control", "foundation force"}}}}},
     {"Stage 1/Control", {{{"foundation force", "axle moment"}}}},
+    {"Tire test/Start from",
+     {{{"", "first", "0", "-1", "1.5", "1001", "nan", "1e999"}}}},
+    {"Tire test/Loads", {{wrong_lists}}},
+    {"Tire test/Pressures", {{wrong_lists}}},
+    {"Tire test/Inclination angles", {{wrong_lists}}},
+    {"Tire test/Slip angles", {{wrong_lists}}},
+    {"Tire test/Slip ratios", {{wrong_lists}}},
     {"Sensitivities/Entries",
      {{{"nothing", "Mesh/Intervals alpha_3"},
        {{"Sensitivities/Outputs", "force"}}}}},

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 
 #include <run_analysis.h>
@@ -79,6 +80,20 @@ main(int argc, char *argv[])
     check_small(on_slope[i].stage, difference(leaning[i], on_slope[i]), 2e-6);
   check_small(
     "leaning from 'cornering' on", difference(later[1], on_slope[1]), 2e-6);
+  // standing, without friction: the load is normal to the ground
+  const StepReport turned =
+    run_analysis(PRM_DIR "/rolling_tire_at_load.prm",
+                 {"Mesh/Intervals alpha_1=-120:120:12",
+                  "Mesh/Intervals alpha_2=-180:-30:4, -30:30:15, 30:180:4",
+                  "Number of stages=2",
+                  "Stage 2/Inclination angle=4",
+                  "Stage 2/Wheel turn=30"})
+      .back();
+  check_small("side force of a wheel that has turned",
+              force_of_foundation(turned.forces_of_bodies).force[1] -
+                1900 * std::sin(4 * dealii::numbers::PI / 180),
+              1e-6,
+              1900);
   check_true("to the right",
              leaning[0].rolling->force[1] < to_left[0].rolling->force[1] - 50);
 }

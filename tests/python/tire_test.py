@@ -8,7 +8,7 @@ TIRE_TEST = SOURCE / "prm/tire_test.prm"
 COARSE = {"Mesh/Intervals alpha_1": "-120:120:12",
           "Mesh/Intervals alpha_2": "-180:-30:4, -30:30:15, 30:180:4",
           "Tire test/Inclination angles": 0, "Tire test/Slip angles": "",
-          "Tire test/Slip ratios": ""}
+          "Tire test/Slip ratios": "", "Tire test/Slip": "pure"}
 
 
 def run(settings, **options):

@@ -35,7 +35,7 @@ namespace Biface
     std::string
     failures(const std::map<unsigned int, TireTestResult> &tested) const;
 
-    /** Its name and purpose for the user; empty without a test. */
+    /** Its name, if it is written; else empty. */
     std::string
     description() const;
 

@@ -47,7 +47,8 @@ namespace Biface
   struct AnalysisResult
   {
     ExitCode code = done;
-    /** The reason why it ended early; empty otherwise. */
+    /** The reason why it ended early, or what failed all the same; empty
+     * otherwise. */
     std::string reason;
   };
 
