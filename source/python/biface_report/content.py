@@ -23,6 +23,7 @@ from .section import (SectionPlane, across_coordinate_line, is_straight,
 from .sensitivities import sensitivities
 from .stiffness import stiffness
 from .summary import introduction, summary, title
+from .tire_test import tire_test
 from .units import units_of
 from .wheel import stick_slip, wheel_forces
 from .zone import zone_of_shell
@@ -34,7 +35,7 @@ def report(run):
     footprint = find_footprint(run)
     parts = [summary(run, footprint), view.shell(run), curve(run),
              footprint_map(run, footprint), stick_slip(run, footprint),
-             wheel_forces(run), rolling(run), stiffness(run),
+             wheel_forces(run), tire_test(run), rolling(run), stiffness(run),
              sections_of_shell(run), modes(run), buckling(run),
              critical_points(run), sensitivities(run), points(run), iterations(run),
              ply_stresses(run), input_of_run(run)]

@@ -11,6 +11,9 @@ from .units import units_of
 # Columns of history.csv, what they are called, and the kinds of their units
 LOADS = {"load_factor": ("load factor", ""), "pressure": ("pressure", "pressure")}
 
+# How the names of the stages of a tire test begin
+TESTED = "tire test: "
+
 # Digits of a value in a label, unless labels would be the same
 LABEL_DIGITS = 4
 

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from .drawing import DISTINCT, embed, plain
-from .loading import rows_before
+from .loading import TESTED, rows_before
 from .page import LeftOut, Section, details, figure, number, paragraph, table
 from .units import units_of
 
@@ -22,6 +22,10 @@ def rolling(run):
     found = run.rolling()
     if found is None or len(found) == 0:
         return LeftOut(name, "In no step does a wheel roll.")
+    is_tested = np.array([stage.startswith(TESTED) for stage in found["stage"]])
+    found = found.where(~is_tested)
+    if len(found) == 0:
+        return LeftOut(name, "The wheel only rolls in its tire test.")
     parts, units = [], units_of(run)
     cornering = curves(run, found, is_cornering)
     if cornering:

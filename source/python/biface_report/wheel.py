@@ -10,6 +10,7 @@ import numpy as np
 from .drawing import BLUE, GRAY, RED, embed
 from .footprint import Footprint
 from .foundation import axis_name, foundation_in_step, foundation_of, unit
+from .loading import TESTED
 from .page import LeftOut, Section, figure, number, paragraph, table
 from .units import units_of
 
@@ -87,12 +88,17 @@ def wheel_forces(run):
     axes = wheel_axes(run)
     if axes is None or not run.in_contact.any():
         return None
+    if leans(run):
+        return LeftOut(name, "The wheel leans over the ground in some stage, where the "
+                             "axes are others; rolling.csv has the forces of a rolling one.")
     center = run.numbers("Output/Moment center", 3)
     forces = run.forces()
     if forces is None or center is None:
         return LeftOut(name, "forces.csv is missing.")
     rows, units = [], units_of(run)
     for i, step in enumerate(run.steps):
+        if run.history["stage"][i].startswith(TESTED):
+            continue
         foundation = (foundation_in_step(run, step) if run.in_contact[i] else None)
         here = forces.where((forces["step"] == step)
                             & (forces["body"] == "foundation"))
@@ -108,7 +114,8 @@ def wheel_forces(run):
                     + [number(value, scale=size * length) for value in moment]
                     + [number(length)])
     if not rows:
-        return LeftOut(name, "The files of the contact zone are missing.")
+        return LeftOut(name, "Only the tire test has contact." if run.tire_test() is not None else
+                       "The files of the contact zone are missing.")
     forward, left, up = axes.axes
     text = paragraph(
         "The force of the ground on the wheel and its moment about the contact "
@@ -126,6 +133,16 @@ def wheel_forces(run):
         f"Forces and moments on the wheel [{units['force']}, {units['moment']}]",
         heads, rows)
         + text, True)
+
+
+def leans(run):
+    """Whether a stage of the parameter file gives the wheel an inclination angle."""
+    number = 1
+    while (value := run.setting(f"Stage {number}/Inclination angle")) is not None:
+        if value != "unchanged" and float(value) != 0:
+            return True
+        number += 1
+    return False
 
 
 def in_words(axis):
