@@ -14,17 +14,17 @@ from biface_tire_model import read_tir
 POINTS = {"Tire test/Loads": "1000, 1500, 2000", "Tire test/Slip angles": "-4, -2, 2, 4",
           "Tire test/Slip ratios": "-0.06, -0.03, 0.03, 0.06"}
 
-files = []
+files, tables = [], []
 for axes in ("ISO", "SAE"):
     output = scratch()
-    table = run({**POINTS, "Tire test/Axes": axes}, output=output).tire_test()
+    tables.append(run({**POINTS, "Tire test/Axes": axes}, output=output).tire_test())
     files.append(output / "tire.tir")
     done = subprocess.run(
         [BUILD / "biface-tire-model", "fit", output, "--format", "5.2", "--radius", "256",
          "--output", files[-1]], capture_output=True, text=True, check=False)
     check(done.returncode == 0, done.stderr)
 formulas = [read_tir(file).formula() for file in files]
-points = run(POINTS).tire_test()
+points = tables[0]
 forces = [formula.evaluate(points["F_z"], points["slip_ratio"],
                            points["slip_angle"] * 3.14159265358979 / 180,
                            pressure=points["pressure"] * 1e6) for formula in formulas]
