@@ -8,7 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
 from report_test import (BUILD, PACKAGE, SOURCE, check, check_equal, read_csv, require,
-                         scratch)
+                         run_command, scratch)
 
 sys.path.insert(0, str(PACKAGE))
 require("numpy")

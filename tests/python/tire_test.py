@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Common parts of the tests of tire tests."""
 
-from python_test import BUILD, SOURCE, biface, check, check_close, error_of, require, scratch
+from python_test import SOURCE, biface, check, require, run_command, scratch
 
 TIRE_TEST = SOURCE / "prm/tire_test.prm"
 # A coarse mesh, and no points

@@ -4,9 +4,8 @@
 # rolling nor forces in the axes of an upright wheel.
 
 import re
-import subprocess
 
-from tire_test import BUILD, check, require, run, scratch
+from tire_test import check, require, run, run_command, scratch
 
 require("matplotlib")
 
@@ -14,9 +13,8 @@ output = scratch()
 table = run({"Tire test/Loads": "1000, 1500", "Tire test/Inclination angles": "0, 3",
              "Tire test/Slip angles": "-2, 2", "Tire test/Slip ratios": -0.03,
              "Output/Write VTU": False}, output=output).tire_test()
-done = subprocess.run([BUILD / "biface-report", output], capture_output=True, text=True,
-                      check=False)
-check(done.returncode == 0, done.stderr)
+code, _, errors = run_command("biface-report", output)
+check(code == 0, errors)
 page = (output / "report.html").read_text(encoding="utf-8")
 section = page[page.index('id="tire-test"'):]
 section = section[:section.index("</section>")]

@@ -3,9 +3,7 @@
 # A .tir file fitted to a tire test gives the forces of its points, whichever axes the
 # table has.
 
-import subprocess
-
-from tire_test import BUILD, check, require, run, scratch
+from tire_test import check, require, run, run_command, scratch
 
 require("scipy")
 
@@ -19,10 +17,9 @@ for axes in ("ISO", "SAE"):
     output = scratch()
     tables.append(run({**POINTS, "Tire test/Axes": axes}, output=output).tire_test())
     files.append(output / "tire.tir")
-    done = subprocess.run(
-        [BUILD / "biface-tire-model", "fit", output, "--format", "5.2", "--radius", "256",
-         "--output", files[-1]], capture_output=True, text=True, check=False)
-    check(done.returncode == 0, done.stderr)
+    code, _, errors = run_command("biface-tire-model", "fit", output, "--format", "5.2",
+                                  "--radius", "256", "--output", files[-1])
+    check(code == 0, errors)
 formulas = [read_tir(file).formula() for file in files]
 points = tables[0]
 forces = [formula.evaluate(points["F_z"], points["slip_ratio"],

@@ -43,6 +43,14 @@ def scratch():
     return Path(directory)
 
 
+def run_command(name, *words):
+    """Runs a command of the build directory; returns its exit code, its output, its error
+    messages."""
+    done = subprocess.run([BUILD / name, *words], capture_output=True, text=True,
+                          check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
 def copy_of(run):
     """A copy of the results of a run that the test may change."""
     target = scratch() / run

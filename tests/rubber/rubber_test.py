@@ -2,13 +2,12 @@
 """Common parts of the tests of biface-rubber."""
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
-from report_test import BUILD, PACKAGE, SOURCE, check, require, scratch
+from report_test import PACKAGE, SOURCE, check, require, run_command, scratch
 
 sys.path.insert(0, str(PACKAGE))
 
@@ -21,9 +20,7 @@ TRELOAR = SOURCE / "prm/rubber_treloar.csv"
 
 def rubber(*words):
     """Runs biface-rubber; returns its exit code, its output, its error messages."""
-    done = subprocess.run([BUILD / "biface-rubber", *words], capture_output=True,
-                          text=True, check=False)
-    return done.returncode, done.stdout, done.stderr
+    return run_command("biface-rubber", *words)
 
 
 def output_of(*words):

@@ -4,13 +4,12 @@
 import contextlib
 import io
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
-from report_test import BUILD, PACKAGE, SOURCE, check, require, scratch
+from report_test import PACKAGE, SOURCE, check, require, run_command, scratch
 
 sys.path.insert(0, str(PACKAGE))
 
@@ -24,9 +23,7 @@ CHANNELS = ("F_x", "F_y", "M_x", "M_y", "M_z")
 
 def tire_model(*words):
     """Runs biface-tire-model; returns its exit code, its output, its error messages."""
-    done = subprocess.run([BUILD / "biface-tire-model", *words], capture_output=True,
-                          text=True, check=False)
-    return done.returncode, done.stdout, done.stderr
+    return run_command("biface-tire-model", *words)
 
 
 def output_of(*words):
