@@ -427,14 +427,21 @@ def has_combined(data):
     return ~data.is_lateral & ~data.is_longitudinal
 
 
+def combined_states(work, group, channel, pure, chosen):
+    """The states from which a force at combined slip is fitted, or None, with a reason,
+    if it is not known at @p pure slip or if there is no combined slip."""
+    if channel not in work.fitted:
+        return work.leave_out(group, f"no {channel} at pure {pure} slip")
+    if not has_combined(work.data).any():
+        return work.leave_out(group, "no combined slip")
+    return work.states(group, channel, chosen, "slip_ratio")
+
+
 def fit_combined_x(work):
     """What slip angles change in F_x."""
     group = known.COMBINED_LONGITUDINAL
-    if "F_x" not in work.fitted:
-        return work.leave_out(group, "no F_x at pure longitudinal slip")
-    if not has_combined(work.data).any():
-        return work.leave_out(group, "no combined slip")
-    states = work.states(group, "F_x", ~work.data.is_longitudinal, "slip_ratio")
+    states = combined_states(work, group, "F_x", "longitudinal",
+                             ~work.data.is_longitudinal)
     if states is None:
         return
     work.solve(group, states, "F_x",
@@ -446,11 +453,7 @@ def fit_combined_x(work):
 def fit_combined_y(work):
     """What longitudinal slip changes in F_y."""
     group = known.COMBINED_LATERAL
-    if "F_y" not in work.fitted:
-        return work.leave_out(group, "no F_y at pure lateral slip")
-    if not has_combined(work.data).any():
-        return work.leave_out(group, "no combined slip")
-    states = work.states(group, "F_y", ~work.data.is_lateral, "slip_ratio")
+    states = combined_states(work, group, "F_y", "lateral", ~work.data.is_lateral)
     if states is None:
         return
     work.solve(group, states, "F_y",

@@ -192,15 +192,19 @@ def column_of(text, system, path):
 
 def field(text, name, place):
     """A number of a row. That of a force or moment may be missing."""
-    text = text.strip()
-    if name in OUTPUTS and text.lower() in ("", "nan"):
+    if name in OUTPUTS and text.strip().lower() in ("", "nan"):
         return math.nan
+    return to_float(text, place, name)
+
+
+def to_float(text, place, what):
+    """A finite number of a file."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise BifaceError(f"{place}: {name} is '{text}', but must be a number.")
+        raise BifaceError(f"{place}: {what} is '{text.strip()}', but must be a number.")
     return value
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from biface.errors import BifaceError
 from . import units
 from .channels import CHANNELS
-from .table import Measurements, check
+from .table import Measurements, check, to_float
 
 BY_TYDEX = {channel.tydex: channel.name for channel in CHANNELS.values()
             if channel.tydex}
@@ -174,17 +174,6 @@ def sections_of(path):
             raise BifaceError(f"{path} has no **{keyword}: it is not a complete TYDEX "
                               "file.")
     return result
-
-
-def to_float(text, place, what):
-    """A number of the file."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = np.nan
-    if not np.isfinite(value):
-        raise BifaceError(f"{place}: {what} is '{text.strip()}', but must be a number.")
-    return value
 
 
 def channels_of(path, lines):
