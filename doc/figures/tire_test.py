@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures of doc/tire_test.md from a run of prm/tire_test.prm:
 
-    tire_test.png        forces and moments over slip angle and slip ratio
+    tire_test.png        forces and moments over slip angle and slip ratio, as in the report
     tire_test_axes.png   the signs of the three kinds of axes
 """
 
@@ -12,62 +12,19 @@ import sys
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import numpy as np
 from matplotlib.patches import Arc, FancyBboxPatch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 
 from biface import Results
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
+from biface_report.tire_test import draw
+from biface_report.units import units_of
 
 # A slip angle to the left, in degrees, larger in the picture than in the test
 SLIP, DRAWN = 3.5, 25
 # The axes: the place of y, out of the paper or into it, and the sign of the slip angle
 AXES = {"ISO": (-1, True, 1), "SAE": (1, False, -1), "adapted ISO": (-1, True, -1)}
-
-
-def draw_curves(table, path):
-    """Side force, aligning moment and longitudinal force; side and longitudinal force of
-    one load."""
-    figure, plots = plt.subplots(2, 2, figsize=(9, 6.6),
-                                 gridspec_kw={"wspace": 0.32, "hspace": 0.35})
-    kinds = (("slip_angle", "slip_ratio", "F_y", 1, "Slip angle, degrees",
-              "Side force $F_y$, N"),
-             ("slip_angle", "slip_ratio", "M_z", 1000, "Slip angle, degrees",
-              "Aligning moment $M_z$, N m"),
-             ("slip_ratio", "slip_angle", "F_x", 1, "Slip ratio",
-              "Longitudinal force $F_x$, N"))
-    loads = sorted(set(table["load"]))
-    for axes, (over, zero, what, unit, label, name) in zip(plots.flat, kinds):
-        for inclination, style in zip(sorted(set(table["inclination_angle"])),
-                                      ("o-", "o--")):
-            for load, color in zip(loads, (GRAY, BLUE, RED)):
-                curve = table.where(load=load, inclination_angle=inclination,
-                                    **{zero: 0})
-                order = np.argsort(curve[over])
-                axes.plot(curve[over][order], curve[what][order] / unit, style,
-                          color=color, markersize=2.5, linewidth=1.2,
-                          label=f"{load:g} N" + (f", leaning by {inclination:g}°"
-                                                 if inclination else ""))
-        axes.axhline(0, color=GRAY, linewidth=0.6)
-        axes.set(xlabel=label, ylabel=name)
-    plots[1, 0].legend(fontsize=7)
-    draw_combined(plots[1, 1], table.where(load=loads[1], inclination_angle=0),
-                  f"$F_y$, N, at {loads[1]:g} N")
-    save(figure, path)
-
-
-def draw_combined(axes, table, label):
-    """Side force over longitudinal force at each slip angle."""
-    angles = sorted(set(table["slip_angle"]))
-    for angle, color in zip(angles, plt.cm.viridis(np.linspace(0, 0.9, len(angles)))):
-        curve = table.where(slip_angle=angle)
-        order = np.argsort(curve["slip_ratio"])
-        axes.plot(curve["F_x"][order], curve["F_y"][order], "o-", color=color,
-                  markersize=2.5, linewidth=1.2, label=f"{angle:g}°")
-    axes.set(xlabel="$F_x$, N", ylabel=label)
-    axes.legend(title="slip angle", title_fontsize=7, fontsize=7, loc="upper left",
-                bbox_to_anchor=(1, 1))
 
 
 def arrow(axes, tip, start, color):
@@ -116,8 +73,9 @@ def main():
     parser.add_argument("output", type=Path)
     arguments = parser.parse_args()
     plt.rcParams.update(STYLE)
-    table = Results(arguments.results).tire_test()
-    draw_curves(table, arguments.output / "tire_test.png")
+    run = Results(arguments.results)
+    table = run.tire_test()
+    save(draw(table, units_of(run)), arguments.output / "tire_test.png")
     draw_axes(table, arguments.output / "tire_test_axes.png")
 
 
