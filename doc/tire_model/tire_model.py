@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from example_page import EXAMPLES, parse_arguments
+from example_page import EXAMPLES, Runs, parse_arguments
 
 ROOT = EXAMPLES.parent
 PACKAGE = ROOT / "source/python"
@@ -20,13 +20,14 @@ PAGE = """<!-- Written by doc/tire_model/tire_model.py: cmake --build build --ta
 
 `biface-tire-model` brings forces and moments of a rolling tire into the form that vehicle
 dynamics programs read: the coefficients of the Magic Formula in a .tir file, or TYDEX
-files. It also evaluates and checks .tir files of others. It needs SciPy, which
+files; with stiffnesses and frequencies of the standing tire. It also evaluates and checks .tir files of others. It needs SciPy, which
 `doc/install.sh report` installs, and matplotlib for pictures.
 
 | Command | Meaning |
 | --- | --- |
 | `evaluate FILE.tir` | a table of forces and moments at any slip, load, inclination, pressure |
 | `fit TABLE.csv` | a .tir file from such a table, of MF 5.2 or MF 6.1 |
+| `stiffness DIRECTORY` | tables of stiffnesses, footprints and frequencies from results of `biface` |
 | `tydex TABLE.csv` | a TYDEX file for each sweep of the table |
 | `check FILE.tir` | what is missing or unusual in a .tir file |
 
@@ -157,13 +158,99 @@ is a guess.
 | `--nominal-load F`, `--nominal-pressure P` | FNOMIN and NOMPRES; by default the load nearest to the mean of all and the most frequent pressure |
 | `--velocity V` | LONGVL |
 | `--side RIGHT` | where the tire was mounted; LEFT by default |
+| `--structure DIRECTORY` | results of `biface` with stiffnesses or modes, see [below](#structure); may be repeated |
 | `--picture FILE` | a picture |
 
 Forces of a finite element model have no noise, but errors of the mesh; nodes that enter contact
 make them jump. Then the residuals say how far to trust the file. `VERTICAL_STIFFNESS` is that of a line through
 the column `loaded_radius`, if there is one, of upright wheels that roll straight ahead. Vehicle programs need more
-entries than the fit knows, such as relaxation lengths and masses: add them by hand, see
-[tire_stiffness.md](tire_stiffness.md).
+entries than the fit knows, such as masses and damping: add them by hand.
+
+## Structure
+
+`--structure` adds what the standing tire tells: its stiffnesses against motions of the ground, from
+[stiffness.csv](output.md#stiffnesscsv), and its natural frequencies, from [modes.csv](output.md#modescsv).
+Here for the tire of [tire_test.md](tire_test.md), upright and with pure slip:
+
+{runs}
+
+{structure}
+
+The units are those that the results name, or else `--units`. A `Contact/Tread` is part of the stiffness: with another one than that of the
+tire test, stiffnesses are left out.
+
+| Entry of MF 6.1, `[STRUCTURAL]` | What it is |
+| --- | --- |
+| `LONGITUDINAL_STIFFNESS`, `LATERAL_STIFFNESS` | of the footprint against slides, N/m |
+| `PCFX1`, `PCFX2`, `PCFX3`, `PCFY1`, `PCFY2`, `PCFY3` | their dependence on load and pressure |
+| `YAW_STIFFNESS` | of the footprint against turns, N m/rad |
+| `FREQ_LONG`, `FREQ_LAT`, `FREQ_YAW`, `FREQ_WINDUP` | frequencies of the inflated tire in the air on a fixed rim, Hz |
+
+Each stage in which the ground slides or turns from a loaded state, without rolling, gives the secant
+of its first step. Stages with `Glued = true` count if there are any, otherwise those with friction, whose footprint slips at its edge; the
+comment in the file says which. Least squares of the relative deviations give
+
+```math
+C = C_0\\,(1 + p_1\\,df_z + p_2\\,df_z^2)(1 + p_3\\,dp_i),
+```
+
+(17) and (18) of [Besselink 2010](references.bib#Besselink2010), as in mfeval; comments of files call $`p_1`$ and $`p_2`$ a dependence on the
+vertical deflection. $`p_1`$ needs two loads, $`p_2`$ three, $`p_3`$ two pressures. The nominal load
+and pressure may lie outside those of the states by {near:g} % of them. `VERTICAL_STIFFNESS` comes from the approaching
+ground, as the tangent at the nominal load, only if the table has no loaded radii.
+
+A frequency is written if one mode, or one pair of modes with a wave around the axis, moves more than half of the tire as a
+rigid ring: of the mass along y (`FREQ_LAT`), along x and z (`FREQ_LONG`), of the moment of inertia about the axle (`FREQ_WINDUP`), about x
+and z (`FREQ_YAW`). No two modes can, since the parts of all modes together are at most the whole. Moments of inertia need the
+files `modes-NNNN-MMM.vtu` of the shapes, in which the mass is taken as even; without them `FREQ_WINDUP` is left out, and `FREQ_YAW` is
+that of the only pair with one wave, one half wave along the meridian and no translation. Waves do not suffice for `FREQ_WINDUP`: the first mode of this bias tire without waves
+and translation, at {radial} Hz, is a radial one. A bias tire moves as no ring fore and aft; a tire with belts does, such as that of
+[belted_tire.prm](../prm/belted_tire.prm) with densities, on an even mesh, at 0.2 MPa:
+
+{ring}
+
+The tread of bristles has no mass.
+
+### Relaxation lengths
+
+When a slip changes, the force of the rolling tire follows it over the distance
+
+```math
+\\sigma_\\alpha = \\frac{{1}}{{C_y}}\\left|\\frac{{dF_y}}{{d\\alpha}}\\right|, \\qquad
+\\sigma_\\kappa = \\frac{{1}}{{C_x}}\\,\\frac{{dF_x}}{{d\\kappa}},
+```
+
+to first order, with the slopes of the fit at zero slip and the stiffnesses of the standing tire, section 7.2 of
+[Pacejka 2012](references.bib#Pacejka2012). That the ground is glued to a standing tire is an assumption: in a tire that rolls, other particles
+carry the load. For bristles on a rigid wheel $`\\sigma_\\kappa`$ is half the length of the footprint, which is {half} mm at 1500 N. `fit` prints
+them for each load and pressure at which both are known, and for the nominal ones.
+
+Programs compute them in this way from the stiffnesses of MF 6.1. Files of MF 5.2 have them instead, here {old}:
+
+```math
+\\sigma_\\kappa = F_z\\,(p_{{Tx1}} + p_{{Tx2}}\\,df_z)\\,\\frac{{R_0}}{{F_{{z0}}}}, \\qquad
+\\sigma_\\alpha = p_{{Ty1}} \\sin\\left(2\\arctan\\frac{{F_z}}{{p_{{Ty2}} F_{{z0}}}}\\right) R_0 .
+```
+
+The factor $`\\exp(\\mp p_{{Tx3}}\\,df_z)`$ has the lower sign in Chrono's PAC2002 and the upper one in mfeval: `PTX3` is 0. With one load `PTY2` is `PKY2`, as for
+a stiffness that does not depend on the load. The public files of Adams's PAC2002 that were seen have no stiffnesses but the
+vertical one: none are written, only printed. Adams uses the relaxation lengths with `USE_MODE = 14`; the file has 4, since Chrono knows no 14.
+
+### Tables for other tire models
+
+`stiffness` prints tables of the same results as CSV, or with `-o` writes a file for each:
+
+| Table | Contents |
+| --- | --- |
+| `radial_stiffness` | load, deflection, loaded radius, secant from the first touch, tangent of each step |
+| `footprint` | length, width and area over load |
+| `lateral_stiffness`, `longitudinal_stiffness`, `torsional_stiffness` | secant of the first step, secant and tangent at the end, load, pressure, glued or with friction |
+| `frequencies` | modes of the standing tire off the ground, their pressure, waves and parts of the mass, and the names of those above |
+
+{stiffness}
+
+The units are those of the results, or with `--si` meters, newtons and radians. Such numbers identify the
+parameters of tire models that are no formula, such as FTire. Their own files are not written.
 
 ## TYDEX files
 
@@ -185,7 +272,8 @@ section `[UNITS]`; the coefficients of the formula belong to radians whatever it
 ## In Python
 
 ```python
-from biface_tire_model import fit, make_tir, read_table, read_tir
+from biface_tire_model import (Structural, fit, make_tir, read_structure, read_table,
+                               read_tir)
 
 formula = read_tir("tire.tir").formula()
 forces = formula.evaluate(4000, kappa=0, alpha=[0, 0.02, 0.05])  # newtons, radians
@@ -193,7 +281,8 @@ forces.F_y, forces.M_z                                          # NumPy arrays
 formula.lateral(4000).slope                                     # cornering stiffness
 
 result = fit(read_table("test.csv"), "6.1", radius=0.32)
-make_tir(result).write("fitted.tir")
+structure = Structural(read_structure(["output"]), result, vertical=None)
+make_tir(result, structural=structure).write("fitted.tir")
 ```
 
 ## Verification
@@ -212,8 +301,8 @@ combined slip, derivatives by load and pressure.
 ## What is left out
 
 - turn slip, parking, rolling backward, standstill: the formulas hold for a forward velocity
-- relaxation lengths, rolling radii, stiffnesses but the vertical one: entries for them are kept but not used or
-  fitted
+- rolling radii, masses, damping (`DAMP_LONG`, ...), the dependence of `YAW_STIFFNESS` on load and pressure (`PCMZ1`): entries for them are kept but not
+  fitted; stiffnesses, frequencies and relaxation lengths are not used
 - the decay of friction with the slip speed, $`\\lambda_{{\\mu V}}`$
 - MF-Swift, Adams's PAC89, PAC94, PAC-TIME and PAC-MC, Fiala's model: such files are refused
 - PAC2002's friction ellipse (`FE_METHOD`) in place of the coefficients of combined slip
@@ -242,6 +331,67 @@ def block(words, output):
 def shown(*words, **options):
     """A command that is run, with its output."""
     return block(words, tire_model(*words, **options))
+
+
+# Runs for the structure: a name, an example, and the entries that change
+RUNS = (("rolling", "tire_test.prm", {"Tire test/Slip": "pure",
+                                      "Tire test/Inclination angles": 0}),
+        ("standing", "tire_stiffness.prm",
+         {"Contact/Tread/Height": 8, "Contact/Tread/Modulus": 1.8,
+          "Contact/Regularization": "automatic",
+          "Contact/Tangential regularization": "automatic"}),
+        ("modes", "tire_modes.prm", {"Number of stages": 2, "Stage 1/Modes": 0}))
+BELTED = {"Material rubber/Density": 1.1e-9, "Material carcass/Density": 1.2e-9,
+          "Material belt/Density": 1.6e-9, "Number of stages": 1, "Stage 1/Modes": 25,
+          "Mesh/Intervals alpha_2": "-180:180:40", "Output/Write ply VTU": False}
+
+
+def run_commands():
+    """The runs as commands."""
+    return "\n".join(
+        f"    $ biface prm/{example} --output {name}"
+        + "".join(f' \\\n        --set "{entry}={value}"'
+                  for entry, value in changes.items())
+        for name, example, changes in RUNS)
+
+
+def structure(arguments, scratch):
+    """The parts of the page on the structure."""
+    import numpy as np
+    from biface_tire_model.mode_names import MEANINGS, name_modes
+    from biface_tire_model.stiffness_fit import NEAR
+    from biface_tire_model.structure import read_structure
+    runs = Runs(arguments)
+    found = {name: runs.run(name, example, {**changes, "Output/Write VTU": name == "modes"})
+             for name, example, changes in RUNS}
+    words = ("fit", "rolling", "--format", "6.1", "--output", "tire.tir", "--structure",
+             "standing", "--structure", "modes")
+    lines = tire_model(*words, directory=scratch).splitlines()
+    begin = next(i for i, line in enumerate(lines) if line.startswith("Vertical"))
+    old = tire_model(*("5.2" if word == "6.1" else word for word in words),
+                     directory=scratch)
+    tables = tire_model("stiffness", "standing", directory=scratch).splitlines()
+    modes = found["modes"].modes()
+    radial = modes.where((modes["circumferential_waves"] == 0)
+                         & (modes["effective_mass_y"] < 0.01 * modes["total_mass"]))
+    runs.run("belted", "belted_tire.prm", {**BELTED, "Output/Write VTU": True})
+    belted = read_structure([scratch / "belted"]).modes[0]
+    named = name_modes(belted)[0]
+    rows = [f"| `{name}` | {meaning} | {named[name].frequency:.1f} | "
+            f"{100 * named[name].share:.0f} % |" for name, meaning in MEANINGS.items()]
+    history = found["rolling"].tire_test()
+    middle = history.where(load=1500, slip_angle=0, slip_ratio=0)
+    return {
+        "runs": run_commands(), "near": 100 * NEAR,
+        "structure": block(words, "...\n" + "\n".join(lines[begin:])),
+        "radial": f"{radial['frequency'][0]:.0f}",
+        "ring": "\n".join(["| Entry | Motion | Hz | Part that moves as one |",
+                           "| --- | --- | ---: | ---: |", *rows]),
+        "half": f"{np.mean(middle['footprint_length']) / 2:.0f}",
+        "old": ", ".join(
+            "`{}` = {}".format(*pair.split()) for line in old.splitlines()
+            if line.startswith("PTX1") for pair in line.split("  ")),
+        "stiffness": block(("stiffness", "standing"), "\n".join(tables[:5] + ["..."]))}
 
 
 def columns_table():
@@ -316,7 +466,8 @@ def main():
         fit=block((*fitted, "--picture", "tire_model.png"), output),
         check=block(checked, tire_model(*checked, succeed=False)),
         pure_slip=PURE_SLIP, pure_angle=PURE_ANGLE * 180 / 3.141592653589793,
-        error=100 * LARGEST_ERROR, verified=verified()), encoding="utf-8")
+        error=100 * LARGEST_ERROR, verified=verified(),
+        **structure(arguments, scratch)), encoding="utf-8")
 
 
 if __name__ == "__main__":

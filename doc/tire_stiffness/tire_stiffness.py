@@ -25,7 +25,8 @@ build/biface-report output
 ```
 
 The tables contain numbers from `stiffness.csv`, which
-[output.md](output.md#stiffnesscsv) describes; `biface-report` shows them as well. The
+[output.md](output.md#stiffnesscsv) describes; `biface-report` shows them as well, and
+[biface-tire-model](tire_model.md#structure) brings them into .tir files. The
 mesh has 42 × 40 cells and lumped multipliers; the run takes about 20 s.
 
 ## Without slip

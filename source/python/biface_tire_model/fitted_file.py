@@ -10,12 +10,13 @@ from .units import one_of
 SIDES = ("LEFT", "RIGHT")
 
 
-def make_tir(fit, side="LEFT", title="", vertical=None):
+def make_tir(fit, side="LEFT", title="", vertical=None, structural=None):
     """The file of a Fit: a TirFile.
 
-    side      where the tire was mounted when it was measured, LEFT or RIGHT
-    title     the first line of comments
-    vertical  the Vertical of the data; None if it is not known
+    side        where the tire was mounted when it was measured, LEFT or RIGHT
+    title       the first line of comments
+    vertical    the Vertical of the data; None if it is not known
+    structural  the Structural of results; None without them
 
     Comments tell the residuals, and which coefficients the data do not determine."""
     if side not in SIDES:
@@ -60,8 +61,12 @@ def make_tir(fit, side="LEFT", title="", vertical=None):
             "VERTICAL_STIFFNESS", float(f"{vertical.stiffness:.9g}"),
             f"of a line through the loaded radii from {vertical.lowest:.5g} to "
             f"{vertical.highest:.5g} N")
+    if structural and not is_old:
+        structural.write(file)
     add_ranges(file, fit.data)
     add_coefficients(file, fit)
+    if structural and is_old:
+        structural.write(file)
     return file
 
 

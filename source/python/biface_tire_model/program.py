@@ -15,6 +15,9 @@ from .axes import SIGNS, mirror
 from .check import report
 from .fitting import fit
 from .fitted_file import SIDES, make_tir
+from .structural import Structural
+from .structure import read_structure
+from .structure_tables import common_system, structure_tables, text_of
 from .table import LARGEST_ANGLE, LARGEST_SLIP, read_table, write_table
 from .tir_file import read_tir
 from .tydex import read_tydex, write_tydex
@@ -31,10 +34,11 @@ def make_parser():
     """The command line."""
     parser = Arguments(prog=COMMAND, description="Tire models for vehicle dynamics: "
                        "evaluates, fits and checks the Magic Formula in .tir files, and "
-                       "writes TYDEX files.")
+                       "writes TYDEX files and tables of stiffness.")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     add_evaluate(commands)
     add_fit(commands)
+    add_stiffness(commands)
     add_tydex(commands)
     checked = commands.add_parser("check", help="what is missing or unusual in a .tir "
                                                 "file; exits with 1 if values are unusual")
@@ -42,11 +46,14 @@ def make_parser():
     return parser
 
 
+DEFAULT_UNITS = "m, N, s"
+
+
 def add_units(parser, what):
     """The options for units and axes."""
-    parser.add_argument("--units", default="m, N, s", metavar="UNITS",
-                        help=f"of length, force and time, {what} (default: 'm, N, s'); "
-                             "pressures and moments follow")
+    parser.add_argument("--units", metavar="UNITS",
+                        help=f"of length, force and time, {what} (default: "
+                             f"'{DEFAULT_UNITS}'); pressures and moments follow")
     parser.add_argument("--angles", default="deg", choices=("deg", "rad"),
                         help="the unit of angles (default: deg)")
     parser.add_argument("--axes", default="iso", choices=tuple(SIGNS),
@@ -110,8 +117,33 @@ def add_fit(commands):
                              "or 16.7 m/s)")
     parser.add_argument("--side", default="LEFT", choices=SIDES,
                         help="where the tire was mounted (default: LEFT)")
+    parser.add_argument("--structure", type=Path, action="append", default=[],
+                        metavar="DIRECTORY",
+                        help="results of biface with stiffness.csv or modes.csv, for "
+                             "stiffnesses, frequencies and relaxation lengths; may be "
+                             "repeated")
     parser.add_argument("--picture", type=Path, metavar="FILE",
                         help="draws the curves and the points (pdf, svg or png)")
+
+
+def add_stiffness(commands):
+    """The command stiffness."""
+    parser = commands.add_parser(
+        "stiffness", help="tables of stiffnesses, footprints and frequencies from results",
+        description="Prints tables of radial, lateral, longitudinal and torsional "
+                    "stiffness, of footprints and of natural frequencies from the results "
+                    "of runs of biface.")
+    parser.add_argument("directories", metavar="DIRECTORY", type=Path, nargs="+",
+                        help="of the results")
+    parser.add_argument("-o", "--output", type=Path, metavar="DIRECTORY",
+                        help="a CSV file for each table there (default: all on standard "
+                             "output)")
+    parser.add_argument("--si", action="store_true",
+                        help="SI units and radians (default: the units of the results, and "
+                             "degrees)")
+    parser.add_argument("--units", metavar="UNITS",
+                        help="of length, force and time, as in 'mm, N, s', of results that "
+                             "do not name theirs")
 
 
 def add_tydex(commands):
@@ -180,7 +212,7 @@ def units_of(arguments):
     ones."""
     path = results_table(arguments)
     named = path and Results(path.parent).setting("Units")
-    return System(named or arguments.units, arguments.angles)
+    return System(named or arguments.units or DEFAULT_UNITS, arguments.angles)
 
 
 def read_data(arguments, system):
@@ -193,7 +225,7 @@ def read_data(arguments, system):
 
 def evaluate(arguments):
     """Forces and moments as a table."""
-    system = System(arguments.units, arguments.angles)
+    system = System(arguments.units or DEFAULT_UNITS, arguments.angles)
     file = read_tir(arguments.file)
     formula = file.formula(arguments.starred)
     given = {"slip_ratio": ("--kappa", "slip"), "slip_angle": ("--alpha", "angle"),
@@ -289,6 +321,11 @@ def fit_table(arguments):
     velocity = positive(arguments.velocity, "--velocity", system["velocity"])
     data = read_data(arguments, system)
     stiffness = vertical(data, pressure)
+    structure = None
+    if arguments.structure:
+        rolling = results_table(arguments)
+        structure = read_structure(arguments.structure, arguments.units,
+                                   rolling and Results(rolling.parent))
     if radius is None and stiffness is None:
         raise BifaceError("--radius is missing: the table has no column loaded_radius with "
                           "upright wheels that roll straight ahead at two loads.")
@@ -298,11 +335,29 @@ def fit_table(arguments):
                           f"up to {loaded.max():.5g} m; see --units.")
     result = fit(data, arguments.format, radius or stiffness.radius, load, pressure,
                  velocity)
-    make_tir(result, arguments.side, f"From {arguments.table.name}.", stiffness).write(
-        arguments.output)
-    print(text.of_fit(result) + text.of_stiffness(stiffness), end="")
+    structural = structure and Structural(structure, result, stiffness)
+    make_tir(result, arguments.side, f"From {arguments.table.name}.", stiffness,
+             structural).write(arguments.output)
+    print(text.of_fit(result) + text.of_stiffness(stiffness)
+          + (text.of_structural(structural) if structural else ""), end="")
     if arguments.picture:
         draw(result.formula, data, arguments.picture, data)
+    return 0
+
+
+def stiffness_tables(arguments):
+    """Tables of the structure."""
+    structure = read_structure(arguments.directories, arguments.units)
+    tables = structure_tables(structure,
+                              None if arguments.si else common_system(structure))
+    if not arguments.output:
+        print("\n".join(text_of(table) for table in tables), end="")
+        return 0
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    for table in tables:
+        path = arguments.output / f"{table.name}.csv"
+        path.write_text(text_of(table), encoding="utf-8")
+        print(path)
     return 0
 
 
@@ -324,7 +379,8 @@ def main(words=None):
     """Runs a command. The exit code is 1 if that is not possible."""
     parser = make_parser()
     arguments = parser.parse_args(join_negative(sys.argv[1:] if words is None else words))
-    command = {"evaluate": evaluate, "fit": fit_table, "tydex": tydex, "check": check}
+    command = {"evaluate": evaluate, "fit": fit_table, "stiffness": stiffness_tables,
+               "tydex": tydex, "check": check}
     try:
         return command[arguments.command](arguments)
     except BifaceError as error:

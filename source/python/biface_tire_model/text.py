@@ -46,3 +46,44 @@ def of_fit(fit):
             f"{len(loads)} load{'s' * (len(loads) > 1)} from {data['F_z'].min():.5g} to "
             f"{data['F_z'].max():.5g} N.\n")
     return head + table_of_residuals(fit) + left_neutral(fit)
+
+
+def of_structural(structural):
+    """What results tell of the structure: stiffnesses, frequencies and relaxation lengths,
+    and what is left out."""
+    lines = []
+    if structural.vertical:
+        entry = structural.vertical
+        lines.append(f"Vertical stiffness {entry.value:.5g} N/m, {entry.comment}.")
+    if structural.known:
+        lines.append("Structure" + (", which a file of MF 5.2 does not contain:"
+                                    if structural.is_old else ":"))
+        lines += [f"{entry.name:24}{entry.value:12.5g}  {entry.unit:8}{entry.comment}"
+                  .rstrip() for entry in structural.known]
+    if structural.lengths:
+        lines.append("Relaxation lengths, to first order: slope of the force over the slip "
+                     "over the")
+        lines.append(f"stiffness of the standing tire, footprint {structural.grip}:")
+        lines.append(f"{'load, N':>10}{'pressure, Pa':>14}{'of F_y, m':>12}"
+                     f"{'of F_x, m':>12}")
+        lines += [f"{row.load:10.5g}{row.pressure:14.6g}{length(row.lateral)}"
+                  f"{length(row.longitudinal)}" for row in structural.lengths]
+    if structural.is_old and structural.entries:
+        lines.append("  ".join(f"{entry.name} {entry.value:.5g}"
+                               for entry in structural.entries
+                               if entry.name[:2] == "PT"))
+    if structural.unused:
+        lines += textwrap.wrap(f"Not used: stiffnesses, since {structural.unused}.", 88,
+                               subsequent_indent="  ")
+    by_reason = {}
+    for name, reason in structural.left_out.items():
+        by_reason.setdefault(reason, []).append(name)
+    for reason, names in by_reason.items():
+        lines += textwrap.wrap(f"Left out: {', '.join(names)}: {reason}.", 88,
+                               subsequent_indent="  ")
+    return "\n".join(lines) + "\n"
+
+
+def length(value):
+    """A relaxation length in its column, if it is known."""
+    return f"{'-':>12}" if value is None else f"{value:12.5g}"

@@ -67,7 +67,8 @@ class System:
         time = factor(TIME, names[2], "the unit of time")
         self.text, self.angle = ", ".join(names), angle
         self.factors = {"slip": 1, "angle": factor(ANGLE, angle, "the unit of angles"),
-                        "length": length, "force": force, "moment": force * length,
+                        "length": length, "force": force, "time": time,
+                        "moment": force * length,
                         "pressure": force / length ** 2, "velocity": length / time}
 
     def __getitem__(self, kind):
