@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/base/errors.h>
 #include <biface/contact/height_field.h>
-#include <biface/input/parameter_tools.h>
+#include <biface/input/grid_data.h>
 
 namespace Biface
 {
@@ -14,25 +13,6 @@ namespace Biface
 
   namespace
   {
-    /** The different values of a coordinate, in order. */
-    std::vector<double>
-    rows_of_grid(const std::vector<Point<3>> &points,
-                 const unsigned int           direction)
-    {
-      std::vector<double> all;
-      for (const Point<3> &point : points)
-        all.push_back(point[direction]);
-      std::sort(all.begin(), all.end());
-      // the same number may have been computed in several ways
-      const double        round_off = 1e-9 * (all.back() - all.front());
-      std::vector<double> rows;
-      for (const double coordinate : all)
-        if (rows.empty() || coordinate > rows.back() + round_off)
-          rows.push_back(coordinate);
-      return rows;
-    }
-
-
     /** The derivatives at its knots of a cubic spline that is level at both
      * ends. */
     std::vector<double>
@@ -58,54 +38,19 @@ namespace Biface
   } // namespace
 
 
-  HeightField::HeightField(std::vector<Point<3>> points,
-                           const Tensor<1, 3>   &across,
-                           const Tensor<1, 3>   &along,
-                           const Tensor<1, 3>   &up,
-                           const std::string    &name)
+  HeightField::HeightField(const std::vector<Point<3>> &points,
+                           const Tensor<1, 3>          &across,
+                           const Tensor<1, 3>          &along,
+                           const Tensor<1, 3>          &up,
+                           const std::string           &name)
     : axes{{across, along, up}}
   {
-    if (points.size() < 4)
-      throw InputError(name + ": a height field must have at least two rows of "
-                              "points in both directions.");
-    std::array<std::vector<double>, 2> grid;
-    for (unsigned int d = 0; d < 2; ++d)
-      {
-        grid[d] = rows_of_grid(points, d);
-        if (grid[d].size() < 2)
-          throw InputError(name + ": the points must not all have the same " +
-                           (d == 0 ? "u, " : "v, ") +
-                           number_to_string(grid[d][0]) + ".");
-        for (Point<3> &point : points)
-          {
-            auto row =
-              std::upper_bound(grid[d].begin(), grid[d].end(), point[d]);
-            point[d] = *--row;
-          }
-      }
-    std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
-      return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-    });
+    const GridData     data(points, {{"u", "v", "height"}}, name);
+    const auto        &grid = data.rows;
     const unsigned int n = grid[0].size(), m = grid[1].size();
-    const auto         at = [](const double u, const double v) {
-      return "at u = " + number_to_string(u) + ", v = " + number_to_string(v);
-    };
-    for (std::size_t k = 1; k < points.size(); ++k)
-      if (points[k][0] == points[k - 1][0] && points[k][1] == points[k - 1][1])
-        throw InputError(name + ": the height " +
-                         at(points[k][0], points[k][1]) +
-                         " must be given only once.");
-    for (std::size_t k = 0; k <= points.size() && k < std::size_t(n) * m; ++k)
-      {
-        const double u = grid[0][k / m], v = grid[1][k % m];
-        if (k == points.size() || points[k][0] != u || points[k][1] != v)
-          throw InputError(name + ": there is no height " + at(u, v) +
-                           ", but the points must form a rectangular grid.");
-      }
-
-    knots.resize(points.size());
+    knots.resize(data.values.size());
     for (std::size_t k = 0; k < knots.size(); ++k)
-      knots[k][0] = points[k][2];
+      knots[k][0] = data.values[k];
     // by u, by v, and of the derivative by u by v
     const auto differentiate = [&](const unsigned int d,
                                    const unsigned int from,

@@ -108,6 +108,28 @@ namespace Biface
   }
 
 
+  std::vector<NumberedLine>
+  lines_of_csv(const std::string &text,
+               const std::string &name,
+               const std::string &form)
+  {
+    std::vector<NumberedLine> result;
+    std::istringstream        lines(text);
+    std::string               line;
+    for (unsigned int number = 1; std::getline(lines, line); ++number)
+      {
+        line = Utilities::trim(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        result.push_back({name + ", line " + std::to_string(number), line});
+        // splitting takes quadratic time
+        if (line.size() > 10000)
+          throw InputError(result.back().place, line, form);
+      }
+    return result;
+  }
+
+
   std::vector<std::vector<double>>
   parse_rows(const std::string &text,
              const std::string &name,
@@ -116,20 +138,11 @@ namespace Biface
              const unsigned int n_max)
   {
     std::vector<std::vector<double>> rows;
-    std::istringstream               lines(text);
-    std::string                      line;
     bool                             header_allowed = true;
-    for (unsigned int number = 1; std::getline(lines, line); ++number)
+    for (const NumberedLine &line : lines_of_csv(text, name, form))
       {
-        line = Utilities::trim(line);
-        if (line.empty() || line[0] == '#')
-          continue;
-        const std::string entry = name + ", line " + std::to_string(number);
-        // splitting takes quadratic time
-        if (line.size() > 10000)
-          throw InputError(entry, line, form);
         const std::vector<std::string> cells =
-          Utilities::split_string_list(line, ',');
+          Utilities::split_string_list(line.text, ',');
         const bool has_row = (cells.size() >= n_min && cells.size() <= n_max);
         if (header_allowed && has_row &&
             std::all_of(cells.begin(), cells.end(), is_name))
@@ -139,10 +152,10 @@ namespace Biface
           }
         header_allowed = false;
         if (!has_row)
-          throw InputError(entry, line, form);
+          throw InputError(line.place, line.text, form);
         std::vector<double> row;
         for (const std::string &cell : cells)
-          row.push_back(parse_number(entry, cell, form));
+          row.push_back(parse_number(line.place, cell, form));
         rows.push_back(row);
       }
     return rows;

@@ -9,6 +9,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/layup.h>
 
 namespace Biface
@@ -45,6 +46,19 @@ namespace Biface
                "proportional to r. With the meridian 'cord equilibrium' "
                "they know its crown cord angle beta_c. Units: length, "
                "degrees, alpha_1 as in 'Mesh'.");
+    add_parsed(prm,
+               "Laminate/",
+               "Plies file",
+               "",
+               plies_file,
+               parse_file_name,
+               "A CSV file with the plies instead of 'Plies': a line for each, "
+               "inner ply first, 'material, thickness, angle' or 'material, "
+               "thickness, angle, from, to', after a line of these names. The "
+               "cells are as in 'Plies'; those with a comma outside of "
+               "parentheses stand in double quotes. In parameters.prm the "
+               "plies are those of 'Plies', and so they are in 'Study' and "
+               "'Sensitivities'. Relative to the parameter file.");
     add_choice(prm,
                "Angle reference",
                angle_reference,
@@ -318,6 +332,47 @@ namespace Biface
     const std::vector<PlyParameters> plies = parse_ply_list(entry, text, 0);
     if (plies.empty())
       throw InputError(entry, text, ply_form + ", and there must be one");
+    return plies;
+  }
+
+
+  std::string
+  plies_of_csv(const std::string &text, const std::string &name)
+  {
+    const std::string form =
+      "each line must contain 'material, thickness, angle' or 'material, "
+      "thickness, angle, from, to', without '#', '@', ':' and backslashes";
+    std::string plies;
+    bool        header_allowed = true;
+    for (const NumberedLine &line : lines_of_csv(text, name, form))
+      {
+        std::vector<std::string> cells;
+        // spreadsheets write empty cells at the end
+        const auto end = line.text.find_last_not_of(", \t");
+        for (std::string cell : split_list(
+               line.place,
+               line.text.substr(0, end == std::string::npos ? end : end + 1)))
+          {
+            if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+              cell = Utilities::trim(cell.substr(1, cell.size() - 2));
+            cells.push_back(cell);
+          }
+        const bool is_header =
+          (header_allowed && !cells.empty() && cells[0] == "material");
+        header_allowed = false;
+        if (is_header)
+          continue;
+        if ((cells.size() != 3 && cells.size() != 5) ||
+            line.text.find_first_of("#@:\\") != std::string::npos)
+          throw InputError(line.place, line.text, form);
+        const std::string ply =
+          cells[0] + ": " + cells[1] + " @ " + cells[2] +
+          (cells.size() == 5 ? " from " + cells[3] + " to " + cells[4] : "");
+        parse_plies(line.place, ply);
+        plies += (plies.empty() ? "" : ", ") + ply;
+      }
+    if (plies.empty())
+      throw InputError(name + ": there must be a ply.");
     return plies;
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/named_files.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/meridional_tables.h>
 
@@ -14,23 +15,6 @@ namespace Biface
 
   namespace
   {
-    /** Whether a text is one variable of a formula: not a number, not a name
-     * that is taken, such as pi, and one word. */
-    bool
-    is_variable(const std::string &name)
-    {
-      try
-        {
-          return Formula("", name).used_names() ==
-                 std::vector<std::string>{name};
-        }
-      catch (const InputError &)
-        {
-          return false;
-        }
-    }
-
-
     /** The names of the variables of lift(): the ratio of the radii, and the
      * number of an AngleReference. */
     const std::vector<std::string> lift_variables{"_r_ratio",
@@ -69,26 +53,9 @@ namespace Biface
   std::vector<TableFile>
   parse_tables(const std::string &entry, const std::string &text)
   {
-    const std::string      form = "each table must have the form 'name: file'";
     std::vector<TableFile> tables;
-    for (const std::string &item : split_list(entry, text, ',', 1000))
-      {
-        const auto named = split_named(entry, item, form);
-        if (named.second.empty())
-          throw InputError(entry, item, form);
-        const std::string &name = named.first;
-        if (!is_variable(name) || name == "alpha_1" || name[0] == '_' ||
-            std::any_of(tables.begin(), tables.end(), [&](const auto &table) {
-              return table.name == name;
-            }))
-          throw InputError(
-            entry,
-            name,
-            "the name of a table must start with a letter, consist of letters, "
-            "digits and '_', and differ from other tables, variables and "
-            "constants");
-        tables.push_back({name, {parse_file_name(entry, named.second), {}}});
-      }
+    for (const NamedFile &file : parse_named_files(entry, text, {"alpha_1"}))
+      tables.push_back({file.name, {file.file_name, {}}});
     return tables;
   }
 
@@ -96,11 +63,10 @@ namespace Biface
   std::string
   print_tables(const std::vector<TableFile> &tables)
   {
-    std::string text;
+    std::vector<NamedFile> files;
     for (const TableFile &table : tables)
-      text += (text.empty() ? "" : ", ") + table.name + ": " +
-              print_file_name(table.file.name);
-    return text;
+      files.push_back({table.name, table.file.name});
+    return print_named_files(files);
   }
 
 

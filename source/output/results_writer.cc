@@ -5,6 +5,7 @@
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/output/buckling_file.h>
+#include <biface/output/buckling_shapes_file.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
@@ -60,6 +61,7 @@ namespace Biface
     add(std::make_unique<HeatFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
+    add(std::make_unique<BucklingShapesFile>(stages, directory, equations));
     add(std::make_unique<CriticalPointsFile>(stages, directory, equations));
     add(std::make_unique<SensitivitiesFile>(
       n_sensitivities, directory, equations));

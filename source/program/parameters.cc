@@ -208,10 +208,34 @@ namespace Biface
        revolution &&
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
+    surface.imperfection.check();
     check_densities();
     check_laws();
+    check_imperfection();
     check_heat();
     check_rolling();
+  }
+
+
+  void
+  Parameters::check_imperfection() const
+  {
+    if (surface.imperfection.is_zero())
+      return;
+    const auto refuse = [&](const std::string &why) {
+      throw InputError(
+        "Surface/Imperfection/Formula", surface.imperfection.formula, why);
+    };
+    const std::vector<bool> rolling = rolling_stages();
+    if (std::find(rolling.begin(), rolling.end(), true) != rolling.end())
+      refuse("it must be 0 where the shell rolls: what turns must be the same "
+             "all around");
+    for (const Stage &stage : stages)
+      if (stage.from_prestress)
+        refuse("it must be 0 with 'Start from prestress'");
+    if (!laminate.initial_stresses.empty() ||
+        !laminate.initial_resultants.empty())
+      refuse("it must be 0 with initial stresses or resultants");
   }
 
 
@@ -638,6 +662,14 @@ namespace Biface
   Parameters::named_pairs() const
   {
     PairsByEntry pairs;
+    const auto   add_rows = [&](const std::string           &entry,
+                              const std::vector<Point<3>> &rows) {
+      for (const Point<3> &x : rows)
+        for (const Point<2> &pair : {Point<2>(x[0], x[1]), Point<2>(x[2], 0)})
+          pairs[entry].push_back(pair);
+    };
+    for (const Imperfection::Table &table : surface.imperfection.tables)
+      add_rows("Surface/Imperfection/Tables, " + table.file.name, table.rows);
     if (!surface.points_file.name.empty())
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
     for (const TableFile &table : laminate.tables)
@@ -654,9 +686,7 @@ namespace Biface
             for (const Point<2> &pair :
                  {corner.point, Point<2>(corner.radius, 0)})
               pairs[section + "Profile file"].push_back(pair);
-        for (const Point<3> &x : body.heights)
-          for (const Point<2> &pair : {Point<2>(x[0], x[1]), Point<2>(x[2], 0)})
-            pairs[section + "Height file"].push_back(pair);
+        add_rows(section + "Height file", body.heights);
       }
     return pairs;
   }
@@ -666,6 +696,8 @@ namespace Biface
   Parameters::input_files() const
   {
     std::vector<std::string> names{surface.points_file.name};
+    for (const Imperfection::Table &table : surface.imperfection.tables)
+      names.push_back(table.file.file_name);
     for (const TableFile &table : laminate.tables)
       names.push_back(table.file.name);
     for (const MaterialParameters &material : materials)

@@ -217,6 +217,20 @@ namespace Biface
           prm.leave_subsection();
           prm.leave_subsection();
         }
+      std::vector<NamedFile> charts;
+      for (const Imperfection::Table &table :
+           parameters.surface.imperfection.tables)
+        charts.push_back(table.file);
+      if (!charts.empty())
+        {
+          for (NamedFile &chart : charts)
+            make_absolute(chart.file_name);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Imperfection");
+          prm.set("Tables", print_named_files(charts));
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
       std::vector<TableFile> tables = parameters.laminate.tables;
       if (!tables.empty())
         {
@@ -328,6 +342,53 @@ namespace Biface
     }
 
 
+    /** Put the plies of each 'Laminate/Plies file' in 'Laminate/Plies': in a
+     * source behind the one that names it.
+     * @param file_name the file to whose folder names of files are relative. */
+    void
+    read_plies_files(const std::string   &file_name,
+                     const MPI_Comm       communicator,
+                     std::vector<Source> &sources)
+    {
+      const std::string entry = "Laminate/Plies file";
+      for (std::size_t i = 0; i < sources.size(); ++i)
+        {
+          std::string name;
+          bool        has_plies = false;
+          for (const ParameterLine &line : scan_parameter_text(sources[i].text))
+            if (line.section == "Laminate/" && line.keyword == "set")
+              {
+                if (line.name == "Plies file")
+                  name = line.value;
+                has_plies = has_plies || line.name == "Plies";
+              }
+          if (name.empty())
+            continue;
+          try
+            {
+              if (has_plies)
+                throw InputError(
+                  entry, name, "it must not be given together with 'Plies'");
+              const std::string path =
+                (std::filesystem::path(file_name).parent_path() /
+                 parse_file_name(entry, name))
+                  .string();
+              const std::string plies =
+                plies_of_csv(read_file(path, communicator), path);
+              sources.insert(sources.begin() + i + 1,
+                             {path,
+                              "subsection Laminate\n  set Plies = " + plies +
+                                "\n  set Plies file =\nend\n"});
+            }
+          catch (const InputError &error)
+            {
+              throw InputError(sources[i].name + ": " + error.what());
+            }
+          ++i;
+        }
+    }
+
+
     /** The texts that set parameters. */
     std::vector<Source>
     collect_sources(const std::string           &file_name,
@@ -339,6 +400,7 @@ namespace Biface
         sources.push_back({file_name, read_file(file_name, communicator)});
       for (const Override &setting : overrides)
         sources.push_back({setting.source, override_text(setting)});
+      read_plies_files(file_name, communicator, sources);
       return sources;
     }
 
@@ -358,6 +420,7 @@ namespace Biface
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",
                                             communicator);
+      parameters.surface.imperfection.read_files(communicator);
       for (TableFile &table : parameters.laminate.tables)
         table.file.read("alpha_1, value", communicator);
     }

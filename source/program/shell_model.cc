@@ -73,16 +73,20 @@ namespace Biface
     check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
-    return std::make_shared<const ShellMesh>(
-      communicator,
-      std::move(surface),
-      given,
-      layup,
-      parameters.supports,
-      points,
-      parameters.element.sampling,
-      parameters.element.interpolation,
-      parameters.element.thickness_strain);
+    const auto                    mesh =
+      std::make_shared<ShellMesh>(communicator,
+                                  std::move(surface),
+                                  given,
+                                  layup,
+                                  parameters.supports,
+                                  points,
+                                  parameters.element.sampling,
+                                  parameters.element.interpolation,
+                                  parameters.element.thickness_strain);
+    if (!parameters.surface.imperfection.is_zero())
+      mesh->deviate_by(
+        Imperfection(parameters.surface.imperfection, mesh->get_surface()));
+    return mesh;
   }
 
 

@@ -53,6 +53,9 @@ namespace Biface
                "file; see 'Tables' for names in double quotes. Unit: "
                "length.");
     prm.leave_subsection();
+    prm.enter_subsection("Imperfection");
+    imperfection.add_parameters(prm);
+    prm.leave_subsection();
   }
 
 

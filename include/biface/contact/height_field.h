@@ -25,17 +25,16 @@ namespace Biface
   class HeightField : public ImplicitSurface
   {
   public:
-    /** Throws InputError if the points are not those of a rectangular grid of
-     * at least two rows in both directions.
+    /** Throws InputError if the points are not those of a grid, see GridData.
      * @param points u, v and height in any order. Unit: length.
      * @param across,along,up unit vectors of these coordinates, orthogonal to
      * each other.
      * @param name that of the file of the points, for error messages. */
-    HeightField(std::vector<dealii::Point<3>> points,
-                const dealii::Tensor<1, 3>   &across,
-                const dealii::Tensor<1, 3>   &along,
-                const dealii::Tensor<1, 3>   &up,
-                const std::string            &name);
+    HeightField(const std::vector<dealii::Point<3>> &points,
+                const dealii::Tensor<1, 3>          &across,
+                const dealii::Tensor<1, 3>          &along,
+                const dealii::Tensor<1, 3>          &up,
+                const std::string                   &name);
 
     double
     value(const dealii::Point<3> &x) const override;

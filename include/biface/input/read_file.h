@@ -24,6 +24,22 @@ namespace Biface
   read_file(const std::string &file_name, const MPI_Comm communicator);
 
 
+  /** A line of a text. */
+  struct NumberedLine
+  {
+    /** The name of the text and the number of the line. */
+    std::string place;
+    std::string text;
+  };
+
+  /** The lines of the text of a CSV file, but empty ones and those that start
+   * with '#'. Throws InputError if a line is too long. */
+  std::vector<NumberedLine>
+  lines_of_csv(const std::string &text,
+               const std::string &name,
+               const std::string &form);
+
+
   /**
    * Read rows of numbers from the text of a CSV file, one row per line. Empty
    * lines, lines that start with '#' and a first line of column names are

@@ -86,6 +86,14 @@ namespace Biface
   parse_plies(const std::string &entry, const std::string &text);
 
 
+  /** The list that parse_plies() takes of the plies in the text of a CSV file:
+   * 'material, thickness, angle, from, to', the last two where there are any.
+   * Throws InputError where a line is malformed.
+   * @param name that of the file. */
+  std::string
+  plies_of_csv(const std::string &text, const std::string &name);
+
+
   /** A position in the thickness. */
   struct ThicknessPosition
   {
@@ -182,6 +190,8 @@ namespace Biface
         parse_plies("Laminate/Plies",
                     "cord: 1.2 @ 52, cord: 1.2 @ -52, "
                     "cord: 1.2 @ 52, cord: 1.2 @ -52");
+      /** Empty once the plies are those of the file, see plies_of_csv(). */
+      std::string            plies_file;
       std::vector<TableFile> tables;
       AngleReference         angle_reference = AngleReference::meridian;
       /** One item for each ply, or empty. */

@@ -130,6 +130,11 @@ namespace Biface
     void
     check_bodies() const;
 
+    /** Check that an imperfection is used with nothing that needs a perfect
+     * shell. */
+    void
+    check_imperfection() const;
+
     /** Throws InputError if a stage asks for modes and a ply has no
      * density. */
     void

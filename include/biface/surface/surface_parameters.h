@@ -11,6 +11,7 @@
 #include <biface/input/read_file.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/cord_equilibrium.h>
+#include <biface/surface/imperfection.h>
 #include <biface/surface/reference_surface.h>
 #include <biface/surface/straight_line.h>
 
@@ -39,7 +40,8 @@ namespace Biface
     StraightLine::Parameters    straight_line;
     CordEquilibrium::Parameters cord_equilibrium;
     /** Radius and axial coordinate. */
-    PairsFile points_file;
+    PairsFile                points_file;
+    Imperfection::Parameters imperfection;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

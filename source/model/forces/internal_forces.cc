@@ -30,6 +30,14 @@ namespace Biface
             strip.laminate.stiffness_of_slack_cords());
       }
     of_laminate = resultants_of_laminate();
+    if (mesh.imperfection.size() > 0)
+      for (const Cell &cell : mesh.cells)
+        of_imperfection.push_back(
+          cell.is_layer
+            ? MixedElement(cell.geometry,
+                           mesh.cell_values(mesh.imperfection, cell))
+                .strain()
+            : Modes::Vector());
   }
 
 
@@ -65,7 +73,7 @@ namespace Biface
   InternalForces::add(const CellState &at, CellForces &forces) const
   {
     const MixedElement    element(at.cell.geometry, at.V);
-    const Modes::Vector   E         = element.strain();
+    const Modes::Vector   E         = strains_of(element, at.index);
     const auto           &predicted = at.state.predicted_strains;
     const NonlinearPlies &plies     = nonlinear_plies(at.cell);
     const Modes::Vector  &at_strain =
@@ -102,7 +110,7 @@ namespace Biface
                                  CellForces                      &forces) const
   {
     const MixedElement element(at.cell.geometry, at.V);
-    Modes::Vector      E = element.strain();
+    Modes::Vector      E = strains_of(element, at.index);
     Modes::Vector      H = resultants_of(at.state, at.index, E);
     if (!nonlinear_plies(at.cell).empty())
       {
@@ -350,9 +358,9 @@ namespace Biface
     result.displacement = state.linearization_point->displacement;
     result.predicted_strains.clear();
     if (is_nonlinear())
-      for (const Cell &cell : mesh.cells)
-        result.predicted_strains.push_back(cell.is_layer ? strains(state, cell)
-                                                         : Modes::Vector());
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        result.predicted_strains.push_back(
+          mesh.cells[c].is_layer ? strains(state, c) : Modes::Vector());
     result.linearization_point = nullptr;
     return result;
   }
@@ -386,25 +394,25 @@ namespace Biface
 
 
   Modes::Vector
-  InternalForces::strains(const State &state, const Cell &cell) const
+  InternalForces::strains(const State &state, const unsigned int c) const
   {
-    const auto V = mesh.cell_values(state.displacement, cell);
+    const Cell &cell = mesh.cells[c];
+    const auto  V    = mesh.cell_values(state.displacement, cell);
     if (!state.linearization_point)
-      return MixedElement(cell.geometry, V).strain();
+      return strains_of(MixedElement(cell.geometry, V), c);
 
     const auto V_0 =
       mesh.cell_values(state.linearization_point->displacement, cell);
     const MixedElement element(cell.geometry, V_0);
-    return element.strain() + element.strain_variation(V - V_0);
+    return strains_of(element, c) + element.strain_variation(V - V_0);
   }
 
 
   Modes::Vector
   InternalForces::total_strains(const State &state, const unsigned int c) const
   {
-    return mesh.cells[c].is_layer
-             ? strains(state, mesh.cells[c]) + initial_strain(state, c)
-             : Modes::Vector();
+    return mesh.cells[c].is_layer ? strains(state, c) + initial_strain(state, c)
+                                  : Modes::Vector();
   }
 
 
@@ -421,8 +429,7 @@ namespace Biface
   InternalForces::settle_resultants(State &state) const
   {
     for (const unsigned int c : mesh.layers)
-      state.resultants[c] =
-        resultants_of(state, c, strains(state, mesh.cells[c]));
+      state.resultants[c] = resultants_of(state, c, strains(state, c));
     state.predicted_strains.clear();
   }
 
@@ -440,14 +447,15 @@ namespace Biface
         const MixedElement element(cell.geometry,
                                    mesh.cell_values(state.displacement, cell));
         const auto         dV = mesh.cell_values(increment, cell);
-        Modes::Vector      E  = element.strain() + element.strain_variation(dV);
+        Modes::Vector E = strains_of(element, c) + element.strain_variation(dV);
         if (nonlinear_plies(cell).is_whole_law())
           {
             const NonlinearPlies &plies = nonlinear_plies(cell);
             const HistoryOfPlies  past  = history(state, c);
             state.resultants[c]         = plies.resultants(
-              plies.linearize(
-                first ? element.strain() : state.predicted_strains[c], past),
+              plies.linearize(first ? strains_of(element, c)
+                                    : state.predicted_strains[c],
+                              past),
               E,
               past);
             state.predicted_strains[c] = E;
@@ -517,7 +525,7 @@ namespace Biface
   {
     const Cell         &cell = mesh.cells[c];
     const MixedElement  element(cell.geometry, V);
-    const Modes::Vector E = element.strain();
+    const Modes::Vector E = strains_of(element, c);
     return cell.geometry.weight *
            (energy_of(state, c, E) +
             Modes::mean_product(initial_resultants(state)[c],
@@ -555,7 +563,7 @@ namespace Biface
           continue;
         // the energy is quadratic but for the plies that are not linear
         const MixedElement  element(cell.geometry, V_0);
-        const Modes::Vector E      = element.strain();
+        const Modes::Vector E      = strains_of(element, c);
         const Modes::Vector dE     = element.strain_variation(dV);
         const auto          linear = [&](const Modes::Vector &E) {
           return stiffness_of(cell).resultants(E);

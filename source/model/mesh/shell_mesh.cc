@@ -427,6 +427,23 @@ namespace Biface
   }
 
 
+  void
+  ShellMesh::deviate_by(const Imperfection &deviation)
+  {
+    LA::Vector V = owned_vector();
+    agree_on_errors(communicator, [&]() {
+      for (const Node &node : nodes)
+        if (node.locally_owned)
+          V(node.dof(2, MixedElement::mean)) =
+            deviation(node.surface.position, node.alpha);
+    });
+    V.compress(VectorOperation::insert);
+    constraints.distribute(V);
+    imperfection = ghosted_vector();
+    imperfection = V;
+  }
+
+
   std::shared_ptr<const ShellMesh>
   ShellMesh::with_layup(const Layup &other) const
   {

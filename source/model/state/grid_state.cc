@@ -68,8 +68,12 @@ namespace Biface
           continue;
         for (unsigned int part = 0; part < node.n_parts(); ++part)
           for (unsigned int i = 0; i < 3; ++i)
-            displacements[part * contacts.size() + node.number][i] =
-              state.displacement(node.dof(i, part));
+            {
+              const auto dof = node.dof(i, part);
+              displacements[part * contacts.size() + node.number][i] =
+                state.displacement(dof) -
+                (mesh.imperfection.size() > 0 ? mesh.imperfection(dof) : 0.);
+            }
         contacts[node.number] = in_contact[n];
       }
     for (const unsigned int c : mesh.layers)

@@ -7,7 +7,8 @@ namespace Biface
   State::State(const ShellMesh   &mesh,
                const unsigned int n_contacts,
                const unsigned int contacts_per_cell)
-    : displacement(mesh.ghosted_vector())
+    : displacement(mesh.imperfection.size() > 0 ? mesh.imperfection
+                                                : mesh.ghosted_vector())
     , resultants(mesh.cells.size())
     , contacts(n_contacts,
                ContactState(contacts_per_cell > 0

@@ -205,9 +205,19 @@ namespace Biface
                   const unsigned int               cell,
                   const MixedElement::NodalVector &V) const;
 
-    /** The strains of the displacements in the current theory. */
+    /** The strains of a cell since its stress-free shape. */
     Modes::Vector
-    strains(const State &state, const Cell &cell) const;
+    strains_of(const MixedElement &element, const unsigned int cell) const
+    {
+      Modes::Vector E = element.strain();
+      if (!of_imperfection.empty())
+        E -= of_imperfection[cell];
+      return E;
+    }
+
+    /** These in the current theory. */
+    Modes::Vector
+    strains(const State &state, const unsigned int cell) const;
 
     const ModeStiffness &
     stiffness_of(const Cell &cell) const
@@ -264,6 +274,9 @@ namespace Biface
     bool                        symmetric_stiffness;
     /** The initial resultants of the laminate, by cell. */
     std::vector<Modes::Vector> of_laminate;
+    /** The strains from the surface to the stress-free shape, by cell; empty if
+     * that is the surface. */
+    std::vector<Modes::Vector> of_imperfection;
   };
 } // namespace Biface
 

@@ -24,6 +24,7 @@
 #include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/chart_grid.h>
+#include <biface/surface/imperfection.h>
 #include <biface/surface/reference_surface.h>
 
 #include <boost/iterator/permutation_iterator.hpp>
@@ -147,6 +148,11 @@ namespace Biface
       const Interpolation   interpolation    = Interpolation::components,
       const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
 
+    /** Let the stress-free shell deviate from the surface, but where supports
+     * hold it. Throws InputError, see Imperfection. */
+    void
+    deviate_by(const Imperfection &imperfection);
+
     /** The same mesh with other plies, of which it shares all but these; null
      * if they place the faces elsewhere. Throws InputError if a ply ends
      * between two lines. */
@@ -224,6 +230,10 @@ namespace Biface
     std::vector<BoundarySegment> boundary;
 
     dealii::IndexSet locally_owned;
+
+    /** The displacements of the stress-free shell from the surface, readable
+     * at all nodes of this rank: its imperfections. Empty if there are none. */
+    LA::Vector imperfection;
 
     /** See make_constraints(). */
     dealii::AffineConstraints<double>   constraints;

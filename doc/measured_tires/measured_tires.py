@@ -1,0 +1,548 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compare tires and cylinders with published values, and write measured_tires.md."""
+
+import csv
+import json
+import math
+import sys
+import textwrap
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+sys.path.insert(0, str(HERE.parent / "real_tires"))
+from example_page import EXAMPLES, biface, parse_arguments, table
+from radial_tire import RadialTire
+from real_tires import Construction
+
+QUIET = {"Output/Write VTU": False}
+
+# ------------------------------------------------------------------- the radial tire
+
+# MF-Tyre's example of a 205/60 R15, 0.22 MPa, 4000 N [TNO2013]: stiffnesses in N/mm,
+# N m per rad and frequencies in Hz as in the file, the rest evaluated from it
+PUBLISHED = {
+    "deflection": {0.18: 23.12, 0.22: 20.31, 0.26: 18.12},
+    "vertical": {0.18: 185.7, 0.22: 209.7, 0.26: 233.6},
+    "lateral": 157.6, "longitudinal": 381.9, "turn": 5000,
+    "length": 136.8, "width": 142.8, "mass": 9.3,
+    "frequencies": {"lateral": 41.47, "yaw": 53.46, "wind-up": 67.73,
+                    "longitudinal": 76.63},
+    "cornering": 930, "other cornering": 803}
+LOAD, PRESSURE = 4000, 0.22
+SLIP_ANGLE = 0.5
+
+
+def radial_settings(tire, directory, tread=True):
+    """The entries of prm/radial_tire.prm for a tire by the rules."""
+    directory.mkdir(parents=True, exist_ok=True)
+    tire.write(directory, tread=tread)
+    return {"Surface/Spline/File": directory / "radial_tire_profile.csv",
+            "Laminate/Plies file": directory / "radial_tire_plies.csv",
+            "Mesh/Intervals alpha_1": tire.mesh(),
+            "Material carcass/Cord pitch":
+                f"{100 / tire.carcass_density * tire.crown / tire.rim_radius:.4f}"}
+
+
+def change_of_force(results, stage, before, column, amount):
+    """The change of a force on the ground between the ends of two stages, over the
+    motion of the ground."""
+    lines = {line["stage"]: line
+             for line in results.forces().where(body="foundation").rows()}
+    if stage not in lines or before not in lines:
+        return math.nan
+    return abs(lines[stage][column] - lines[before][column]) / amount
+
+
+def name_modes(modes):
+    """Frequencies of the ring that moves as one: by the waves around the axle, the
+    effective masses, and the order of the rest."""
+    total = modes["total_mass"][0]
+    along = {axis: modes[f"effective_mass_{axis}"] / total for axis in "xyz"}
+    waves = modes["circumferential_waves"]
+    radial = along["x"] + along["z"] > 0.5
+
+    def first(chosen):
+        return modes["frequency"][chosen][0] if chosen.any() else math.nan
+
+    lateral = along["y"] > 0.5
+    return {"lateral": first(lateral),
+            "yaw": first((waves == 1) & ~radial),
+            "wind-up": first((waves == 0) & ~lateral),
+            "longitudinal": first(radial)}
+
+
+def loaded_tire(run, name, entries, loaded="load"):
+    """What is compared, of a run of the shipped stages."""
+    results = run(name, "radial_tire.prm", entries)
+    stage = results.stage(loaded)
+    vertical = results.stiffness().where(stage=loaded, motion="approach")
+    result = {"deflection": stage.last("approach"),
+              "force": stage.last("force"),
+              "vertical": vertical["tangent"][-1],
+              "length": stage.last("footprint_length"),
+              "width": stage.last("footprint_width"),
+              "area": stage.last("footprint_area"),
+              "curve": [list(stage.history["approach"]), list(stage.history["force"])],
+              "lateral": change_of_force(results, "lateral", loaded, "F_y", 1),
+              "longitudinal": change_of_force(results, "longitudinal", loaded, "F_z", 0.5),
+              "turn": change_of_force(results, "turn", loaded, "M_x",
+                                      0.2 * math.pi / 180) / 1000}
+    modes = results.modes()
+    if modes is not None and len(modes) > 0:
+        result["frequencies"] = name_modes(modes)
+        result["mass"] = modes["total_mass"][0] * 1000
+    return result
+
+
+def at_pressure(run, pressure):
+    """The tire loaded at another pressure than that of its shape."""
+    return loaded_tire(run, f"radial {pressure}", {
+        "Number of stages": 4, "Stage 2/Modes": 0,
+        "Stage 3/Name": "pressure", "Stage 3/Contact": False, "Stage 3/Control": "load",
+        "Stage 3/Force": 0, "Stage 3/Pressure": pressure, "Stage 3/Steps": 1,
+        "Stage 4/Name": "load", "Stage 4/Contact": True, "Stage 4/Glued": False,
+        "Stage 4/Control": "foundation force", "Stage 4/Force": LOAD,
+        "Stage 4/Slide": "unchanged", "Stage 4/Steps": 4})
+
+
+def cornering(run, scratch):
+    """N per degree: the secant of the side force at two slip angles. The tread is
+    bristles, and rolling has no inertia."""
+    tire = RadialTire()
+    entries = {
+        **radial_settings(tire, scratch / "no tread", tread=False),
+        "Laminate/Layers": "one", "Number of stages": 6, "Stage 2/Modes": 0,
+        "Contact/Tread/Height": tire.tread_height - 0.5, "Contact/Tread/Modulus": 3.35,
+        "Contact/Regularization": "automatic",
+        "Contact/Tangential regularization": "automatic",
+        "Contact/Multiplier mass": "lumped", "Contact/Rolling friction": "bristles",
+        "Stage 3/Friction": 0}
+    free = {"Contact": True, "Glued": False, "Friction": "", "Slide": "unchanged",
+            "Turn": "unchanged", "Control": "foundation force and axle moment",
+            "Force": LOAD}
+    for number, (name, more) in enumerate((
+            ("free", {"Ground velocity": 1, "Start from": 3}),
+            ("left", {"Slip angle": SLIP_ANGLE, "Start from": 4}),
+            ("right", {"Slip angle": -SLIP_ANGLE, "Start from": 4})), start=4):
+        for entry, value in {"Name": name, **free, **more}.items():
+            entries[f"Stage {number}/{entry}"] = value
+    rolling = run("radial cornering", "radial_tire.prm", entries).rolling()
+    force = dict(zip(rolling["stage"], rolling["F_y"]))
+    return {"cornering": (force["right"] - force["left"]) / (2 * SLIP_ANGLE),
+            "radius": rolling.where(stage="free")["rolling_radius"][-1]}
+
+
+def radial_variants(run, scratch):
+    """What other inputs do."""
+    cords = {"Material carcass/E_L compression": "E_L"}
+    cases = [
+        ("by the rules", {}, {}),
+        ("carcass cords of 2000 instead of 1289 N", {}, {"Material carcass/E_cord": 6845}),
+        ("carcass cords as stiff in compression as in tension", {}, cords),
+        ("rubber of the sidewall 6 instead of 3 MPa", {}, {"Material sidewall/E": 6}),
+        ("sidewall 4 instead of 2.5 mm", {"sidewall": 4}, {}),
+        ("rubber of the carcass 8 instead of 4 MPa", {}, {"Material carcass/E_rubber": 8}),
+        ("apex 50 instead of 30 mm over the rim", {"apex": 49.9}, {}),
+        ("apex of 80 instead of 40 MPa", {}, {"Material apex/E": 80}),
+        ("turn-up 70 instead of 50 mm over the rim", {"turn_up": 70}, {}),
+        ("belts at 20 instead of 24°", {"belt_angle": 20}, {}),
+        ("belts at 28 instead of 24°", {"belt_angle": 28}, {}),
+        ("rubber of the belts 5 instead of 10 MPa", {}, {"Material belt/E_rubber": 5}),
+        ("tread of 8 instead of 5 MPa", {}, {"Material tread/E": 5.36}),
+        ("flange 10 mm higher", {"flange": 27.5}, {}),
+        ("cells half as long", {}, {
+            "Mesh/Intervals alpha_2": "-180:-22:28:smooth, -22:22:48, 22:180:28:smooth"})]
+    results = []
+    for words, rules, entries in cases:
+        directory = scratch / "radial" / words.replace(" ", "_")
+        tire = RadialTire(**rules)
+        results.append((words, loaded_tire(run, f"radial {words}", {
+            **radial_settings(tire, directory), **entries})))
+        print(words, flush=True)
+    return results
+
+
+# ------------------------------------------------------------ aircraft tires, deeper
+
+
+def read_table(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def deep_tires(run):
+    """The tires of the databook under twice the rated load."""
+    results = []
+    bottoming = {row["name"]: row for row in read_table(HERE / "bottoming.csv")}
+    for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv"):
+        tire = Construction(row)
+        loaded = run(f"twice {row['name']}", "aircraft_tire.prm", {
+            **tire.settings(), "Number of stages": 2,
+            "Stage 2/Travel": "unchanged", "Stage 2/Control": "foundation force",
+            "Stage 2/Force": f"{2000 * tire.load:.10g}", "Stage 2/Steps": 8},
+            may_stop=True)
+        history = loaded.history
+        radius = float(bottoming[row["name"]]["radius_mm"])
+        results.append({
+            "name": row["name"], "rated": tire.load, "deflection": tire.deflection,
+            "bottoming load": float(bottoming[row["name"]]["load_kN"]),
+            "bottoming": tire.diameter / 2 - radius,
+            "force": history["force"][-1] / 1000, "approach": history["approach"][-1],
+            "at rated": float(np.interp(tire.load, history["force"] / 1000,
+                                        history["approach"]))})
+        print(row["name"], f"{results[-1]['force'] / tire.load:.2f} of the rated load, "
+              f"{results[-1]['approach']:.1f} mm", flush=True)
+    return results
+
+
+# ------------------------------------------------------------------------ cylinders
+
+# of the shipped file: what is a step of the shortening, in mm
+SHORTENING, STEPS, CUTS = 0.5, 10, 4
+WALL = 0.5
+FINE = {"Mesh/Intervals alpha_1": "0:510:108", "Mesh/Intervals alpha_2": "-180:180:288"}
+NO_IMPERFECTION = {"Surface/Imperfection/Formula": "0"}
+PREDICTION = {**NO_IMPERFECTION, "Stage 1/Load factor": 0.02, "Stage 1/Steps": 1,
+              "Stage 1/Buckling": 2}
+
+
+def axial_force(results):
+    """kN, in each step."""
+    return -results.forces().where(body="alpha_1 max")["F_y"] / 1000
+
+
+def cylinder(run):
+    """Forces in kN: predicted for the perfect cylinder, and the largest with each
+    imperfection."""
+    result = {}
+    for name, mesh in (("coarse", {}), ("fine", FINE)):
+        predicted = run(f"cylinder {name}", "imperfect_cylinder.prm",
+                        {**PREDICTION, **mesh})
+        result[name] = axial_force(predicted)[0] * predicted.buckling()["factor"][0]
+        if name == "coarse":
+            waves = predicted.buckling()
+            result["waves"] = [int(waves["circumferential_waves"][0]),
+                               int(waves["meridional_half_waves"][0])]
+            shape = predicted.directory / "buckling-0001-001.csv"
+    inside_out = run("cylinder inside out", "imperfect_cylinder.prm", {
+        **PREDICTION, "Laminate/Plies": "carbon: 0.125 @ -+41, carbon: 0.125 @ -+24"})
+    result["inside out"] = (axial_force(inside_out)[0]
+                            * inside_out.buckling()["factor"][0])
+
+    def collapse(name, entries):
+        steps = run(f"cylinder {name}", "imperfect_cylinder.prm", {
+            "Stage 1/Steps": STEPS, "Stage 1/Load factor": 1,
+            "Stage 1/Critical points": "locate",
+            "Newton/Maximum iterations": 10, "Step control/Maximum cuts": CUTS, **entries},
+            may_stop=True)
+        print(f"cylinder {name}: {axial_force(steps).max():.2f} kN", flush=True)
+        return axial_force(steps).max()
+
+    result["shape"] = [(part, collapse(f"shape {part}", {
+        "Surface/Imperfection/Tables": f"shape: {shape}",
+        "Surface/Imperfection/Formula": f"{part * WALL}*shape"}))
+        for part in (0.05, 0.5)]
+    dent = "exp(-((alpha_1 - 255)^2 + (250*pi/180*alpha_2)^2)/325)"
+    result["dent"] = [(part, collapse(f"dent {part}", {
+        "Surface/Imperfection/Formula": f"{-part * WALL}*{dent}"}))
+        for part in (0.2, 0.5, 1)]
+    result["push"] = []
+    for force in (2, 5, 10):
+        pushed = {**NO_IMPERFECTION, "Named points": "middle: 255 0",
+                  "Loads/Point forces": f"middle: {-force} 0 0",
+                  "Number of stages": 2, "Stage 1/Name": "push", "Stage 1/Steps": 2,
+                  "Stage 1/Load factor": 0,
+                  "Stage 1/Load factors": "point forces: 1",
+                  "Stage 2/Name": "compression", "Stage 2/Steps": STEPS,
+                  "Stage 2/Load factor": 1, "Stage 2/Load factors": "point forces: 1",
+                  "Stage 2/Critical points": "locate"}
+        result["push"].append((force, collapse(f"push {force}", pushed)))
+    return result
+
+
+# ----------------------------------------------------------------------------- page
+
+# MF-Tyre's example: deflections in mm under 2, 3 and 4 kN, evaluated from the file
+CURVES = {0.18: (11.98, 17.64, 23.12), 0.22: (10.49, 15.47, 20.31),
+          0.26: (9.32, 13.78, 18.12)}
+
+
+def fill(text):
+    return "\n\n".join(part if part.lstrip().startswith("|") else
+                       textwrap.fill(" ".join(part.split()), 100, break_on_hyphens=False)
+                       for part in text.strip().split("\n\n"))
+
+
+def compared(words, computed, published, form=".0f"):
+    return [words, format(computed, form), format(published, form),
+            f"{100 * (computed / published - 1):+.0f} %"]
+
+
+def draw(path, data):
+    """The section of the tire, and load over deflection."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, (section, curve) = plt.subplots(1, 2, figsize=(9.5, 3.9))
+    tire = RadialTire()
+    points, lengths = tire.profile()
+    middle = lengths / lengths[-1] * 0 + points[:, 0]
+    section.plot(points[:, 1], middle, "k", linewidth=1, label="carcass")
+    normals = np.gradient(points, axis=0)
+    normals = np.column_stack([normals[:, 1], -normals[:, 0]])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    at = np.abs(lengths - lengths[-1] / 2)
+    on_tread = np.clip((tire.tread_edge + tire.taper - at) / tire.taper, 0, 1)
+    belts = np.where(at < tire.half_belts()[0], 2 * tire.belt + tire.cap, 0)
+    outer = tire.sidewall - 0.3 + 0.5 + (tire.tread_height - tire.sidewall) * on_tread
+    for height, color, name in ((belts, "C3", "belts and cap"),
+                                (belts + outer, "0.6", "sidewall, tread")):
+        shifted = points + height[:, None] * normals
+        section.plot(shifted[:, 1], shifted[:, 0], color=color, linewidth=1, label=name)
+    section.set_aspect("equal")
+    section.set_xlabel("y, mm")
+    section.set_ylabel("radius, mm")
+    section.legend(fontsize=8)
+    curves = {0.22: data["variants"][0][1]["curve"],
+              0.18: data["pressures"][0]["curve"], 0.26: data["pressures"][1]["curve"]}
+    for number, (pressure, (approach, force)) in enumerate(sorted(curves.items())):
+        curve.plot([0, *approach], [0, *np.array(force) / 1000], color=f"C{number}",
+                   label=f"{pressure} MPa")
+        curve.plot(CURVES[pressure], (2, 3, 4), "o", color=f"C{number}", markersize=4)
+    curve.set_xlabel("deflection, mm")
+    curve.set_ylabel("load, kN")
+    curve.legend(fontsize=8, title="dots: published", title_fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+def radial_section(data):
+    rules = data["variants"][0][1]
+    published = PUBLISHED
+    lower, higher = data["pressures"]
+    at_rules = [pressure["force"] for pressure in (lower, higher)]
+    assert np.allclose(at_rules, LOAD, rtol=1e-4)
+
+    def load_at(case, deflection):
+        return np.interp(deflection, [0, *case["curve"][0]], [0, *case["curve"][1]])
+
+    deflection = higher["deflection"]
+    slope = (load_at(higher, deflection) - load_at(lower, deflection)) / 0.08
+    part = slope * PRESSURE / load_at(rules, deflection)
+    rows = [
+        compared("deflection, mm", rules["deflection"], published["deflection"][0.22], ".1f"),
+        compared("vertical stiffness, N/mm", rules["vertical"], published["vertical"][0.22]),
+        compared("lateral stiffness, N/mm", rules["lateral"], published["lateral"]),
+        compared("longitudinal stiffness, N/mm", rules["longitudinal"],
+                 published["longitudinal"]),
+        compared("torsional stiffness, N m/rad", rules["turn"], published["turn"]),
+        compared("length of the footprint, mm", rules["length"], published["length"]),
+        compared("width of the footprint, mm", rules["width"], published["width"]),
+        *(compared(f"frequency, {name}, Hz", rules["frequencies"][name], frequency, ".1f")
+          for name, frequency in published["frequencies"].items()),
+        compared("cornering stiffness, N/degree", data["cornering"]["cornering"],
+                 published["cornering"]),
+        compared("mass, kg", rules["mass"], published["mass"], ".1f"),
+        compared("deflection at 0.18 MPa, mm", lower["deflection"],
+                 published["deflection"][0.18], ".1f"),
+        compared("deflection at 0.26 MPa, mm", higher["deflection"],
+                 published["deflection"][0.26], ".1f")]
+    variants = []
+    for words, case in data["variants"]:
+        frequencies = case["frequencies"]
+        variants.append([
+            words, f"{case['deflection']:.1f}", f"{case['vertical']:.0f}",
+            f"{case['lateral']:.0f}", f"{case['longitudinal']:.0f}",
+            f"{case['turn']:.0f}",
+            *(f"{frequencies[name]:.1f}" for name in published["frequencies"])])
+    variants.append(["**published**", f"{published['deflection'][0.22]}",
+                     f"{published['vertical'][0.22]:.0f}", f"{published['lateral']:.0f}",
+                     f"{published['longitudinal']:.0f}", f"{published['turn']}",
+                     *(f"{frequency:.1f}"
+                       for frequency in published["frequencies"].values())])
+    return "\n\n".join([
+        "## A radial tire",
+        fill(f"""
+        [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
+        size by [radial_tire.py](measured_tires/radial_tire.py), which writes the meridian and the
+        plies of any other size, too. The values published for this size are those of an example file
+        of MF-Tyre ([TNO 2013](references.bib#TNO2013)), the coefficients of a tire and no record of a
+        measurement; its torsional stiffness is a round default. **Nothing here is fitted to them.**
+        """),
+        table(["Rule", "Value", "Source"], [
+            ["outer radius, section width", "313.5 mm, 209 mm", "TNO 2013; usual for the size"],
+            ["tread", "0.75 of the section width, drop 8.5 mm at its edge",
+             "a cut 195/55 R20 ([Tire Industry](references.bib#TireIndustry2024))"],
+            ["groove, rubber below, land", "7.5 mm, 2 mm, 67 %", "the same; estimate"],
+            ["carcass", "1 ply of polyester 1440/2, 105 cords per dm on the drum, 0.61 mm, "
+             "E = 4411 MPa", "[cord maker](references.bib#DITPolyester): 58 N at 4.5 %"],
+            ["belts", "2 plies of steel 2+2x0.25, 80 per dm, ±24°, 190 GPa; 0.95 and 0.89 of the "
+             "tread's width", "the same tire; estimate"],
+            ["cap", "1 ply of nylon 940/2, 80 per dm, E = 1953 MPa", "[cord maker](references.bib#FTCNylon); estimate"],
+            ["apex, turn-up", "to 30 and 50 mm over the rim's radius; 8 mm at the base",
+             "estimate"],
+            ["liner, sidewall", "1 mm, 2.5 mm", "a cut 245/45 R18 ([Smithers](references.bib#Smithers9120)); estimate"],
+            ["rubber, E", "tread 5, sidewall 3, carcass 4, belts 10, apex 40, liner 2 MPa",
+             "estimate"]]),
+        fill(f"""
+        The shape of the carcass under pressure follows: an arc under the belts, concentric with the
+        tread, and beside it the curve in which cords along the meridian carry the pressure, as in
+        [theory.md](theory.md), section 1, through the widest point and the flange of the rim, 5 mm
+        beside it. Where it leaves the arc is the result, {RadialTire().shoulder:.0f} mm from the
+        middle: by itself a few millimeters inside the edge of the belts,
+        {RadialTire().half_belts()[0]:.0f} mm. The widest point is at
+        {RadialTire().widest:.0f} mm, half the height of the section. Two layers: sidewall and tread,
+        and all inside them. Cords of textile buckle in compression.
+        """),
+        "![Section of the tire with carcass, belts and outer surface; load over deflection at three "
+        "pressures](figures/radial_tire.png)",
+        "Under 4000 N at 0.22 MPa, unless said otherwise:",
+        table(["", "Computed", "Published", ""], rows),
+        fill(f"""
+        Stiffnesses are without slip, secants of 1 mm, 0.5 mm and 0.2°; frequencies those of the
+        inflated tire on a fixed rim, not loaded: lateral, yaw (a pair, out of the plane of the wheel), wind-up (about
+        the axle) and longitudinal (a pair). The cornering stiffness is that of a tread of bristles at
+        ±{SLIP_ANGLE}°; the coefficients of the same size in [Pacejka 2006](references.bib#Pacejka2006) give
+        {published['other cornering']} N per degree. At the same deflection, {100 * (1 - part):.0f} % of the
+        load does not depend on the pressure; in TNO's file it is 29 %.
+        """),
+        fill("""
+        So the tire by these rules is too soft, most where the sidewall shears: around the axle and
+        along the ground. What of it can be explained by inputs that nobody published is in the table:
+        """),
+        table(["Input", "Deflection, mm", "Vertical, N/mm", "Lateral, N/mm",
+               "Longitudinal, N/mm", "Torsional, N m/rad", "Lateral, Hz", "Yaw, Hz",
+               "Wind-up, Hz", "Longitudinal, Hz"], variants)])
+
+
+def deep_section(data):
+    rows, ratios, reached = [], [], 0
+    for tire in data["deep"]:
+        load, rated = tire["force"], tire["rated"]
+        interpolated = tire["deflection"] + (tire["bottoming"] - tire["deflection"]) * (
+            (2 * rated - rated) / (tire["bottoming load"] - rated))
+        whole = load > 1.999 * rated
+        reached += whole
+        if whole:
+            ratios.append(tire["approach"] / interpolated)
+        rows.append([tire["name"], f"{rated:.1f}",
+                     f"{tire['at rated']:.1f} ({tire['at rated'] / tire['deflection']:.2f})",
+                     f"{tire['approach']:.1f}" if whole else
+                     f"ends at {load / rated:.2f} times, {tire['approach']:.1f}",
+                     f"{interpolated:.1f}",
+                     f"{tire['approach'] / interpolated:.2f}" if whole else "",
+                     f"{tire['bottoming load']:.0f}, {tire['bottoming']:.1f}"])
+    return "\n\n".join([
+        "## Aircraft tires under twice the rated load",
+        fill(f"""
+        [real_tires.md](real_tires.md) presses 28 tires of a databook to their rated deflection. The
+        databook has one more point, load and radius at which a tire bottoms on the rim
+        ([bottoming.csv](measured_tires/bottoming.csv)). Neither is a measurement of one tire: the
+        load is three times the rated one in all rows but two, and the rated deflection 32 % of the height
+        over the flange. So the deflection under twice the rated load lies somewhere near the line
+        between both points. {reached} of 28 runs reach this load, with
+        {np.mean(ratios):.2f} ± {np.std(ratios):.2f} of the deflection on the line. In parentheses: relative to the
+        rated deflection.
+        """),
+        table(["Tire", "Rated load, kN", "Deflection, mm", "at twice the load, mm",
+               "on the line, mm", "Ratio", "Bottoming, kN, mm"], rows),
+        fill("""
+        How far a tire can be pressed beyond is in [real_tires.md](real_tires.md#toward-bottoming): the
+        sidewall folds until its linear material has no stiffness left, before the crown meets the rim.
+        """)])
+
+
+def cylinder_section(data):
+    forces = data["cylinder"]
+    perfect = forces["coarse"]
+
+    def rows(name, words):
+        return [[words.format(part), f"{force:.1f}", f"{force / perfect:.2f}"]
+                for part, force in forces[name]]
+
+    return "\n\n".join([
+        "## A composite cylinder with imperfections",
+        fill(f"""
+        [imperfect_cylinder.prm](../prm/imperfect_cylinder.prm) is the cylinder Z07 of tests at DLR: radius
+        250 mm, 510 mm long, four plies of 0.125 mm at 24, -24, 41, -41 degrees to the axis from the
+        inside, both ends clamped, with the constants of [DESICOS 2015](references.bib#DESICOS2015). The
+        perfect cylinder buckles at {perfect:.1f} kN by the linear prediction, in {forces['waves'][0]} waves around
+        and {forces['waves'][1]} half waves along it; with cells 2/3 as long, at {forces['fine']:.1f} kN. (With the plies
+        inside out it would be {forces['inside out']:.1f} kN.) A cylinder with a stress-free
+        [imperfection](theory.md#imperfections), or pushed from the side, is compressed until no
+        equilibrium is found in its neighborhood; the largest force is
+        """),
+        table(["Imperfection", "Force, kN", "over the perfect one"],
+              rows("shape", "shape of buckling, {:g} of the wall")
+              + rows("dent", "dent of 30 mm, {:g} of the wall")
+              + rows("push", "force of {:g} N from the side")),
+        fill(f"""
+        The database has a limit of 16.2 kN for this cylinder, and lists pushing forces of 1 to 10 N; which of them it belongs to it
+        does not say. Ten cylinders of the same layup by [Degenhardt et al. 2010](references.bib#Degenhardt2010)
+        failed between 21.3 and 25.7 kN, by a summary of their report. The lower bound of
+        [NASA SP-8007](references.bib#NASASP8007) for R/t = 500 is 0.32 of the perfect cylinder,
+        {0.32 * perfect:.1f} kN: it covers larger imperfections than these, and all that is not known of them.
+        Steps are {SHORTENING / STEPS} mm of shortening, halved up to four times, so that a force is at
+        most {SHORTENING / STEPS / 2**CUTS * 74:.1f} kN too low.
+        """)])
+
+
+def write(directory, data):
+    draw(directory / "figures/radial_tire.png", data)
+    text = "\n\n".join([
+        "<!-- Written by doc/measured_tires/measured_tires.py: cmake --build build --target "
+        "measured_tires -->",
+        "# Tires and shells beside published values",
+        fill("""
+        What is given, what was assumed, and what came out, also where it disagrees. Nothing is fitted
+        unless it is said.
+        """),
+        radial_section(data), deep_section(data), cylinder_section(data),
+        "## Closed solutions",
+        fill("""
+        Three cases of pressurized walls, as tests:
+
+        | Case | Exact | Computed | Test |
+        | --- | ---: | ---: | --- |
+        | sphere under pressure and a point force, stiffness ([Vella et al. 2012](references.bib#Vella2012)) | 1694 N/mm | 1694.6 with a wall that is rigid in shear; a softer one is softer, without limit on finer meshes | `verification/sphere_under_pressure` |
+        | braided tube at 25°, 0.3 MPa, radius 10 mm: axial force by netting ([Chou and Hannaford 1996](references.bib#ChouHannaford1996)) | 866.9 N | 866.7 N | `model/braided_tube` |
+        | Mylar balloon: radius, half its thickness, over the radius of the disks ([Paulsen 1994](references.bib#Paulsen1994)) | 0.7628, 0.4569 | 0.7632, 0.4574 | `model/mylar_balloon` |
+
+        ## What was not found
+
+        Measured stiffnesses of the aircraft tires 40x12 and 32x8.8 (reports of NASA and of the University of
+        Michigan), and modes of a 205/60 R15 as numbers: only titles and abstracts could be read. Load and
+        deflection of a 335/65 R22.5 at four pressures in Project Chrono's data are no measurements of
+        it: the file of 60 psi is an interpolation between others.
+        """)])
+    (directory / "measured_tires.md").write_text(text + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    arguments = parse_arguments("measured_tires", __doc__.split("\n", 1)[0])
+
+    def run(name, example, entries, may_stop=False):
+        return biface.run(EXAMPLES / example, {**QUIET, **entries},
+                          arguments.scratch / name.replace(" ", "_").replace("°", ""),
+                          program=arguments.program, may_stop=may_stop)
+
+    def cached(name, compute):
+        """Results of a part of the page; those of an earlier run if newer than the
+        program."""
+        path = arguments.scratch / f"{name}.json"
+        if not (path.exists() and path.stat().st_mtime
+                > Path(arguments.program).stat().st_mtime):
+            path.write_text(json.dumps(compute(), indent=1), encoding="utf-8")
+        return json.loads(path.read_text(encoding="utf-8"))
+
+    write(arguments.output, {
+        "variants": cached("variants", lambda: radial_variants(run, arguments.scratch)),
+        "pressures": cached("pressures", lambda: [at_pressure(run, pressure)
+                                                  for pressure in (0.18, 0.26)]),
+        "cornering": cached("cornering", lambda: cornering(run, arguments.scratch)),
+        "cylinder": cached("cylinder", lambda: cylinder(run)),
+        "deep": cached("deep", lambda: deep_tires(run))})

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_imperfection_h
+#define biface_surface_imperfection_h
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <biface/input/formula.h>
+#include <biface/input/named_files.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  /**
+   * The deviation of the stress-free shell from its reference surface, along
+   * the outward normal: a formula of the position, and of tables of measured
+   * deviations or of the shapes in which the shell buckles.
+   */
+  class Imperfection
+  {
+  public:
+    /** Rows of both coordinates and a deviation. */
+    struct Table
+    {
+      NamedFile                     file;
+      std::vector<dealii::Point<3>> rows;
+    };
+
+    struct Parameters
+    {
+      /** "0" if there is none. */
+      std::string        formula = "0";
+      std::vector<Table> tables;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      bool
+      is_zero() const
+      {
+        return formula == "0";
+      }
+
+      /** Read the tables. Must be called on all ranks. Throws InputError. */
+      void
+      read_files(const MPI_Comm communicator);
+
+      /** Throws InputError if the formula uses what it does not know, or if a
+       * table is not used. */
+      void
+      check() const;
+    };
+
+    /** The surface is kept by reference. Throws InputError if the rows of a
+     * table are not those of a grid, see GridData. */
+    Imperfection(const Parameters &parameters, const ReferenceSurface &surface);
+
+    /** The deviation at a position with given coordinates. Throws InputError if
+     * it is not a finite number. Unit: length. */
+    double
+    operator()(const dealii::Point<3> &x, const dealii::Point<2> &alpha) const;
+
+  private:
+    using Interpolation =
+      dealii::Functions::InterpolatedTensorProductGridData<2>;
+
+    /** Bilinear between the rows, constant beyond. */
+    struct Chart
+    {
+      std::shared_ptr<const Interpolation> values;
+      /** The first row of the second coordinate, which repeats after a full
+       * turn. */
+      double start;
+    };
+
+    const ReferenceSurface &surface;
+    Formula                 formula;
+    std::vector<Chart>      charts;
+    /** The period of the second coordinate in the user's unit; 0 for none. */
+    double period;
+  };
+} // namespace Biface
+
+#endif
