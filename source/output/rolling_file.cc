@@ -17,7 +17,7 @@ namespace Biface
     : StepTable(
         "rolling.csv",
         "step,stage,angular_velocity,ground_velocity,slip_angle,"
-        "rolling_radius,slip_ratio,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
+        "inclination_angle,rolling_radius,slip_ratio,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
         "ground_power,friction_power,normal_power,mismatch,sliding_power,release_power" +
           std::string(equations.mesh.layup.has_loss()
                         ? ",hysteresis_power,rolling_resistance"
@@ -49,6 +49,7 @@ namespace Biface
       report.level.angular_velocity,
       report.level.ground_velocity,
       report.level.slip_angle,
+      report.level.inclination_angle,
       rolling.rolling_radius,
       report.slip_ratio.value_or(std::numeric_limits<double>::quiet_NaN())};
     for (const Tensor<1, 3> &vector : {rolling.force, rolling.moment})

@@ -160,8 +160,7 @@ namespace Biface
              "in alpha_2 = true'");
     if (!sensitivities.entries.empty())
       refuse("an empty entry 'Sensitivities/Entries'");
-    const unsigned int start =
-      tire_test.start_from == 0 ? stages.size() : tire_test.start_from;
+    const unsigned int start = tire_test.number_of_start(stages);
     if (rolling_stages()[start - 1])
       refuse(
         "a stage 'Start from' in which the wheel does not roll, not stage " +

@@ -171,8 +171,7 @@ namespace Biface
                            number_to_string(*value),
                            "a value must not appear twice");
 
-    const Stage &base =
-      stages[(start_from == 0 ? stages.size() : start_from) - 1];
+    const Stage      &base    = stages[number_of_start(stages) - 1];
     const std::string section = "Tire test/Start from";
     const std::string number =
       start_from == 0 ? "last" : std::to_string(start_from);
@@ -201,9 +200,7 @@ namespace Biface
     {
     public:
       TestStages(const TireTest &test, std::vector<Stage> &stages)
-        : test(test)
-        , stages(stages)
-        , base(test.start_from == 0 ? stages.size() : test.start_from)
+        : test(test), stages(stages), base(test.number_of_start(stages))
       {}
 
       void

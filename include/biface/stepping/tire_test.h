@@ -70,6 +70,13 @@ namespace Biface
       return !loads.empty();
     }
 
+    /** The number of the stage from whose end the test starts. */
+    unsigned int
+    number_of_start(const std::vector<Stage> &stages) const
+    {
+      return start_from == 0 ? stages.size() : start_from;
+    }
+
     void
     add_parameters(dealii::ParameterHandler &prm);
 
