@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -357,8 +358,16 @@ namespace Biface
               cell = Utilities::trim(cell.substr(1, cell.size() - 2));
             cells.push_back(cell);
           }
+        if (cells.empty())
+          continue;
+        const auto is = [&](const unsigned int i, const std::string &name) {
+          std::string cell = cells.size() > i ? cells[i] : "";
+          for (char &c : cell)
+            c = std::tolower(static_cast<unsigned char>(c));
+          return cell == name;
+        };
         const bool is_header =
-          (header_allowed && !cells.empty() && cells[0] == "material");
+          header_allowed && is(0, "material") && is(1, "thickness");
         header_allowed = false;
         if (is_header)
           continue;

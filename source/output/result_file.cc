@@ -105,6 +105,29 @@ namespace Biface
   }
 
 
+  void
+  ResultsDirectory::refuse_input(const std::string &names) const
+  {
+    std::string found;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &path : kept)
+        {
+          std::error_code error;
+          const fs::path  file = fs::absolute(path, error);
+          if (!error &&
+              std::regex_match(file.filename().string(), std::regex(names)) &&
+              fs::equivalent(file.parent_path(), name, error))
+            found = path;
+        }
+    found = Utilities::MPI::broadcast(communicator, found);
+    if (!found.empty())
+      throw InputError("the input file " + quoted(found, 300) +
+                       " would be overwritten: it lies in 'Output/Directory' "
+                       "and has the name of a file of results; choose another "
+                       "name or directory.");
+  }
+
+
   std::string
   ResultsDirectory::path(const std::string &file)
   {

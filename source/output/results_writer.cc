@@ -79,6 +79,9 @@ namespace Biface
     add(std::make_unique<PliesVtu>(
       parameters.plies_vtu, parameters.criteria, directory, equations));
 
+    for (const auto &file : files)
+      if (file->is_wanted())
+        directory.refuse_input(file->names_of_files());
     // what an earlier run has written there is not of this one
     if (!continued)
       for (const auto &file : files)

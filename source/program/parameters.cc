@@ -697,6 +697,7 @@ namespace Biface
     std::vector<std::string> names{surface.points_file.name};
     for (const Imperfection::Table &table : surface.imperfection.tables)
       names.push_back(table.file.file_name);
+    names.insert(names.end(), plies_files.begin(), plies_files.end());
     for (const TableFile &table : laminate.tables)
       names.push_back(table.file.name);
     for (const MaterialParameters &material : materials)

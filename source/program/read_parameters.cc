@@ -38,6 +38,8 @@ namespace Biface
       std::string text;
       /** The number of stages according to it and the sources before it. */
       unsigned int n_stages = 1;
+      /** Whether it is a file of plies. */
+      bool is_plies_file = false;
     };
 
 
@@ -327,6 +329,8 @@ namespace Biface
           surplus.merge(remove_surplus_stages(source, n_stages));
           check_sections(source, materials, bodies, n_stages);
           parse_parameter_text(prm, source.name, source.text, false);
+          if (source.is_plies_file)
+            parameters.plies_files.push_back(source.name);
         }
 
       make_names_absolute(file_name, parameters, prm);
@@ -375,10 +379,11 @@ namespace Biface
                   .string();
               const std::string plies =
                 plies_of_csv(read_file(path, communicator), path);
-              sources.insert(sources.begin() + i + 1,
-                             {path,
-                              "subsection Laminate\n  set Plies = " + plies +
-                                "\n  set Plies file =\nend\n"});
+              Source source{path,
+                            "subsection Laminate\n  set Plies = " + plies +
+                              "\n  set Plies file =\nend\n"};
+              source.is_plies_file = true;
+              sources.insert(sources.begin() + i + 1, source);
             }
           catch (const InputError &error)
             {

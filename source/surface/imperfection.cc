@@ -73,10 +73,19 @@ namespace Biface
                "commas. Each CSV file has rows 'alpha_1, alpha_2, value' that "
                "form a rectangular grid, such as measured deviations, or the "
                "shapes in buckling-NNNN-MMM.csv; values are interpolated "
-               "linearly, constant beyond the grid, and on a surface of "
-               "revolution they repeat after a full turn. Paths are relative "
+               "linearly and constant beyond the grid; on a surface of "
+               "revolution the last column of a full turn need not repeat the "
+               "first. Paths are relative "
                "to the parameter file; see 'Laminate/Tables' for names in "
                "double quotes.");
+  }
+
+
+  bool
+  Imperfection::Parameters::is_zero() const
+  {
+    const Formula number(imperfection_section + "Formula", formula);
+    return number.used_names().empty() && Formula("", formula, {})({}) == 0;
   }
 
 
@@ -120,20 +129,36 @@ namespace Biface
         auto              &turn = grid.rows[1];
         const unsigned int n = grid.rows[0].size(), m = turn.size();
         constexpr double   round_off = 1e-9;
-        const double       start     = turn[0];
-        const bool         closes =
-          period > 0 && turn[m - 1] < start + period * (1 - round_off);
-        if (period > 0 && turn[m - 1] > start + period * (1 + round_off))
+        const double       start = turn[0], span = turn[m - 1] - start;
+        if (period > 0 && span > period * (1 + round_off))
           throw InputError(table.file.file_name +
                            ": alpha_2 must not span more than a full turn.");
-        if (closes)
+        double widest = 0;
+        for (unsigned int j = 1; j < m; ++j)
+          widest = std::max(widest, turn[j] - turn[j - 1]);
+        const bool is_turn = period > 0 && span > period * (1 - round_off);
+        // a table of the full turn need not repeat its first column
+        if (period > 0 && !is_turn && period - span < 1.5 * widest)
           turn.push_back(start + period);
         dealii::Table<2, double> values(n, turn.size());
         for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < turn.size(); ++j)
-            values(i, j) = grid.values[std::size_t(i) * m + (j < m ? j : 0)];
+          {
+            const double *row = &grid.values[std::size_t(i) * m];
+            for (unsigned int j = 0; j < turn.size(); ++j)
+              values(i, j) = row[j < m ? j : 0];
+            if (is_turn &&
+                std::abs(row[0] - row[m - 1]) >
+                  round_off * (std::abs(row[0]) + std::abs(row[m - 1])))
+              throw InputError(
+                table.file.file_name +
+                ": the values at alpha_2 = " + number_to_string(start) +
+                " and " + number_to_string(turn[m - 1]) +
+                " belong to the same points and must be the same.");
+          }
         charts.push_back(
-          {std::make_shared<const Interpolation>(grid.rows, values), start});
+          {std::make_shared<const Interpolation>(grid.rows, values),
+           start,
+           turn.back()});
       }
   }
 
@@ -146,7 +171,12 @@ namespace Biface
       {
         Point<2> at(values[3], values[4]);
         if (period > 0)
-          at[1] -= period * std::floor((at[1] - chart.start) / period);
+          {
+            at[1] -= period * std::floor((at[1] - chart.start) / period);
+            // beyond the rows, that of the nearer end
+            if (at[1] - chart.end > chart.start + period - at[1])
+              at[1] = chart.start;
+          }
         values.push_back(chart.values->value(at));
       }
     return formula(values);

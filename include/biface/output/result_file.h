@@ -42,6 +42,12 @@ namespace Biface
       kept.push_back(path);
     }
 
+    /** Throw InputError if one of the files to keep has a name in this
+     * directory that matches a regular expression, and so would be overwritten.
+     */
+    void
+    refuse_input(const std::string &names) const;
+
     /** Remove the files whose names match a regular expression, as far as the
      * system lets it, but those to keep.
      * @param last_step if set, only those with a greater number as the first

@@ -43,8 +43,10 @@ namespace Biface
    */
   struct Parameters
   {
-    Units                           units;
-    ReferenceSurface::Parameters    surface;
+    Units                        units;
+    ReferenceSurface::Parameters surface;
+    /** The files of plies whose contents are those of the laminate. */
+    std::vector<std::string>        plies_files;
     ChartGrid::Parameters           mesh;
     Layup::Parameters               laminate;
     ElementParameters               element;

@@ -36,7 +36,7 @@ namespace Biface
 
     struct Parameters
     {
-      /** "0" if there is none. */
+      /** 0 if there is none. */
       std::string        formula = "0";
       std::vector<Table> tables;
 
@@ -44,10 +44,7 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
 
       bool
-      is_zero() const
-      {
-        return formula == "0";
-      }
+      is_zero() const;
 
       /** Read the tables. Must be called on all ranks. Throws InputError. */
       void
@@ -76,9 +73,8 @@ namespace Biface
     struct Chart
     {
       std::shared_ptr<const Interpolation> values;
-      /** The first row of the second coordinate, which repeats after a full
-       * turn. */
-      double start;
+      /** The first and the last row of the second coordinate. */
+      double start, end;
     };
 
     const ReferenceSurface &surface;

@@ -427,6 +427,37 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** Whether supports prevent a displacement of a node along the normal, the
+     * same on all faces. */
+    bool
+    holds_normal(const Node &node, const AffineConstraints<double> &constraints)
+    {
+      const auto normal = node.dof(2, MixedElement::mean);
+      for (const auto dof : node.dofs)
+        {
+          if (!constraints.is_constrained(dof))
+            continue;
+          double value = 0;
+          bool   own   = true;
+          for (const auto &entry : *constraints.get_constraint_entries(dof))
+            {
+              // between cyclic edges it depends on another node
+              own = own && std::find(node.dofs.begin(),
+                                     node.dofs.end(),
+                                     entry.first) != node.dofs.end();
+              if (entry.first == normal)
+                value += entry.second;
+            }
+          if (own && std::abs(value - (dof == normal ? 1. : 0.)) > 1e-10)
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+
   void
   ShellMesh::deviate_by(const Imperfection &deviation)
   {
@@ -434,8 +465,11 @@ namespace Biface
     agree_on_errors(communicator, [&]() {
       for (const Node &node : nodes)
         if (node.locally_owned)
-          V(node.dof(2, MixedElement::mean)) =
-            deviation(node.surface.position, node.alpha);
+          {
+            const double w = deviation(node.surface.position, node.alpha);
+            V(node.dof(2, MixedElement::mean)) =
+              holds_normal(node, constraints) ? 0. : w;
+          }
     });
     V.compress(VectorOperation::insert);
     constraints.distribute(V);
