@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import textwrap
@@ -321,7 +322,7 @@ def cylinder(run):
     def collapse(name, entries):
         steps = run(f"cylinder {name}", "imperfect_cylinder.prm", {
             "Stage 1/Steps": STEPS, "Stage 1/Load factor": 1,
-            "Stage 1/Critical points": "locate",
+            "Stage 1/Critical points": "locate", "Stage 1/Buckling": 0,
             "Newton/Maximum iterations": 10, "Step control/Maximum cuts": CUTS, **entries},
             may_stop=True, until=is_unstable)
         print(f"cylinder {name}: {axial_force(steps).max():.2f} kN", flush=True)
@@ -357,9 +358,13 @@ CURVES = {0.18: (11.98, 17.64, 23.12), 0.22: (10.49, 15.47, 20.31),
 
 
 def fill(text):
-    return "\n\n".join(part if part.lstrip().startswith("|") else
-                       textwrap.fill(" ".join(part.split()), 100, break_on_hyphens=False)
-                       for part in text.strip().split("\n\n"))
+    """Paragraphs of lines; links are not broken."""
+    text = re.sub(r"\[[^\]]*\]\([^)]*\)",
+                  lambda link: " ".join(link[0].split()).replace(" ", "\0"), text)
+    return "\n\n".join(textwrap.dedent(part) if part.lstrip().startswith("|") else
+                       textwrap.fill(" ".join(part.split()), 100, break_on_hyphens=False,
+                                     break_long_words=False)
+                       for part in textwrap.dedent(text).strip().split("\n\n")).replace("\0", " ")
 
 
 def compared(words, computed, published, form=".0f"):
@@ -464,7 +469,7 @@ def radial_section(data):
              "a cut 195/55 R20 ([Tire Industry](references.bib#TireIndustry2024))"],
             ["groove, rubber below, land", "7.5 mm, 2 mm, 67 %", "the same; estimate"],
             ["carcass", "1 ply of polyester 1440/2, 105 cords per dm on the drum, 0.61 mm, "
-             "E = 4411 MPa", "[cord maker](references.bib#DITPolyester): 58 N at 4.5 %"],
+             "E = 4411 MPa", "58 N at 4.5 % ([cord maker](references.bib#DITPolyester))"],
             ["belts", "2 plies of steel 2+2x0.25, 80 per dm, ±24°, 190 GPa; 0.95 and 0.89 of the "
              "tread's width", "the same tire; estimate"],
             ["cap", "1 ply of nylon 940/2, 80 per dm, E = 1953 MPa", "[cord maker](references.bib#FTCNylon); estimate"],
@@ -477,9 +482,9 @@ def radial_section(data):
         The shape of the carcass under pressure follows: an arc under the belts, concentric with the
         tread, and beside it the curve in which cords along the meridian carry the pressure, as in
         [theory.md](theory.md), section 1, through the widest point and the flange of the rim, 5 mm
-        beside it. Where it leaves the arc is the result, {RadialTire().shoulder:.0f} mm from the
-        middle: by itself a few millimeters inside the edge of the belts,
-        {RadialTire().half_belts()[0]:.0f} mm. The widest point is at
+        beside it. It leaves the arc {RadialTire().shoulder:.0f} mm from the middle, a few millimeters
+        inside the edge of the belts at {RadialTire().half_belts()[0]:.0f} mm, though nothing prescribes
+        this place. The widest point is at
         {RadialTire().widest:.0f} mm, half the height of the section. Two layers: sidewall and tread,
         and all inside them. Cords of textile buckle in compression.
         """),
@@ -497,7 +502,11 @@ def radial_section(data):
         """),
         fill("""
         So the tire by these rules is too soft, most where the sidewall shears: around the axle and
-        along the ground. What of it can be explained by inputs that nobody published is in the table:
+        along the ground; and too light. What inputs that nobody published could explain is in the
+        table. Fillers of the bead do most: those 20 mm higher alone bring the frequencies of the
+        lateral and the yaw mode and a third of what lacks in the lateral stiffness, and with the flange 10 mm higher, where hardly
+        any filler is left above it, the tire loses more than half of it. No single input explains the
+        wind-up mode and the longitudinal stiffness.
         """),
         table(["Input", "Deflection, mm", "Vertical, N/mm", "Lateral, N/mm",
                "Longitudinal, N/mm", "Torsional, N m/rad", "Lateral, Hz", "Yaw, Hz",
@@ -587,6 +596,9 @@ def cylinder_section(data):
               + rows("dent", "dent of 30 mm, {:g} of the wall")
               + rows("push", "force of {:g} N from the side")),
         fill(f"""
+        Where the wall is pushed, the first instability may be a local one: under 5 N it snaps at the
+        force, under 10 N the dent has formed before. What the cylinder carries beyond was not followed.
+
         The database has a limit of 16.2 kN for this cylinder, and lists pushing forces of 1 to 10 N; which of them it belongs to it
         does not say. Ten cylinders of the same layup by [Degenhardt et al. 2010](references.bib#Degenhardt2010)
         failed between 21.3 and 25.7 kN, by a summary of their report. The lower bound of
