@@ -19,8 +19,9 @@ namespace Biface
   /**
    * A state stored by grid lines, which can be evaluated at any position of the
    * surface and on any rank, independently of the distribution of its mesh.
-   * Displacements since the stress-free state are interpolated bilinearly, with components in the frame of
-   * the surface; resultants are those of each cell and layer.
+   * Displacements since the stress-free state are interpolated bilinearly, with
+   * components in the frame of the surface; resultants are those of each cell
+   * and layer.
    */
   class GridState
   {
