@@ -158,7 +158,7 @@ is a guess.
 | `--nominal-load F`, `--nominal-pressure P` | FNOMIN and NOMPRES; by default the load nearest to the mean of all and the most frequent pressure |
 | `--velocity V` | LONGVL |
 | `--side RIGHT` | where the tire was mounted; LEFT by default |
-| `--structure DIRECTORY` | results of `biface` with stiffnesses or modes, see [below](#structure); may be repeated |
+| `--structure DIRECTORY` | results of `biface` with stiffnesses or modes, see Structure below; may be repeated |
 | `--picture FILE` | a picture |
 
 Forces of a finite element model have no noise, but errors of the mesh; nodes that enter contact
