@@ -46,7 +46,8 @@ install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
   PATTERN paraview/biface.py PATTERN python/tutorial.py
-  PATTERN aircraft_tires.csv PATTERN real_tires.py PATTERN example_page.py
+  PATTERN aircraft_tires.csv PATTERN real_tires.py PATTERN radial_tire.py PATTERN bottoming.csv
+      PATTERN measured_tires.py PATTERN relaxation.py PATTERN *.tir PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   FILES_MATCHING PATTERN *.prm PATTERN *.csv)

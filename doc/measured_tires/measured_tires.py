@@ -80,7 +80,8 @@ def change_of_force(results, stage, before, column, amount):
 
 def name_modes(modes):
     """Frequencies of the ring that moves as one: by the waves around the axle, the
-    effective masses, and the order of the rest."""
+    effective masses, and the order of the rest. For the tire by the rules
+    biface-tire-model finds the same by the shapes."""
     total = modes["total_mass"][0]
     along = {axis: modes[f"effective_mass_{axis}"] / total for axis in "xyz"}
     waves = modes["circumferential_waves"]
@@ -162,12 +163,11 @@ def cornering(run, scratch):
             "radius": rolling.where(stage="free")["rolling_radius"][-1]}
 
 
-# Of the tire tests from which the .tir files are: in parts of the nominal load, degrees
-# and slip ratios
+# Of the tire test from which the .tir file is: degrees, slip ratios, and parts of the
+# nominal load
 TEST = {"Inclination angles": "0", "Slip angles": "-8, -4, -1.5, 1.5, 4, 8",
-        "Slip ratios": "-0.15, -0.05, 0.05, 0.15", "Slip": "combined"}
+        "Slip ratios": "-0.15, -0.06, -0.02, 0.02, 0.06, 0.15", "Slip": "combined"}
 TESTED = (0.5, 1)
-AIRCRAFT = "32x8.8 14PR"
 
 
 def tested(loads, velocity, entries):
@@ -182,9 +182,8 @@ def tested(loads, velocity, entries):
             **{f"Tire test/{entry}": value for entry, value in TEST.items()}}
 
 
-def tire_models(run, scratch, output):
-    """Writes the .tir files of the radial tire and of an aircraft tire, and returns what
-    the fits print."""
+def tire_model(run, scratch, output):
+    """Writes the .tir file of the radial tire, and returns what the fit prints."""
     bristles = with_bristles(scratch)
     radial = run("test radial", "radial_tire.prm",
                  tested([part * LOAD for part in TESTED], 16700, bristles))
@@ -192,26 +191,13 @@ def tire_models(run, scratch, output):
     structure = [run("radial standing", "radial_tire.prm", {**bristles, "Stage 2/Modes": 0}),
                  run("radial vibrating", "radial_tire.prm",
                      {"Number of stages": 2, "Output/Write VTU": True})]
-    row = next(row for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv")
-               if row["name"] == AIRCRAFT)
-    plane = Construction(row)
-    entries = {entry: value for entry, value in plane.cornering_settings().items()
-               if not entry.startswith("Stage ") or entry == "Stage 1/Pressure"}
-    aircraft = run("test aircraft", "aircraft_tire.prm", tested(
-        [part * plane.load * 1000 for part in TESTED], 1, {
-            **entries, "Stage 2/Contact": False, "Stage 2/Travel": "unchanged",
-            "Stage 2/Steps": 1, "Stage 2/Pressure": plane.pressure}))
-    printed = {}
-    for name, results, more in (
-            ("radial_tire", radial, [
-                word for part in structure for word in ("--structure", part.directory)]),
-            ("aircraft_tire", aircraft, [])):
-        printed[name] = subprocess.run(
-            [sys.executable, "-m", "biface_tire_model", "fit", results.directory,
-             "--format", "6.1", "--output", output / f"{name}.tir", *map(str, more)],
-            env={**os.environ, "PYTHONPATH": str(HERE.parents[1] / "source/python")},
-            check=True, stdout=subprocess.PIPE, text=True).stdout
-    return printed
+    return subprocess.run(
+        [sys.executable, "-m", "biface_tire_model", "fit", radial.directory,
+         "--format", "6.1", "--nominal-load", str(LOAD),
+         "--output", output / "radial_tire.tir",
+         *(word for part in structure for word in ("--structure", part.directory))],
+        env={**os.environ, "PYTHONPATH": str(HERE.parents[1] / "source/python")},
+        check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
 def radial_variants(run, scratch):
@@ -227,7 +213,7 @@ def radial_variants(run, scratch):
         ("belts at 20 instead of 24°", {"belt_angle": 20}, {}),
         ("tread of 8 instead of 5 MPa", {}, {"Material tread/E": 5.36}),
         ("flange 10 mm higher", {"flange": 27.5}, {}),
-        ("cells half as long", {}, {
+        ("cells half as long around the axle", {}, {
             "Mesh/Intervals alpha_2": "-180:-22:28:smooth, -22:22:48, 22:180:28:smooth"})]
     results = []
     for words, rules, entries in cases:
@@ -248,8 +234,7 @@ def read_table(path):
 
 
 # of the 28 tires, those that are pressed deeper
-DEEP = ("18x5.5 10PR", "24x7.7 10PR", "26x6.6 12PR", "32x8.8 14PR", "40x12 20PR",
-        "46x16 28PR", "49x17 26PR")
+DEEP = ("24x7.7 10PR", "32x8.8 14PR", "40x12 20PR", "49x17 26PR")
 
 
 def deep_tires(run):
@@ -284,6 +269,7 @@ def deep_tires(run):
 
 # of the shipped file: what is a step of the shortening, in mm
 SHORTENING, STEPS, CUTS = 0.5, 10, 4
+STIFFNESS = 74  # kN/mm, of the perfect one
 WALL = 0.5
 FINE = {"Mesh/Intervals alpha_1": "0:510:108", "Mesh/Intervals alpha_2": "-180:180:288"}
 NO_IMPERFECTION = {"Surface/Imperfection/Formula": "0"}
@@ -380,15 +366,14 @@ def draw(path, data):
     figure, (section, curve) = plt.subplots(1, 2, figsize=(9.5, 3.9))
     tire = RadialTire()
     points, lengths = tire.profile()
-    middle = lengths / lengths[-1] * 0 + points[:, 0]
-    section.plot(points[:, 1], middle, "k", linewidth=1, label="carcass")
+    section.plot(points[:, 1], points[:, 0], "k", linewidth=1, label="carcass")
     normals = np.gradient(points, axis=0)
     normals = np.column_stack([normals[:, 1], -normals[:, 0]])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     at = np.abs(lengths - lengths[-1] / 2)
     on_tread = np.clip((tire.tread_edge + tire.taper - at) / tire.taper, 0, 1)
     belts = np.where(at < tire.half_belts()[0], 2 * tire.belt + tire.cap, 0)
-    outer = tire.sidewall - 0.3 + 0.5 + (tire.tread_height - tire.sidewall) * on_tread
+    outer = tire.sidewall + 0.2 + (tire.tread_height - tire.sidewall - 0.2) * on_tread
     for height, color, name in ((belts, "C3", "belts and cap"),
                                 (belts + outer, "0.6", "sidewall, tread")):
         shifted = points + height[:, None] * normals
@@ -458,15 +443,15 @@ def radial_section(data):
         "## A radial tire",
         fill(f"""
         [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
-        size by [radial_tire.py](measured_tires/radial_tire.py), which writes the meridian and the
-        plies of any other size, too. The values published for this size are those of an example file
+        size by [radial_tire.py](measured_tires/radial_tire.py), whose class `RadialTire` takes other
+        sizes, too. The values published for this size are those of an example file
         of MF-Tyre ([TNO 2013](references.bib#TNO2013)), the coefficients of a tire and no record of a
         measurement; its torsional stiffness is a round default. **Nothing here is fitted to them.**
         """),
         table(["Rule", "Value", "Source"], [
-            ["outer radius, section width", "313.5 mm, 209 mm", "TNO 2013; usual for the size"],
+            ["outer radius, section width", "313.5 mm, 208 mm", "TNO 2013; usual for the size"],
             ["tread", "0.75 of the section width, drop 8.5 mm at its edge",
-             "a cut 195/55 R20 ([Tire Industry](references.bib#TireIndustry2024))"],
+             "a design of a 195/55 R20 ([Tire Industry](references.bib#TireIndustry2024))"],
             ["groove, rubber below, land", "7.5 mm, 2 mm, 67 %", "the same; estimate"],
             ["carcass", "1 ply of polyester 1440/2, 105 cords per dm on the drum, 0.61 mm, "
              "E = 4411 MPa", "58 N at 4.5 % ([cord maker](references.bib#DITPolyester))"],
@@ -485,7 +470,7 @@ def radial_section(data):
         beside it. It leaves the arc {RadialTire().shoulder:.0f} mm from the middle, a few millimeters
         inside the edge of the belts at {RadialTire().half_belts()[0]:.0f} mm, though nothing prescribes
         this place. The widest point is at
-        {RadialTire().widest:.0f} mm, half the height of the section. Two layers: sidewall and tread,
+        {RadialTire().widest:.0f} mm, about half the height of the section. Two layers: sidewall and tread,
         and all inside them. Cords of textile buckle in compression.
         """),
         "![Section of the tire with carcass, belts and outer surface; load over deflection at three "
@@ -503,35 +488,31 @@ def radial_section(data):
         fill("""
         So the tire by these rules is too soft, most where the sidewall shears: around the axle and
         along the ground; and too light. What inputs that nobody published could explain is in the
-        table. Fillers of the bead do most: those 20 mm higher alone bring the frequencies of the
-        lateral and the yaw mode and a third of what lacks in the lateral stiffness, and with the flange 10 mm higher, where hardly
-        any filler is left above it, the tire loses more than half of it. No single input explains the
-        wind-up mode and the longitudinal stiffness.
+        table. Fillers of the bead do most: those 20 mm higher alone raise the frequencies of the lateral
+        and the yaw mode above the published ones, and give more than a third of what lacks in the
+        lateral stiffness; with the flange 10 mm higher, above which hardly any filler is left, the tire
+        loses more than half of it. No single input explains the wind-up mode and the longitudinal
+        stiffness.
         """),
         table(["Input", "Deflection, mm", "Vertical, N/mm", "Lateral, N/mm",
                "Longitudinal, N/mm", "Torsional, N m/rad", "Lateral, Hz", "Yaw, Hz",
                "Wind-up, Hz", "Longitudinal, Hz"], variants)])
 
 
-def models_section(data):
-    def printed(name):
-        lines = data["models"][name].splitlines()
-        return "```\n" + "\n".join(lines) + "\n```"
-
+def model_section(data):
     loads = " and ".join(f"{part:g}" for part in TESTED)
     return "\n\n".join([
-        "## Their .tir files",
+        "## Its .tir file",
         fill(f"""
-        [Tire tests](tire_test.md) of the radial tire, under {loads} times 4000 N, and of the aircraft
-        tire {AIRCRAFT}, under {loads} times its rated load, both upright, with
-        all combinations of {len(TEST["Slip angles"].split(","))} slip angles and
-        {len(TEST["Slip ratios"].split(","))} slip ratios, and the fits to them:
-        [radial_tire.tir](measured_tires/radial_tire.tir) and
-        [aircraft_tire.tir](measured_tires/aircraft_tire.tir). The tread is bristles of its height and
-        modulus on a carcass of one layer, with the coefficient of friction 0.8; rolling has no
-        inertia. Two loads are few for coefficients that vary with the load: beyond them the files are a guess.
+        A [tire test](tire_test.md) under {loads} times 4000 N, upright, with all combinations of
+        {len(TEST["Slip angles"].split(","))} slip angles and {len(TEST["Slip ratios"].split(","))} slip
+        ratios, and the fit to it with the stiffnesses of its tread and the frequencies above:
+        [radial_tire.tir](measured_tires/radial_tire.tir). The tread is bristles of its height and modulus on a carcass of
+        one layer, with the coefficient of friction 0.8; it rolls at 16.7 m/s, with the centrifugal forces of
+        the carcass. Radii are those up to the base of the tread. Two loads are few for coefficients that
+        vary with the load: beyond them the file is a guess.
         """),
-        printed("radial_tire"), printed("aircraft_tire")])
+        "```\n" + data["model"].rstrip() + "\n```"])
 
 
 def deep_section(data):
@@ -605,7 +586,7 @@ def cylinder_section(data):
         [NASA SP-8007](references.bib#NASASP8007) for R/t = 500 is 0.32 of the perfect cylinder,
         {0.32 * perfect:.1f} kN: it covers larger imperfections than these, and all that is not known of them.
         Steps are {SHORTENING / STEPS} mm of shortening, halved up to four times, so that a force is at
-        most {SHORTENING / STEPS / 2**CUTS * 74:.1f} kN too low.
+        most {math.ceil(10 * SHORTENING / STEPS / 2**CUTS * STIFFNESS) / 10:.1f} kN too low.
         """)])
 
 
@@ -619,24 +600,23 @@ def write(directory, data):
         What is given, what was assumed, and what came out, also where it disagrees. Nothing is fitted
         unless it is said.
         """),
-        radial_section(data), models_section(data), deep_section(data),
+        radial_section(data), model_section(data), deep_section(data),
         cylinder_section(data),
         "## Closed solutions",
         fill("""
         Three cases of pressurized walls, as tests:
 
-        | Case | Exact | Computed | Test |
+        | Case | Exact | Within | Test |
         | --- | ---: | ---: | --- |
-        | sphere under pressure and a point force, stiffness ([Vella et al. 2012](references.bib#Vella2012)) | 1694 N/mm | 1694.6 with a wall that is rigid in shear; a softer one is softer, without limit on finer meshes | `verification/sphere_under_pressure` |
-        | braided tube at 25°, 0.3 MPa, radius 10 mm: axial force by netting ([Chou and Hannaford 1996](references.bib#ChouHannaford1996)) | 866.9 N | 866.7 N | `model/braided_tube` |
-        | Mylar balloon: radius, half its thickness, over the radius of the disks ([Paulsen 1994](references.bib#Paulsen1994)) | 0.7628, 0.4569 | 0.7632, 0.4574 | `model/mylar_balloon` |
+        | sphere under pressure and a point force, stiffness ([Vella et al. 2012](references.bib#Vella2012)) | 1694 N/mm | 0.3 %, with a wall that is rigid in shear; with another it is softer, without limit on finer meshes | `verification/sphere_under_pressure` |
+        | braided tube at 25°, 0.3 MPa, radius 10 mm: axial force by netting ([Chou and Hannaford 1996](references.bib#ChouHannaford1996)) | 866.9 N | 0.1 % | `model/braided_tube` |
+        | Mylar balloon: radius, half its thickness, over the radius of the disks ([Paulsen 1994](references.bib#Paulsen1994)) | 0.7628, 0.4569 | 0.1 %, 0.2 % | `model/mylar_balloon` |
 
-        ## What was not found
+        ## What is not compared
 
-        Measured stiffnesses of the aircraft tires 40x12 and 32x8.8 (reports of NASA and of the University of
-        Michigan), and modes of a 205/60 R15 as numbers: only titles and abstracts could be read. Load and
-        deflection of a 335/65 R22.5 at four pressures in Project Chrono's data are no measurements of
-        it: the file of 60 psi is an interpolation between others.
+        No measured stiffnesses of the aircraft tires 40x12 and 32x8.8, and no modes of a 205/60 R15 as
+        numbers were at hand. Load and deflection of a 335/65 R22.5 at four pressures in Project Chrono's data
+        are no measurements of it: the file of 60 psi is an interpolation between others.
         """)])
     (directory / "measured_tires.md").write_text(text + "\n", encoding="utf-8")
 
@@ -650,11 +630,14 @@ if __name__ == "__main__":
                          arguments.program, may_stop, until)
 
     def cached(name, compute):
-        """Results of a part of the page; those of an earlier run if newer than the
-        program."""
+        """Results of a part of the page; those of an earlier run if newer than all
+        that they come from."""
         path = arguments.scratch / f"{name}.json"
+        sources = [Path(arguments.program), *HERE.glob("*.py"), *HERE.glob("*.csv"),
+                   *(EXAMPLES / f"{example}.prm" for example in (
+                       "radial_tire", "aircraft_tire", "imperfect_cylinder"))]
         if not (path.exists() and path.stat().st_mtime
-                > Path(arguments.program).stat().st_mtime):
+                > max(source.stat().st_mtime for source in sources)):
             path.write_text(json.dumps(compute(), indent=1), encoding="utf-8")
         return json.loads(path.read_text(encoding="utf-8"))
 
@@ -663,7 +646,7 @@ if __name__ == "__main__":
         "pressures": cached("pressures", lambda: [at_pressure(run, pressure)
                                                   for pressure in (0.18, 0.26)]),
         "cornering": cached("cornering", lambda: cornering(run, arguments.scratch)),
-        "models": cached("models", lambda: tire_models(
+        "model": cached("model", lambda: tire_model(
             run, arguments.scratch, arguments.output / "measured_tires")),
         "cylinder": cached("cylinder", lambda: cylinder(run)),
         "deep": cached("deep", lambda: deep_tires(run))})

@@ -80,5 +80,6 @@ if __name__ == "__main__":
     end = slope * math.radians(ANGLE)
     print(f"steady {slope:.0f} N/rad, stiffness {lateral:.1f} N/mm: "
           f"{slope / lateral:.0f} mm")
+    print(f"after the first {way[0]:.1f} mm, {end * way[0] / force[0]:.0f} mm")
     print(f"63 % of the steady force after {np.interp(end * (1 - math.exp(-1)), force, way):.0f}"
-          f" mm; from the first step {end * way[0] / force[0]:.0f} mm")
+          f" mm")

@@ -225,10 +225,10 @@ to first order, with the slopes of the fit at zero slip and the stiffnesses of t
 carry the load. For bristles on a rigid wheel $`\\sigma_\\kappa`$ is half the length of the footprint, which is {half} mm at 1500 N. `fit` prints
 them for each load and pressure at which both are known, and for the nominal ones.
 
-How well this holds, [relaxation.py](tire_model/relaxation.py) computes for the bias tire of [bias_tire.md](bias_tire.md) under true pressure and
+How well this holds, `python3 doc/tire_model/relaxation.py --program build/biface --scratch runs --output .` prints for the bias tire of [bias_tire.md](bias_tire.md) under true pressure and
 1500 N, without a tread: it rolls slowly over ground to which it sticks, straight and with a slip angle of 0.5°, and
 the difference of the side forces is the response. The ratio is 341 mm (42,956 N/rad over 126.0 N/mm). From the force after the first
-4 mm the length is 352 mm, but 63 % of the steady force are reached after 305 mm: the force is no exponential
+7 mm the length is 352 mm, but 63 % of the steady force are reached after 305 mm: the force is no exponential
 function of the way, and the ratio is 12 % longer than the way to 63 %.
 
 Programs compute them in this way from the stiffnesses of MF 6.1. Files of MF 5.2 have them instead, here {old}:

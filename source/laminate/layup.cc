@@ -47,19 +47,21 @@ namespace Biface
                "proportional to r. With the meridian 'cord equilibrium' "
                "they know its crown cord angle beta_c. Units: length, "
                "degrees, alpha_1 as in 'Mesh'.");
-    add_parsed(prm,
-               "Laminate/",
-               "Plies file",
-               "",
-               plies_file,
-               parse_file_name,
-               "A CSV file with the plies instead of 'Plies': a line for each, "
-               "inner ply first, 'material, thickness, angle' or 'material, "
-               "thickness, angle, from, to', after a line of these names. The "
-               "cells are as in 'Plies'; those with a comma outside of "
-               "parentheses stand in double quotes. In parameters.prm the "
-               "plies are those of 'Plies', and so they are in 'Study' and "
-               "'Sensitivities'. Relative to the parameter file.");
+    add_parsed(
+      prm,
+      "Laminate/",
+      "Plies file",
+      "",
+      plies_file,
+      parse_file_name,
+      "A CSV file with the plies instead of 'Plies': a line for each, "
+      "inner ply first, 'material, thickness, angle' or 'material, "
+      "thickness, angle, from, to', after a line of these names, which may "
+      "be missing; lines that start with '#' are comments. The "
+      "cells are as in 'Plies'; those with a comma outside of "
+      "parentheses stand in double quotes. In parameters.prm the "
+      "plies are those of 'Plies', and so they are in 'Study' and "
+      "'Sensitivities'. Relative to the parameter file.");
     add_choice(prm,
                "Angle reference",
                angle_reference,
@@ -360,11 +362,11 @@ namespace Biface
           }
         if (cells.empty())
           continue;
-        const auto is = [&](const unsigned int i, const std::string &name) {
+        const auto is = [&](const unsigned int i, const std::string &title) {
           std::string cell = cells.size() > i ? cells[i] : "";
           for (char &c : cell)
             c = std::tolower(static_cast<unsigned char>(c));
-          return cell == name;
+          return cell == title;
         };
         const bool is_header =
           header_allowed && is(0, "material") && is(1, "thickness");

@@ -28,7 +28,7 @@ namespace Biface
   namespace
   {
     /** The factor by which the largest normal displacement is 1. The sign is
-     * that of the first node, by number, with half of it or more. */
+     * that of the first node, by number, with more than half of it. */
     double
     factor_of_shape(const ShellMesh &mesh, const LA::Vector &shape)
     {
@@ -74,9 +74,17 @@ namespace Biface
         Rows              rows;
         for (const Node &node : mesh.nodes)
           if (node.locally_owned)
-            rows.push_back({chart_coordinate(surface, node, 0),
-                            chart_coordinate(surface, node, 1),
-                            factor * shape(node.dof(2, MixedElement::mean))});
+            {
+              rows.push_back({chart_coordinate(surface, node, 0),
+                              chart_coordinate(surface, node, 1),
+                              factor * shape(node.dof(2, MixedElement::mean))});
+              if (mesh.grid.closed && node.grid_index[1] == 0)
+                {
+                  rows.push_back(rows.back());
+                  rows.back()[1] +=
+                    surface.get_periodicity()[1] / surface.coordinate_unit(1);
+                }
+            }
         write_csv(directory.path(
                     "buckling-" + Utilities::int_to_string(report.step, 4) +
                     "-" + Utilities::int_to_string(i + 1, 3) + ".csv"),

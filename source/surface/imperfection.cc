@@ -61,23 +61,25 @@ namespace Biface
       "The deviation of the stress-free shell from the surface, along the "
       "outward normal: a number or a formula of the position x, y, z on the "
       "surface, of alpha_1, alpha_2 and of the 'Tables', such as 0.05*mode + "
-      "0.1*dent. It is zero where supports hold the shell. Displacements are "
-      "counted from the surface, so that they contain it. Unit: length.");
-    add_parsed(prm,
-               imperfection_section,
-               "Tables",
-               "",
-               tables,
-               parse_charts,
-               "Tables for the formula: a list of 'name: file', separated by "
-               "commas. Each CSV file has rows 'alpha_1, alpha_2, value' that "
-               "form a rectangular grid, such as measured deviations, or the "
-               "shapes in buckling-NNNN-MMM.csv; values are interpolated "
-               "linearly and constant beyond the grid; on a surface of "
-               "revolution the last column of a full turn need not repeat the "
-               "first. Paths are relative "
-               "to the parameter file; see 'Laminate/Tables' for names in "
-               "double quotes.");
+      "0.1*dent. It is zero where supports hold the shell along the normal. "
+      "Displacements are counted from the surface, so that they contain it. "
+      "Unit: length.");
+    add_parsed(
+      prm,
+      imperfection_section,
+      "Tables",
+      "",
+      tables,
+      parse_charts,
+      "Tables for the formula: a list of 'name: file', separated by "
+      "commas. Each CSV file has rows 'alpha_1, alpha_2, value' that "
+      "form a rectangular grid, such as measured deviations, or the "
+      "shapes in buckling-NNNN-MMM.csv; values are interpolated "
+      "linearly and constant beyond the grid; on a surface of "
+      "revolution the last column of a full turn need not repeat the "
+      "first if the columns are about evenly spaced. Paths are relative "
+      "to the parameter file; see 'Laminate/Tables' for names in "
+      "double quotes.");
   }
 
 
