@@ -86,8 +86,9 @@ namespace Biface
   bool
   Imperfection::Parameters::is_zero() const
   {
-    const Formula number(imperfection_section + "Formula", formula);
-    return number.used_names().empty() && Formula("", formula, {})({}) == 0;
+    const std::string entry = imperfection_section + "Formula";
+    return Formula(entry, formula).used_names().empty() &&
+           Formula(entry, formula, std::vector<std::string>())({}) == 0;
   }
 
 
