@@ -68,14 +68,10 @@ def radial_settings(tire, directory, tread=True):
                 f"{100 / tire.carcass_density * tire.crown / tire.rim_radius:.4f}"}
 
 
-def change_of_force(results, stage, before, column, amount):
-    """The change of a force on the ground between the ends of two stages, over the
-    motion of the ground."""
-    lines = {line["stage"]: line
-             for line in results.forces().where(body="foundation").rows()}
-    if stage not in lines or before not in lines:
-        return math.nan
-    return abs(lines[stage][column] - lines[before][column]) / amount
+def secant(results, stage):
+    """The stiffness of the glued footprint in a stage; NaN if there is none."""
+    rows = results.stiffness().where(stage=stage)
+    return rows["secant"][-1] if len(rows) > 0 else math.nan
 
 
 def name_modes(modes):
@@ -109,10 +105,10 @@ def loaded_tire(run, name, entries, loaded="load"):
               "width": stage.last("footprint_width"),
               "area": stage.last("footprint_area"),
               "curve": [list(stage.history["approach"]), list(stage.history["force"])],
-              "lateral": change_of_force(results, "lateral", loaded, "F_y", 1),
-              "longitudinal": change_of_force(results, "longitudinal", loaded, "F_z", 0.5),
-              "turn": change_of_force(results, "turn", loaded, "M_x",
-                                      0.2 * math.pi / 180) / 1000}
+              "lateral": secant(results, "lateral"),
+              "longitudinal": secant(results, "longitudinal"),
+              # from N mm per degree
+              "turn": math.degrees(secant(results, "turn")) / 1000}
     modes = results.modes()
     if modes is not None and len(modes) > 0:
         result["frequencies"] = name_modes(modes)

@@ -11,7 +11,7 @@ import numpy as np
 from biface import Results
 from biface.errors import BifaceError
 from biface.parameters import stages
-from .table import RELATIVE_STEP
+from .table import RELATIVE_STEP, group
 from .units import System
 
 # Motions of the ground, and the words for them
@@ -74,12 +74,7 @@ def levels(values):
     values = np.asarray(values, float)
     if not len(values):
         return values, np.zeros(0, int)
-    order = np.argsort(values, kind="stable")
-    step = RELATIVE_STEP * values.max()
-    numbers = np.empty(len(values), int)
-    numbers[order] = np.cumsum(np.diff(values[order], prepend=values[order][0]) > step)
-    return np.array([values[numbers == number].mean()
-                     for number in range(numbers.max() + 1)]), numbers
+    return group(values, RELATIVE_STEP * values.max())
 
 
 def read_structure(directories, units: str | None = None,

@@ -93,12 +93,18 @@ class Measurements:
         largest = np.abs(values).max(initial=0)
         step = (ANGLE_STEP if CHANNELS[name].kind == "angle" else
                 PURE_SLIP if CHANNELS[name].kind == "slip" else RELATIVE_STEP * largest)
-        order = np.argsort(values, kind="stable")
-        begins = np.diff(values[order], prepend=values[order][:1]) > step
-        numbers = np.empty(len(self), int)
-        numbers[order] = np.cumsum(begins)
-        return np.array([values[numbers == number].mean()
-                         for number in range(numbers.max(initial=0) + 1)]), numbers
+        return group(values, step)
+
+
+def group(values, step):
+    """The means of the groups of an array in which neighbors differ by at most a step, and
+    the number of the group of each value."""
+    order = np.argsort(values, kind="stable")
+    starts = np.diff(values[order], prepend=values[order][:1]) > step
+    numbers = np.empty(len(values), int)
+    numbers[order] = np.cumsum(starts)
+    return np.array([values[numbers == number].mean()
+                     for number in range(numbers.max(initial=0) + 1)]), numbers
 
 
 def read_table(path, system=None, axes: str = "iso") -> Measurements:
