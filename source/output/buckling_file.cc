@@ -11,17 +11,23 @@ namespace Biface
   BucklingFile::BucklingFile(const std::vector<Stage> &stages,
                              ResultsDirectory         &directory,
                              const ShellEquations     &equations)
-    : StepTable(
-        "buckling.csv",
-        "step,modes,mode,stage,factor,pressure,load_factor,approach,"
-        "load_work,circumferential_waves,meridional_half_waves",
-        0,
-        directory,
-        equations,
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.n_buckling > 0;
-        }))
+    : StepTable("buckling.csv",
+                "step,modes,mode,stage,factor,pressure,load_factor,approach,"
+                "load_work,circumferential_waves,meridional_half_waves",
+                0,
+                directory,
+                equations,
+                any_buckling(stages))
   {}
+
+
+  bool
+  any_buckling(const std::vector<Stage> &stages)
+  {
+    return std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+      return stage.n_buckling > 0;
+    });
+  }
 
 
   void

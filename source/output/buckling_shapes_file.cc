@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/output/buckling_file.h>
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/buckling.h>
@@ -19,9 +20,7 @@ namespace Biface
                                          ResultsDirectory         &directory,
                                          const ShellEquations     &equations)
     : ResultFile("buckling-*.csv", directory, equations)
-    , wanted(std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-      return stage.n_buckling > 0;
-    }))
+    , wanted(any_buckling(stages))
   {}
 
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/solver/modal_analysis.h>
@@ -125,11 +126,7 @@ namespace Biface
                            ResultsDirectory           &directory,
                            const ShellEquations       &equations)
     : ShapesVtu("buckling",
-                parameters.write && std::any_of(stages.begin(),
-                                                stages.end(),
-                                                [](const Stage &stage) {
-                                                  return stage.n_buckling > 0;
-                                                }),
+                parameters.write && any_buckling(stages),
                 directory,
                 equations)
   {}
