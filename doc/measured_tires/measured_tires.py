@@ -159,41 +159,77 @@ def cornering(run, scratch):
             "radius": rolling.where(stage="free")["rolling_radius"][-1]}
 
 
-# Of the tire test from which the .tir file is: degrees, slip ratios, and parts of the
-# nominal load
-TEST = {"Inclination angles": "0", "Slip angles": "-8, -4, -1.5, 1.5, 4, 8",
+# of the tire tests from which the .tir files are: degrees, and slip ratios
+SLIP = {"Slip angles": "-8, -4, -1.5, 1.5, 4, 8",
         "Slip ratios": "-0.15, -0.06, -0.02, 0.02, 0.06, 0.15", "Slip": "combined"}
-TESTED = (0.5, 1)
+# parts of the nominal load, and degrees
+RADIAL_TEST = {"Loads": (0.5, 1, 1.5), "Inclination angles": (0, 4)}
+# the tire of prm/aircraft_tire.prm, and parts of its rated load
+AIRCRAFT = "49x17 26PR"
+AIRCRAFT_TEST = {"Loads": (0.5, 0.75), "Inclination angles": (0,)}
 
 
-def tested(loads, velocity, entries):
+def tested(test, load, velocity, entries):
     """The entries of a tire test of a tire with a tread of bristles, after two stages."""
-    return {**entries, "Number of stages": 2, "Stage 2/Modes": 0,
+    return {**entries, "Number of stages": 2,
             "Contact/Regularization": "automatic",
             "Contact/Tangential regularization": "automatic",
             "Contact/Multiplier mass": "lumped", "Contact/Rolling friction": "bristles",
             "Contact/Friction": 0.8,
-            "Tire test/Loads": ", ".join(f"{load:.6g}" for load in loads),
+            "Tire test/Loads": ", ".join(f"{part * load:.6g}" for part in test["Loads"]),
+            "Tire test/Inclination angles":
+                ", ".join(str(angle) for angle in test["Inclination angles"]),
             "Tire test/Ground velocity": velocity,
-            **{f"Tire test/{entry}": value for entry, value in TEST.items()}}
+            **{f"Tire test/{entry}": value for entry, value in SLIP.items()}}
 
 
-def tire_model(run, scratch, output):
-    """Writes the .tir file of the radial tire, and returns what the fit prints."""
-    bristles = with_bristles(scratch)
-    radial = run("test radial", "radial_tire.prm",
-                 tested([part * LOAD for part in TESTED], 16700, bristles))
-    # stiffnesses of the same tread, and frequencies with its mass
-    structure = [run("radial standing", "radial_tire.prm", {**bristles, "Stage 2/Modes": 0}),
-                 run("radial vibrating", "radial_tire.prm",
-                     {"Number of stages": 2, "Output/Write VTU": True})]
+def fit(test, structure, load, path):
+    """Writes a .tir file, and returns what the fit prints."""
     return subprocess.run(
-        [sys.executable, "-m", "biface_tire_model", "fit", radial.directory,
-         "--format", "6.1", "--nominal-load", str(LOAD),
-         "--output", output / "radial_tire.tir",
+        [sys.executable, "-m", "biface_tire_model", "fit", test.directory,
+         "--format", "6.1", "--nominal-load", f"{load:.6g}", "--output", path,
          *(word for part in structure for word in ("--structure", part.directory))],
         env={**os.environ, "PYTHONPATH": str(HERE.parents[1] / "source/python")},
         check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def radial_model(run, scratch, output):
+    """The fit of the .tir file of the radial tire."""
+    bristles = {**with_bristles(scratch), "Stage 2/Modes": 0}
+    test = run("test radial", "radial_tire.prm",
+               tested(RADIAL_TEST, LOAD, 16700, bristles), may_stop=True)
+    # stiffnesses of the same tread, and frequencies with its mass
+    structure = [run("radial standing", "radial_tire.prm", bristles),
+                 run("radial vibrating", "radial_tire.prm",
+                     {"Number of stages": 2, "Output/Write VTU": True})]
+    return fit(test, structure, LOAD, output / "radial_tire.tir")
+
+
+def aircraft_tire():
+    """The tire of the .tir file, and its entries with a tread of bristles in place of
+    a ply, in the shape under pressure."""
+    tire = Construction(next(
+        row for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv")
+        if row["name"] == AIRCRAFT))
+    return tire, {**{entry: value for entry, value in tire.cornering_settings().items()
+                     if not entry.startswith("Stage") or entry == "Stage 1/Pressure"},
+                  "Stage 2/Pressure": f"{tire.pressure:.10g}"}
+
+
+def aircraft_model(run, output):
+    """The fit of the .tir file of an aircraft tire. Rolling has no inertia."""
+    tire, bristles = aircraft_tire()
+    # N, at which the stiffnesses are taken
+    load = 1000 * tire.load * AIRCRAFT_TEST["Loads"][-1]
+    test = run("test aircraft", "aircraft_tire.prm",
+               tested(AIRCRAFT_TEST, 1000 * tire.load, 1,
+                      {**bristles, "Stage 2/Name": "inflated", "Stage 2/Contact": False,
+                       "Stage 2/Travel": "unchanged", "Stage 2/Steps": 1}),
+               may_stop=True)
+    standing = run("aircraft standing", "aircraft_tire.prm", {
+        **bristles, "Stage 2/Control": "foundation force", "Stage 2/Force": f"{load:.6g}",
+        "Stage 2/Travel": "unchanged"})
+    return fit(test, [standing], load, output / "aircraft_tire.tir")
 
 
 def radial_variants(run, scratch):
@@ -229,18 +265,13 @@ def read_table(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
-# of the 28 tires, those that are pressed deeper
-DEEP = ("24x7.7 10PR", "32x8.8 14PR", "40x12 20PR", "49x17 26PR")
-
-
 def deep_tires(run):
     """Tires of the databook under twice the rated load."""
     results = []
     bottoming = {row["name"]: row for row in read_table(HERE / "bottoming.csv")}
     for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv"):
-        if row["name"] not in DEEP:
-            continue
         tire = Construction(row)
+
         def is_enough(line, load=2000 * tire.load):
             force = re.search(r"force ([0-9.e+]+)", line)
             return force is not None and float(force[1]) >= load
@@ -534,12 +565,12 @@ def deep_section(data):
     return "\n\n".join([
         "## Aircraft tires under twice the rated load",
         fill(f"""
-        [real_tires.md](real_tires.md) presses 28 tires of a databook to their rated deflection; {len(DEEP)} of
-        them are pressed further here. The databook has one more point, load and radius at which a tire bottoms on the rim
+        [real_tires.md](real_tires.md) presses {len(rows)} tires of a databook to their rated deflection; here
+        they are pressed further. The databook has one more point, load and radius at which a tire bottoms on the rim
         ([bottoming.csv](measured_tires/bottoming.csv)). Neither is a measurement of one tire: the
         load is three times the rated one in all rows but two, and the rated deflection 32 % of the height
         over the flange. So the deflection under twice the rated load lies somewhere near the line
-        between both points. {reached} of {len(DEEP)} runs reach this load, with
+        between both points. {reached} of {len(rows)} runs reach this load, with
         {np.mean(ratios):.2f} ± {np.std(ratios):.2f} of the deflection on the line. In parentheses: relative to the
         rated deflection.
         """),

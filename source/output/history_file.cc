@@ -127,6 +127,10 @@ namespace Biface
                  report.level.turn,
                  report.contact.n_slipping};
        }}};
+    if (equations.has(ForceTerm::Source::damping))
+      groups.push_back({{"damping_work"}, [](const Step &step) -> Values {
+                          return {step.report.work.damping};
+                        }});
     if (with_volume)
       groups.push_back({{"volume"}, [](const Step &step) -> Values {
                           return {step.cavity->volume(step.state)};
@@ -187,12 +191,14 @@ namespace Biface
                  contact.pressure_variation};
        }});
     if (is_wheel(mesh))
-      groups.push_back(
-        {{"loaded_radius", "wheel_turn"}, [](const Step &step) -> Values {
-           const auto &foundation = step.report.loads.ground();
-           return {foundation ? foundation->clearance(Point<3>()) : 0.,
-                   step.report.level.wheel_turn};
-         }});
+      groups.push_back({{"loaded_radius", "wheel_turn", "inclination_angle"},
+                        [](const Step &step) -> Values {
+                          const auto &foundation = step.report.loads.ground();
+                          return {foundation ? foundation->clearance(Point<3>())
+                                             : 0.,
+                                  step.report.level.wheel_turn,
+                                  step.report.level.inclination_angle};
+                        }});
     const TensionMembers members(mesh.layup);
     if (members.exist())
       {

@@ -188,6 +188,7 @@ namespace Biface
     check_stages(stages);
     check_bodies();
     check_gas();
+    check_damping();
     check_friction();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check_slide("Stage " + std::to_string(i + 1),

@@ -11,6 +11,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/gas.h>
+#include <biface/model/forces/viscous_damping.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/program/expected_cost.h>
 #include <biface/program/shell_model.h>
@@ -45,7 +46,8 @@ namespace Biface
     }
 
 
-    /** The terms of make_force_terms(), and the gas in the cavity, if any. */
+    /** The terms of make_force_terms(), the gas in the cavity, if any, and the
+     * damping, if there is a stage with it. */
     ForceTerms
     force_terms(const Parameters         &parameters,
                 const ShellMesh          &mesh,
@@ -56,6 +58,10 @@ namespace Biface
         make_force_terms(mesh, contact, parameters.loads, parameters.pressure);
       if (cavity)
         terms.push_back(std::make_unique<Gas>(parameters.gas, *cavity));
+      if (std::any_of(parameters.stages.begin(),
+                      parameters.stages.end(),
+                      [](const Stage &stage) { return stage.damping > 0; }))
+        terms.push_back(std::make_unique<ViscousDamping>(mesh));
       return terms;
     }
   } // namespace

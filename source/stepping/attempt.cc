@@ -77,13 +77,19 @@ namespace Biface
       to.time - from.time,
       run.rolls ? to.temperature : (from.temperature + to.temperature) / 2};
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
-                                    return run.loads_at(trial.level(mu), law);
+                                    Loads result =
+                                      run.loads_at(trial.level(mu), law);
+                                    result.part_of_stage = trial.size;
+                                    return result;
                                   },
                                   trial.equations.get()};
     attempt.result = newton.solve(
       attempt.state, loads, attempt.mu, iteration, guess.zone_given);
     if (loses_energy && run.heat && run.heat->is_coupled())
       settle_heat(newton, run, *run.heat, loads, iteration, attempt);
+    // those of the tangent with dashpots say nothing about an equilibrium
+    if (run.stage.damping > 0)
+      attempt.result.n_negative_pivots.reset();
     attempt.level = trial.level(attempt.mu);
     if (!attempt.result.converged)
       return attempt;

@@ -14,7 +14,8 @@ namespace Biface
   {
     PivotCounts n;
     if (run.stage.critical_points == CriticalPoints::ignore ||
-        run.stage.sealed || run.stage.theory == StrainTheory::linear)
+        run.stage.damping > 0 || run.stage.sealed ||
+        run.stage.theory == StrainTheory::linear)
       return n;
     n.before              = run.progress.n_negative_pivots;
     n.after               = attempt.result.n_negative_pivots;

@@ -91,6 +91,7 @@ namespace Biface
                                       "Start from prestress",
                                       "Strain theory",
                                       "Gas",
+                                      "Damping",
                                       "Contact",
                                       "Friction",
                                       "Glued",

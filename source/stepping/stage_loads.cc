@@ -86,6 +86,16 @@ namespace Biface
                "'open': the pressure is that of the stage. 'sealed': from the "
                "start of the stage the pressure follows from the volume of "
                "the cavity, see the section 'Gas'.");
+    prm.add_parameter(
+      "Damping",
+      damping,
+      "Viscous damping of the motion of the wall, for stages in "
+      "which the shell becomes unstable and snaps: the force per "
+      "area that opposes a motion of 1 over the whole stage. It "
+      "is small enough if 'damping_work' in history.csv is a "
+      "small part of the work of the loads but for snaps. The "
+      "forces end with the stage. Unit: force/volume.",
+      Patterns::Double());
     prm.add_parameter("Contact",
                       contact,
                       "Whether the stage has contact with the rigid "
@@ -290,6 +300,7 @@ namespace Biface
     check_load("Slip ratio", slip_ratio);
     check_load("Temperature", temperature);
     check_not_negative(section + "/Duration", duration);
+    check_not_negative(section + "/Damping", damping);
     if (slide)
       check_finite(section + "/Slide", *slide);
     if (!contact)

@@ -65,6 +65,7 @@ namespace Biface
     Loads loads;
     // the pressure of a sealed gas changes only with the state
     loads.sealed_gas = stage.sealed;
+    loads.damping    = stage.damping;
     loads.pressure =
       (stage.sealed ? progress.reached.pressure : level.pressure);
     loads.factors          = level.factors;

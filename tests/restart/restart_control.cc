@@ -45,6 +45,17 @@ main(int argc, char *argv[])
                 2);
   check_restart(
     "sealed gas", {"--set", "Stage 2/Steps=4", DATA_DIR "/gas_tube.prm"}, 3);
+  check_restart("a snap with damping",
+                {"--set",
+                 "Mesh/Intervals alpha_1=0:254:4",
+                 "--set",
+                 "Mesh/Intervals alpha_2=0:5.729577951308232:4",
+                 "--set",
+                 "Stage 1/Control=load",
+                 "--set",
+                 "Stage 1/Damping=1e-5",
+                 DATA_DIR "/../verification/hinged_roof.prm"},
+                7);
   check_restart("arc length",
                 {"--set",
                  "Mesh/Intervals alpha_1=0:254:4",

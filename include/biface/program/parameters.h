@@ -124,6 +124,11 @@ namespace Biface
     void
     check_gas() const;
 
+    /** Check that stages with damping do not ask for what needs an
+     * equilibrium. */
+    void
+    check_damping() const;
+
     /** Check the coefficients of friction, and where nodes are glued. */
     void
     check_friction() const;

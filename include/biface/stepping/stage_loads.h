@@ -64,6 +64,8 @@ namespace Biface
     std::vector<std::vector<std::string>> names_of_factors = {{}};
     /** Whether the gas that exerts the pressure is sealed in, see Gas. */
     bool sealed = false;
+    /** See ViscousDamping. Unit: force/volume. */
+    double damping = 0;
     /** Whether there is a foundation. */
     bool contact = false;
     /** Instead of the angular velocity, see with_angular_velocity(). */
@@ -116,7 +118,7 @@ namespace Biface
         [&archive](auto &load) { serialize_optional(archive, load); }, *this);
       archive &names_of_factors;
       serialize_optional(archive, slip_ratio);
-      archive &sealed &contact &bodies &friction &glued &duration;
+      archive &sealed &damping &contact &bodies &friction &glued &duration;
     }
 
   private:

@@ -240,6 +240,8 @@ namespace Biface
     for (const ForceTerm *term : equations.get_terms())
       if (!term->other_body().empty())
         bodies.push_back(term->other_body());
+    if (equations.has(ForceTerm::Source::damping))
+      bodies.emplace_back("damping");
     return bodies;
   }
 
@@ -279,9 +281,15 @@ namespace Biface
           others[foundation] += of_body;
           ++position;
         }
+    const LA::Vector &damping = forces[ForceTerm::Source::damping];
+    if (equations.has(ForceTerm::Source::damping))
+      for (const Node &node : mesh.nodes)
+        if (node.locally_owned)
+          resultant.add(position, node, face_forces(mesh, damping, node));
 
     // what is missing at the supports, which take up the prestress there
     LA::Vector missing_here = mesh.owned_vector();
+    missing_here -= damping;
     for (const Other b : {foundation, loads_of_shell, interpolation})
       missing_here -= others[b];
     LA::Vector missing = mesh.ghosted_vector(), initial = missing;

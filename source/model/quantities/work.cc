@@ -61,10 +61,12 @@ namespace Biface
     };
 
     Work result;
+    result.damping = -work(ForceTerm::Source::damping);
     // in equilibrium, the supports exert what is missing
-    result.loads = (prescribed ? -work(ForceTerm::Source::shell) -
-                                   work(ForceTerm::Source::foundation)
-                               : work(ForceTerm::Source::loads));
+    result.loads =
+      (prescribed ? result.damping - work(ForceTerm::Source::shell) -
+                      work(ForceTerm::Source::foundation)
+                  : work(ForceTerm::Source::loads));
     for (const auto &pair : contact.pairs)
       {
         if (!pair->body(after.loads))

@@ -216,7 +216,8 @@ namespace Biface
     {
       shell,
       loads,
-      foundation
+      foundation,
+      damping
     };
 
     virtual Source

@@ -22,7 +22,10 @@ namespace Biface
   public:
     /** No forces. */
     explicit NodalForces(const ShellMesh &mesh)
-      : forces{{mesh.owned_vector(), mesh.owned_vector(), mesh.owned_vector()}}
+      : forces{{mesh.owned_vector(),
+                mesh.owned_vector(),
+                mesh.owned_vector(),
+                mesh.owned_vector()}}
     {}
 
     const LA::Vector &
@@ -52,7 +55,7 @@ namespace Biface
     }
 
   private:
-    std::array<LA::Vector, 3> forces;
+    std::array<LA::Vector, 4> forces;
   };
 } // namespace Biface
 

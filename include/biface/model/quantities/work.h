@@ -18,6 +18,8 @@ namespace Biface
     double foundation = 0;
     /** The part of @p foundation that friction dissipates. */
     double friction = 0;
+    /** What ViscousDamping dissipates. */
+    double damping = 0;
 
     Work &
     operator+=(const Work &other)
@@ -25,6 +27,7 @@ namespace Biface
       loads += other.loads;
       foundation += other.foundation;
       friction += other.friction;
+      damping += other.damping;
       return *this;
     }
 
@@ -32,7 +35,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &loads &foundation &friction;
+      archive &loads &foundation &friction &damping;
     }
   };
 
@@ -50,8 +53,8 @@ namespace Biface
    * The work in a step, by the trapezoidal rule: mean forces times
    * displacements. Its error decreases with the square of the size of the step.
    * Loads and foundation do as much work as the strain energy increases by,
-   * plus that of friction, and the small elastic energy in the regularization
-   * of contact.
+   * plus that of friction and damping, and the small elastic energy in the
+   * regularization of contact.
    *
    * Must be called on all ranks.
    *

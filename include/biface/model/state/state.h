@@ -158,6 +158,13 @@ namespace Biface
      * pressure follows from the state, see Gas. */
     bool sealed_gas = false;
 
+    /** See ViscousDamping. Unit: force/volume. */
+    double damping = 0;
+
+    /** The part of the stage that passes between the last equilibrium and the
+     * one that is sought; 0 for the loads in an equilibrium. */
+    double part_of_stage = 0;
+
     /** The bodies that are there, by ContactPair::number; the first is the
      * ground. */
     std::map<unsigned int, PlacedBody> bodies;

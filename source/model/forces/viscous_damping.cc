@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/forces/viscous_damping.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n = MixedElement::n_dofs;
+
+    /** What the term remembers of a cell: first the displacements, then the
+     * tractions. */
+    MixedElement::NodalVector
+    remembered(const State       &state,
+               const unsigned int cell,
+               const unsigned int first)
+    {
+      const Table<2, double>   &at_cells = state.terms.at("damping").at_cells;
+      MixedElement::NodalVector values;
+      for (unsigned int i = 0; i < n; ++i)
+        values[i] = at_cells(cell, first + i);
+      return values;
+    }
+  } // namespace
+
+
+  bool
+  ViscousDamping::acts_on(const unsigned int cell,
+                          const State       &state,
+                          const Loads       &loads) const
+  {
+    return loads.damping > 0 && mesh.cells[cell].is_wall &&
+           state.terms.count(name()) > 0;
+  }
+
+
+  void
+  ViscousDamping::add(const CellState &at, CellForces &forces) const
+  {
+    const double              area = at.cell.geometry.weight / 4;
+    MixedElement::NodalVector force;
+    if (at.loads.part_of_stage == 0)
+      force = area * remembered(at.state, at.index, n);
+    else
+      {
+        const double stiffness =
+          area * at.loads.damping / at.loads.part_of_stage;
+        force = -stiffness * (at.V - remembered(at.state, at.index, 0));
+        if (forces.with_tangent)
+          for (unsigned int i = 0; i < n; ++i)
+            forces.tangent[i][i] += stiffness;
+      }
+    forces.force += force;
+    forces.square += force.norm_square();
+  }
+
+
+  void
+  ViscousDamping::start_stage(const Loads &loads, State &state) const
+  {
+    state.terms.erase(name());
+    if (loads.damping == 0)
+      return;
+    Table<2, double> &at_cells = state.terms[name()].at_cells;
+    at_cells.reinit(mesh.cells.size(), 2 * n);
+    for (const unsigned int c : mesh.walls)
+      {
+        const auto V = mesh.cell_values(state.displacement, mesh.cells[c]);
+        for (unsigned int i = 0; i < n; ++i)
+          at_cells(c, i) = V[i];
+      }
+  }
+
+
+  void
+  ViscousDamping::commit_step(const State &,
+                              const Loads        &loads,
+                              const TimeInterval &time,
+                              State              &after) const
+  {
+    if (loads.damping == 0)
+      return;
+    Table<2, double> &at_cells = after.terms.at(name()).at_cells;
+    for (const unsigned int c : mesh.walls)
+      {
+        const auto V = mesh.cell_values(after.displacement, mesh.cells[c]);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            at_cells(c, n + i) = -loads.damping * (V[i] - at_cells(c, i)) /
+                                 (time.end - time.start);
+            at_cells(c, i) = V[i];
+          }
+      }
+  }
+} // namespace Biface
