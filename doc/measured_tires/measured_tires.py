@@ -163,7 +163,7 @@ def cornering(run, scratch):
 SLIP = {"Slip angles": "-8, -4, -1.5, 1.5, 4, 8",
         "Slip ratios": "-0.15, -0.06, -0.02, 0.02, 0.06, 0.15", "Slip": "combined"}
 # parts of the nominal load, and degrees
-RADIAL_TEST = {"Loads": (0.5, 1, 1.5), "Inclination angles": (0, 4)}
+RADIAL_TEST = {"Loads": (0.5, 0.75, 1), "Inclination angles": (0, 4)}
 # the tire of prm/aircraft_tire.prm, and parts of its rated load
 AIRCRAFT = "49x17 26PR"
 AIRCRAFT_TEST = {"Loads": (0.5, 0.75), "Inclination angles": (0,)}

@@ -111,6 +111,7 @@ namespace Biface
       {{"load_work",
         "foundation_work",
         "friction_work",
+        "damping_work",
         "slide_x",
         "slide_y",
         "slide_z",
@@ -121,16 +122,13 @@ namespace Biface
          return {report.work.loads,
                  report.work.foundation,
                  report.work.friction,
+                 report.work.damping,
                  report.level.slide[0],
                  report.level.slide[1],
                  report.level.slide[2],
                  report.level.turn,
                  report.contact.n_slipping};
        }}};
-    if (equations.has(ForceTerm::Source::damping))
-      groups.push_back({{"damping_work"}, [](const Step &step) -> Values {
-                          return {step.report.work.damping};
-                        }});
     if (with_volume)
       groups.push_back({{"volume"}, [](const Step &step) -> Values {
                           return {step.cavity->volume(step.state)};

@@ -6,19 +6,54 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/program/parameters.h>
+#include <biface/stepping/stage_sequence.h>
 
 namespace Biface
 {
+  namespace
+  {
+    /** Check that a stage does not need an equilibrium at its start. */
+    void
+    check_start_from_damped(const Stage &stage, const std::string &section)
+    {
+      const auto refuse = [&](const bool         wrong,
+                              const std::string &entry,
+                              const std::string &value,
+                              const std::string &allowed) {
+        if (wrong)
+          throw InputError(section + "/" + entry,
+                           value,
+                           "it must be " + allowed +
+                             " directly after a stage with 'Damping', which "
+                             "does not end in equilibrium");
+      };
+      refuse(stage.from_prestress, "Start from prestress", "true", "'false'");
+      refuse(stage.n_buckling > 0,
+             "Buckling",
+             std::to_string(stage.n_buckling),
+             "0");
+      refuse(stage.locates_critical_points(),
+             "Critical points",
+             critical_points_names()[static_cast<unsigned int>(
+               stage.critical_points)],
+             "'report' or 'ignore'");
+    }
+  } // namespace
+
+
   void
   Parameters::check_damping() const
   {
     const std::vector<bool> rolls = rolling_stages();
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
-        const Stage &stage = stages[i];
+        const Stage      &stage   = stages[i];
+        const std::string section = "Stage " + std::to_string(i + 1);
+        if (const auto before = stage_before(stages, i);
+            before && stages[*before].damping > 0)
+          check_start_from_damped(stage, section);
         if (stage.damping == 0)
           continue;
-        const std::string section = "Stage " + std::to_string(i + 1);
         const auto refuse = [&](const bool wrong, const std::string &why) {
           if (wrong)
             throw InputError(section + "/Damping",

@@ -79,7 +79,9 @@ namespace Biface
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     Loads result =
                                       run.loads_at(trial.level(mu), law);
-                                    result.part_of_stage = trial.size;
+                                    // steps without a size have no damping
+                                    result.part_of_stage =
+                                      trial.size > 0 ? trial.size : 1.;
                                     return result;
                                   },
                                   trial.equations.get()};

@@ -30,6 +30,12 @@ namespace Biface
           warn_of_uncounted_pivots(run);
         return n;
       }
+    // dashpots of the stage before hold the state before
+    if (run.state.terms.count("damping") > 0)
+      {
+        n.before.reset();
+        return n;
+      }
     // The stage before may not have counted them, or had another foundation;
     // numbers that differ are counted in double precision.
     const bool same_without_contact = run.stage.contact &&

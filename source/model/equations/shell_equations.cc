@@ -295,15 +295,6 @@ namespace Biface
 
 
   bool
-  ShellEquations::has(const ForceTerm::Source source) const
-  {
-    return std::any_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
-      return term->source() == source;
-    });
-  }
-
-
-  bool
   ShellEquations::is_symmetric(const Loads &loads) const
   {
     return std::all_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {

@@ -31,8 +31,9 @@ namespace Biface
                           const State       &state,
                           const Loads       &loads) const
   {
-    return loads.damping > 0 && mesh.cells[cell].is_wall &&
-           state.terms.count(name()) > 0;
+    const bool in_equilibrium = loads.part_of_stage == 0;
+    return mesh.cells[cell].is_wall && state.terms.count(name()) > 0 &&
+           (in_equilibrium || loads.damping > 0);
   }
 
 
@@ -60,11 +61,13 @@ namespace Biface
   void
   ViscousDamping::start_stage(const Loads &loads, State &state) const
   {
-    state.terms.erase(name());
-    if (loads.damping == 0)
+    const bool was_damped = state.terms.count(name()) > 0;
+    if (loads.damping == 0 && !was_damped)
       return;
+    // the tractions of the stage before belong to its last state
     Table<2, double> &at_cells = state.terms[name()].at_cells;
-    at_cells.reinit(mesh.cells.size(), 2 * n);
+    if (!was_damped)
+      at_cells.reinit(mesh.cells.size(), 2 * n);
     for (const unsigned int c : mesh.walls)
       {
         const auto V = mesh.cell_values(state.displacement, mesh.cells[c]);
@@ -81,7 +84,10 @@ namespace Biface
                               State              &after) const
   {
     if (loads.damping == 0)
-      return;
+      {
+        after.terms.erase(name());
+        return;
+      }
     Table<2, double> &at_cells = after.terms.at(name()).at_cells;
     for (const unsigned int c : mesh.walls)
       {

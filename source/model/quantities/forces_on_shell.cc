@@ -240,8 +240,6 @@ namespace Biface
     for (const ForceTerm *term : equations.get_terms())
       if (!term->other_body().empty())
         bodies.push_back(term->other_body());
-    if (equations.has(ForceTerm::Source::damping))
-      bodies.emplace_back("damping");
     return bodies;
   }
 
@@ -260,8 +258,9 @@ namespace Biface
     std::array<LA::Vector, n_others> others;
     others[foundation]     = forces[ForceTerm::Source::foundation];
     others[loads_of_shell] = forces[ForceTerm::Source::loads];
-    others[interpolation]  = forces[ForceTerm::Source::shell];
-    others[prestress]      = internal.unlisted_forces(state);
+    others[loads_of_shell] += forces[ForceTerm::Source::damping];
+    others[interpolation] = forces[ForceTerm::Source::shell];
+    others[prestress]     = internal.unlisted_forces(state);
     others[interpolation] -= others[prestress];
 
     Resultant resultant(mesh, shape_of_forces(state), bodies.size());
@@ -281,15 +280,9 @@ namespace Biface
           others[foundation] += of_body;
           ++position;
         }
-    const LA::Vector &damping = forces[ForceTerm::Source::damping];
-    if (equations.has(ForceTerm::Source::damping))
-      for (const Node &node : mesh.nodes)
-        if (node.locally_owned)
-          resultant.add(position, node, face_forces(mesh, damping, node));
 
     // what is missing at the supports, which take up the prestress there
     LA::Vector missing_here = mesh.owned_vector();
-    missing_here -= damping;
     for (const Other b : {foundation, loads_of_shell, interpolation})
       missing_here -= others[b];
     LA::Vector missing = mesh.ghosted_vector(), initial = missing;

@@ -161,10 +161,6 @@ namespace Biface
       return terms;
     }
 
-    /** Whether there is a term with this source. */
-    bool
-    has(const ForceTerm::Source source) const;
-
     double
     relative_residual() const override;
 

@@ -12,15 +12,16 @@ namespace Biface
    * hold a shell that loses its stability, so that it moves to its next
    * equilibrium over a few steps instead of a jump that no iteration finds.
    *
-   * The traction on the middle of the wall is @f$-c\,\dot{\mathbf v}@f$, where
+   * The traction on the wall is @f$-c\,\dot{\mathbf v}@f$, where
    * the dot is the derivative by the time of which a stage takes 1, so that
    * @f$c@f$ is a force per volume; by the implicit Euler method it is
    * @f$-c\,\Delta\mathbf v/\Delta\tau@f$ in a step that is the part
    * @f$\Delta\tau@f$ of the stage. It is lumped at the vertices of the cells,
-   * half on each face.
+   * half on the inner and half on the outer face.
    *
    * The term remembers the displacements of each wall element in the last
-   * equilibrium, and the tractions at that time, which belong to it.
+   * converged state, and the tractions that hold it: also in the first step of
+   * an undamped stage, in which they vanish.
    */
   class ViscousDamping : public ForceTerm
   {

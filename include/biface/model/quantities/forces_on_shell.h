@@ -38,7 +38,7 @@ namespace Biface
 
   /**
    * The forces and moments on the shell of each of its supports, of the
-   * foundation and of the loads, in Cartesian components.
+   * foundation and of the loads, with damping, in Cartesian components.
    *
    * The forces of the supports are what is missing for equilibrium at the nodes
    * that they hold, @f$\sum_k\lambda_k\mathbf c_k@f$ with the coefficients
