@@ -63,9 +63,7 @@ def radial_settings(tire, directory, tread=True):
     tire.write(directory, tread=tread)
     return {"Surface/Spline/File": directory / "radial_tire_profile.csv",
             "Laminate/Plies file": directory / "radial_tire_plies.csv",
-            "Mesh/Intervals alpha_1": tire.mesh(),
-            "Material carcass/Cord pitch":
-                f"{100 / tire.carcass_density * tire.crown / tire.rim_radius:.4f}"}
+            **tire.settings()}
 
 
 def secant(results, stage):
@@ -176,6 +174,8 @@ def tested(test, load, velocity, entries):
             "Contact/Tangential regularization": "automatic",
             "Contact/Multiplier mass": "lumped", "Contact/Rolling friction": "bristles",
             "Contact/Friction": 0.8,
+            # a point that is not reached is left out
+            "Step control/Maximum cuts": 2,
             "Tire test/Loads": ", ".join(f"{part * load:.6g}" for part in test["Loads"]),
             "Tire test/Inclination angles":
                 ", ".join(str(angle) for angle in test["Inclination angles"]),
@@ -222,7 +222,7 @@ def aircraft_model(run, output):
     # N, at which the stiffnesses are taken
     load = 1000 * tire.load * AIRCRAFT_TEST["Loads"][-1]
     test = run("test aircraft", "aircraft_tire.prm",
-               tested(AIRCRAFT_TEST, 1000 * tire.load, 1,
+               tested(AIRCRAFT_TEST, 1000 * tire.load, 10000,
                       {**bristles, "Stage 2/Name": "inflated", "Stage 2/Contact": False,
                        "Stage 2/Travel": "unchanged", "Stage 2/Steps": 1}),
                may_stop=True)
@@ -488,7 +488,7 @@ def radial_section(data):
         "## A radial tire",
         fill(f"""
         [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
-        size by [radial_tire.py](measured_tires/radial_tire.py), whose class `RadialTire` takes other
+        size by [radial_tire.py](measured_tires/radial_tire.py), whose options take other
         sizes, too. The values published for this size are those of an example file
         of MF-Tyre ([TNO 2013](references.bib#TNO2013)), the coefficients of a tire and no record of a
         measurement; its torsional stiffness is a round default. **Nothing here is fitted to them.**
@@ -545,29 +545,39 @@ def radial_section(data):
 
 
 def model_section(data):
-    def words(test):
-        loads = " and ".join(f"{part:g}" for part in test["Loads"])
-        return (loads, " and ".join(f"{angle}°" for angle in test["Inclination angles"]))
+    def words(values):
+        *first, last = (f"{value:g}" for value in values)
+        return ", ".join(first) + " and " + last
 
-    loads, angles = words(RADIAL_TEST)
-    loads_of_aircraft, _ = words(AIRCRAFT_TEST)
+    def points(test):
+        slips = [1 + len(SLIP[f"Slip {kind}s"].split(",")) for kind in ("angle", "ratio")]
+        return slips[0] * slips[1] * len(test["Loads"]) * len(test["Inclination angles"])
+
+    def states(printed):
+        return int(re.search(r"(\d+) states", printed)[1])
+
+    loads = words(RADIAL_TEST["Loads"])
+    angles = words(RADIAL_TEST["Inclination angles"])
+    loads_of_aircraft = words(AIRCRAFT_TEST["Loads"])
     tire, _ = aircraft_tire()
     return "\n\n".join([
         "## .tir files",
         fill(f"""
         [radial_tire.tir](measured_tires/radial_tire.tir) is the fit to a [tire test](tire_test.md) of
-        the radial tire under {loads} times 4000 N with inclination angles of {angles}, and with all combinations of
+        the radial tire under {loads} times 4000 N with inclination angles of {angles}°, and with all combinations of
         {len(SLIP["Slip angles"].split(","))} slip angles and {len(SLIP["Slip ratios"].split(","))} slip
         ratios, with the stiffnesses of its tread and the frequencies above. The tread is bristles of its
         height and modulus on a carcass of
         one layer, with the coefficient of friction 0.8; it rolls at 16.7 m/s, with the centrifugal forces of
-        the carcass. Radii are those up to the base of the tread.
+        the carcass. Radii are those up to the base of the tread. {states(data["model"])} of
+        {points(RADIAL_TEST)} points converge.
         """),
         "```\n" + data["model"].rstrip() + "\n```",
         fill(f"""
         [aircraft_tire.tir](measured_tires/aircraft_tire.tir) is that of the {AIRCRAFT} of
         [real_tires.md](real_tires.md), upright, under {loads_of_aircraft} times the rated {tire.load:.0f} kN, in the same
-        way. Rolling has no inertia. Under the rated load, combined slip winds its one layer up until
+        way. Rolling has no inertia. {states(data["aircraft"])} of {points(AIRCRAFT_TEST)} points
+        converge; under the rated load combined slip winds its one layer up until
         steps hardly converge. Two loads are few for coefficients that vary with the load: beyond them the file
         is a guess.
         """),
@@ -594,8 +604,8 @@ def deep_section(data):
     return "\n\n".join([
         "## Aircraft tires under twice the rated load",
         fill(f"""
-        [real_tires.md](real_tires.md) presses {len(rows)} tires of a databook to their rated deflection; here
-        they are pressed further. The databook has one more point, load and radius at which a tire bottoms on the rim
+        [real_tires.md](real_tires.md) presses tires of a databook to their rated deflection; {len(rows)} of them are
+        pressed further here. The databook has one more point, load and radius at which a tire bottoms on the rim
         ([bottoming.csv](measured_tires/bottoming.csv)). Neither is a measurement of one tire: the
         load is three times the rated one in all rows but two, and the rated deflection 32 % of the height
         over the flange. So the deflection under twice the rated load lies somewhere near the line

@@ -10,11 +10,12 @@ the rim and the belts. Nothing is fitted to a stiffness or a load.
     python3 doc/measured_tires/radial_tire.py --output prm
 
 writes radial_tire_profile.csv, the points of the outer side of the carcass, and
-radial_tire_plies.csv for prm/radial_tire.prm, which is a 205/60 R15.
+radial_tire_plies.csv for prm/radial_tire.prm, which is a 205/60 R15, and prints the entries
+that depend on the size, too. Options give other sizes.
 """
 
 import argparse
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -194,8 +195,23 @@ class RadialTire:
                 file.write(", ".join(map(str, line)) + "\n")
 
 
+    def settings(self):
+        """The entries of prm/radial_tire.prm that depend on the size, beside the files."""
+        pitch = 100 / self.carcass_density * self.crown / self.rim_radius
+        return {"Mesh/Intervals alpha_1": self.mesh(),
+                "Material carcass/Cord pitch": f"{pitch:.4f}"}
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--output", type=Path, required=True,
                         help="where to write the two files")
-    RadialTire().write(parser.parse_args().output)
+    sizes = [field for field in fields(RadialTire) if field.type in (float, "float")]
+    for field in sizes:
+        parser.add_argument("--" + field.name.replace("_", "-"), type=float,
+                            default=field.default, help=f"by default {field.default:g}")
+    arguments = parser.parse_args()
+    tire = RadialTire(**{field.name: getattr(arguments, field.name) for field in sizes})
+    tire.write(arguments.output)
+    for entry, value in tire.settings().items():
+        print(f"{entry} = {value}")
