@@ -194,7 +194,6 @@ class RadialTire:
             for line in self.plies(tread):
                 file.write(", ".join(map(str, line)) + "\n")
 
-
     def settings(self):
         """The entries of prm/radial_tire.prm that depend on the size, beside the files."""
         pitch = 100 / self.carcass_density * self.crown / self.rim_radius
