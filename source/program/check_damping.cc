@@ -34,8 +34,7 @@ namespace Biface
              "0");
       refuse(stage.locates_critical_points(),
              "Critical points",
-             critical_points_names()[static_cast<unsigned int>(
-               stage.critical_points)],
+             stage.critical_points_name(),
              "'report' or 'ignore'");
     }
   } // namespace
@@ -66,10 +65,7 @@ namespace Biface
                  "', which passes unstable equilibria without it");
         refuse(rolls[i], "in a stage in which the wheel rolls");
         refuse(stage.locates_critical_points(),
-               "with 'Critical points = " +
-                 critical_points_names()[static_cast<unsigned int>(
-                   stage.critical_points)] +
-                 "'");
+               "with 'Critical points = " + stage.critical_points_name() + "'");
         const std::string why =
           ": with damping, the stage does not end in equilibrium";
         refuse(stage.n_modes > 0, "with 'Modes'" + why);

@@ -90,8 +90,7 @@ namespace Biface
           continue;
         if (stage.locates_critical_points())
           throw InputError(section + "/Critical points",
-                           critical_points_names()[static_cast<unsigned int>(
-                             stage.critical_points)],
+                           stage.critical_points_name(),
                            "it must be 'ignore' or 'report' where the wheel "
                            "rolls with friction, whose tangent is not "
                            "symmetric");

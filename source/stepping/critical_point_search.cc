@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <biface/model/forces/viscous_damping.h>
 #include <biface/stepping/critical_point_search.h>
 
 namespace Biface
@@ -31,7 +32,7 @@ namespace Biface
         return n;
       }
     // dashpots of the stage before hold the state before
-    if (run.state.terms.count("damping") > 0)
+    if (ViscousDamping::hold(run.state))
       {
         n.before.reset();
         return n;

@@ -131,9 +131,7 @@ namespace Biface
     const auto refuse = [&](const bool wrong, const std::string &why) {
       if (wrong)
         throw InputError(
-          section + "/Critical points",
-          critical_points_names()[static_cast<unsigned int>(critical_points)],
-          why);
+          section + "/Critical points", critical_points_name(), why);
     };
     if (!locates_critical_points())
       return;

@@ -94,7 +94,8 @@ namespace Biface
       "area that opposes a motion of 1 over the whole stage. It "
       "is small enough if 'damping_work' in history.csv is a "
       "small part of the work of the loads but for snaps. The "
-      "forces end with the stage. Unit: force/volume.",
+      "forces vanish in the first step of the next stage. "
+      "Unit: force/volume.",
       Patterns::Double());
     prm.add_parameter("Contact",
                       contact,

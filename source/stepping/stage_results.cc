@@ -12,12 +12,22 @@ namespace Biface
 {
   using namespace dealii;
 
-  const std::vector<std::string> &
-  critical_points_names()
+  namespace
   {
-    static const std::vector<std::string> names{
-      "ignore", "report", "locate", "switch branch"};
-    return names;
+    const std::vector<std::string> &
+    critical_points_names()
+    {
+      static const std::vector<std::string> names{
+        "ignore", "report", "locate", "switch branch"};
+      return names;
+    }
+  } // namespace
+
+
+  const std::string &
+  StageResults::critical_points_name() const
+  {
+    return critical_points_names()[static_cast<unsigned int>(critical_points)];
   }
 
 

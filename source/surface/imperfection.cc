@@ -86,9 +86,11 @@ namespace Biface
   bool
   Imperfection::Parameters::is_zero() const
   {
-    const std::string entry = imperfection_section + "Formula";
-    return Formula(entry, formula).used_names().empty() &&
-           Formula(entry, formula, std::vector<std::string>())({}) == 0;
+    Formula deviation(imperfection_section + "Formula", formula);
+    if (!deviation.used_names().empty())
+      return false;
+    deviation.bind({});
+    return deviation({}) == 0;
   }
 
 

@@ -6,7 +6,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
-#include <vector>
 
 namespace Biface
 {
@@ -22,10 +21,6 @@ namespace Biface
     /** Likewise, and go on along the other branch at a bifurcation. */
     switch_branch
   };
-
-  /** Their words in parameter files. */
-  const std::vector<std::string> &
-  critical_points_names();
 
 
   /** What is computed at the end of a stage or along its path, besides the
@@ -52,6 +47,10 @@ namespace Biface
       return critical_points == CriticalPoints::locate ||
              critical_points == CriticalPoints::switch_branch;
     }
+
+    /** The value of 'Critical points' in parameter files. */
+    const std::string &
+    critical_points_name() const;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

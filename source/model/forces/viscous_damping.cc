@@ -27,12 +27,19 @@ namespace Biface
 
 
   bool
+  ViscousDamping::hold(const State &state)
+  {
+    return state.terms.count("damping") > 0;
+  }
+
+
+  bool
   ViscousDamping::acts_on(const unsigned int cell,
                           const State       &state,
                           const Loads       &loads) const
   {
     const bool in_equilibrium = loads.part_of_stage == 0;
-    return mesh.cells[cell].is_wall && state.terms.count(name()) > 0 &&
+    return mesh.cells[cell].is_wall && hold(state) &&
            (in_equilibrium || loads.damping > 0);
   }
 
@@ -61,7 +68,7 @@ namespace Biface
   void
   ViscousDamping::start_stage(const Loads &loads, State &state) const
   {
-    const bool was_damped = state.terms.count(name()) > 0;
+    const bool was_damped = hold(state);
     if (loads.damping == 0 && !was_damped)
       return;
     // the tractions of the stage before belong to its last state

@@ -26,6 +26,10 @@ namespace Biface
   class ViscousDamping : public ForceTerm
   {
   public:
+    /** Whether dashpots hold a state. */
+    static bool
+    hold(const State &state);
+
     /** The mesh is kept by reference. */
     explicit ViscousDamping(const ShellMesh &mesh) : mesh(mesh)
     {}
