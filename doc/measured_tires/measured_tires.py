@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compare tires and cylinders with published values, and write measured_tires.md."""
 
-import csv
 import json
 import math
 import os
@@ -10,6 +9,7 @@ import re
 import subprocess
 import sys
 import textwrap
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +19,7 @@ sys.path.insert(0, str(HERE.parent))
 sys.path.insert(0, str(HERE.parent / "real_tires"))
 from example_page import EXAMPLES, biface, parse_arguments, table
 from radial_tire import RadialTire
-from real_tires import Construction
+from real_tires import Construction, find_row, read_table
 
 QUIET = {"Output/Write VTU": False}
 
@@ -133,11 +133,11 @@ def with_bristles(scratch):
             "Contact/Tread/Modulus": 3.35}
 
 
-def cornering(run, scratch):
+def cornering(run, bristles):
     """N per degree: the secant of the side force at two slip angles. Rolling has no
     inertia."""
     entries = {
-        **with_bristles(scratch), "Number of stages": 6, "Stage 2/Modes": 0,
+        **bristles, "Number of stages": 6, "Stage 2/Modes": 0,
         "Contact/Regularization": "automatic",
         "Contact/Tangential regularization": "automatic",
         "Contact/Multiplier mass": "lumped", "Contact/Rolling friction": "bristles",
@@ -193,9 +193,9 @@ def fit(test, structure, load, path):
         check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def radial_model(run, scratch, output):
+def radial_model(run, bristles, output):
     """The fit of the .tir file of the radial tire."""
-    bristles = {**with_bristles(scratch), "Stage 2/Modes": 0}
+    bristles = {**bristles, "Stage 2/Modes": 0}
     test = run("test radial", "radial_tire.prm",
                tested(RADIAL_TEST, LOAD, 16700, bristles), may_stop=True)
     # stiffnesses of the same tread, and frequencies with its mass
@@ -208,9 +208,8 @@ def radial_model(run, scratch, output):
 def aircraft_tire():
     """The tire of the .tir file, and its entries with a tread of bristles in place of
     a ply, in the shape under pressure."""
-    tire = Construction(next(
-        row for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv")
-        if row["name"] == AIRCRAFT))
+    tire = Construction(find_row(
+        read_table(HERE.parent / "real_tires/aircraft_tires.csv"), AIRCRAFT))
     return tire, {**{entry: value for entry, value in tire.cornering_settings().items()
                      if not entry.startswith("Stage") or entry == "Stage 1/Pressure"},
                   "Stage 2/Pressure": f"{tire.pressure:.10g}"}
@@ -258,11 +257,6 @@ def radial_variants(run, scratch):
 
 
 # ------------------------------------------------------------ aircraft tires, deeper
-
-
-def read_table(path):
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def deep_tires(run):
@@ -486,7 +480,7 @@ def radial_section(data):
                        for frequency in published["frequencies"].values())])
     return "\n\n".join([
         "## A radial tire",
-        fill(f"""
+        fill("""
         [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
         size by [radial_tire.py](measured_tires/radial_tire.py), whose options take other
         sizes, too. The values published for this size are those of an example file
@@ -713,14 +707,17 @@ if __name__ == "__main__":
             path.write_text(json.dumps(compute(), indent=1), encoding="utf-8")
         return json.loads(path.read_text(encoding="utf-8"))
 
-    write(arguments.output, {
-        "variants": cached("variants", lambda: radial_variants(run, arguments.scratch)),
-        "pressures": cached("pressures", lambda: [at_pressure(run, pressure)
-                                                  for pressure in (0.18, 0.26)]),
-        "cornering": cached("cornering", lambda: cornering(run, arguments.scratch)),
-        "model": cached("model", lambda: radial_model(
-            run, arguments.scratch, arguments.output / "measured_tires")),
-        "aircraft": cached("aircraft", lambda: aircraft_model(
-            run, arguments.output / "measured_tires")),
-        "cylinder": cached("cylinder", lambda: cylinder(run)),
-        "deep": cached("deep", lambda: deep_tires(run))})
+    bristles = with_bristles(arguments.scratch)
+    models = arguments.output / "measured_tires"
+    # the longest ones first
+    parts = {"deep": lambda: deep_tires(run),
+             "cylinder": lambda: cylinder(run),
+             "model": lambda: radial_model(run, bristles, models),
+             "aircraft": lambda: aircraft_model(run, models),
+             "variants": lambda: radial_variants(run, arguments.scratch),
+             "pressures": lambda: [at_pressure(run, pressure)
+                                   for pressure in (0.18, 0.26)],
+             "cornering": lambda: cornering(run, bristles)}
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        write(arguments.output,
+              dict(zip(parts, pool.map(cached, parts, parts.values()))))

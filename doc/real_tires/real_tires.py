@@ -49,6 +49,17 @@ INNER_RIM = ("-145 290 8, -145 254, 145 254, 145 290 8, 240 290, 240 200, "
 STUDIED = ("32x8.8 14PR", "18x4.4 6PR", "18x5.5 10PR", "49x17 26PR")
 
 
+def read_table(path):
+    """The rows of a CSV file with comments."""
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def find_row(rows, name):
+    """The row of a tire."""
+    return next(row for row in rows if row["name"] == name)
+
+
 class Netting:
     """The curve of the meridian 'cord equilibrium', as theory.md has it."""
 
@@ -361,7 +372,7 @@ def compute_cornering(arguments, rows, varied):
 def compute_bottoming(arguments, rows):
     """For each wall and rim of the tire of BOTTOMING: words, and how far it is
     pressed, the force, and that of the rim on the outer face, in mm and kN."""
-    row = next(row for row in rows if row["name"] == BOTTOMING["name"])
+    row = find_row(rows, BOTTOMING["name"])
     rim = {"Bodies": "rim, rim inside", "Stage 2/Bodies": "rim, rim inside",
            "Body rim inside/Face": "inner"}
     for body, profile in (("rim", OUTER_RIM), ("rim inside", INNER_RIM)):
@@ -427,7 +438,7 @@ def vary_cornering(arguments, rows):
         words, settings = case
         cells = [words]
         for name in STUDIED:
-            tire = Construction(next(r for r in rows if r["name"] == name))
+            tire = Construction(find_row(rows, name))
             results = load(
                 arguments, f"{name} {words}",
                 {**tire.cornering_settings(), **settings})
@@ -781,10 +792,7 @@ def main():
     arguments.scratch = arguments.scratch.resolve()
     arguments.scratch.mkdir(parents=True, exist_ok=True)
 
-    tires = arguments.tires or here / "aircraft_tires.csv"
-    with open(tires, encoding="utf-8") as file:
-        rows = list(csv.DictReader(
-            line for line in file if not line.startswith("#")))
+    rows = read_table(arguments.tires or here / "aircraft_tires.csv")
     if arguments.only:
         rows = [row for row in rows if row["name"] in arguments.only]
     results = compute(arguments, rows)
@@ -796,7 +804,7 @@ def main():
               f"{width[1]:.3f} of NASA's")
     if arguments.output:
         varied = "32x8.8 14PR"
-        row = next(row for row in rows if row["name"] == varied)
+        row = find_row(rows, varied)
         variations = vary(arguments, row)
         cornering = (*compute_cornering(arguments, rows, row),
                      vary_cornering(arguments, rows))
