@@ -20,7 +20,10 @@ may_include()
     stepping) echo "$(may_include solver) solver" ;;
     output) echo "$(may_include stepping) stepping" ;;
     restart) echo "$(may_include output) output" ;;
-    program) echo "$(may_include restart) restart" ;;
+    problem) echo "$(may_include restart) restart" ;;
+    analysis) echo "$(may_include problem) problem" ;;
+    study) echo "$(may_include analysis) analysis" ;;
+    program) echo "$(may_include study) study" ;;
     *) return 1 ;;
   esac
 }

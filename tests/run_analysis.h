@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/parameters.h>
-#include <biface/program/simulation.h>
+#include <biface/analysis/simulation.h>
+#include <biface/problem/parameters.h>
 
 using Observer = std::function<void(const Biface::ShellEquations &,
                                     const Biface::StepReport &,

@@ -4,15 +4,15 @@
 
 #include <iostream>
 
+#include <biface/analysis/analysis.h>
+#include <biface/analysis/run_log.h>
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/model/mesh/rigid_motions.h>
-#include <biface/program/analysis.h>
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>
-#include <biface/program/run_log.h>
 #include <biface/program/starting_files.h>
-#include <biface/program/study.h>
+#include <biface/study/study.h>
 
 namespace Biface
 {
@@ -46,6 +46,30 @@ namespace Biface
         (files.front().text.find("subsection Study") != std::string::npos);
       out << " written. Run it: biface " << (is_study ? "--study " : "")
           << files.front().name << std::endl;
+    }
+
+
+    /** Run the study of the command line, check it, or print its entries. */
+    ExitCode
+    start_study(const CommandLine  &command_line,
+                const MPI_Comm      communicator,
+                std::ostream       &screen,
+                ConditionalOStream &err)
+    {
+      if (command_line.action == CommandLine::Action::print_parameters)
+        {
+          if (Utilities::MPI::this_mpi_process(communicator) == 0)
+            print_study_parameters(command_line.json, screen);
+          return done;
+        }
+      StudyOptions options;
+      options.file_name  = command_line.file_name;
+      options.overrides  = command_line.overrides;
+      options.output     = command_line.output;
+      options.restart    = command_line.restart;
+      options.check_only = (command_line.action == CommandLine::Action::check);
+      options.quiet      = command_line.quiet;
+      return run_study(options, communicator, screen, err);
     }
 
 
@@ -93,7 +117,7 @@ namespace Biface
                  command_line.action == Action::write_template)
           start_a_file(command_line, communicator, out);
         else if (command_line.study)
-          return run_study(command_line, communicator, out_stream, err);
+          return start_study(command_line, communicator, out_stream, err);
         else
           {
             Parameters       parameters;

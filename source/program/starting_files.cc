@@ -15,7 +15,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/output/csv.h>
-#include <biface/program/design_variable.h>
+#include <biface/problem/design_variable.h>
 #include <biface/program/starting_files.h>
 
 namespace Biface

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/parameters.h>
+#include <biface/problem/parameters.h>
 #include <biface/program/program.h>
 
 #include "../tests.h"

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include <biface/analysis/simulation.h>
 #include <biface/laminate/layup.h>
-#include <biface/program/parameters.h>
-#include <biface/program/simulation.h>
+#include <biface/problem/parameters.h>
 
 #include "fuzz.h"
 #include <unistd.h>

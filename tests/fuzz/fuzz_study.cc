@@ -4,9 +4,9 @@
 // with one sentence. Files of samples are not read.
 
 #include <biface/input/parameter_text.h>
-#include <biface/program/parameters.h>
-#include <biface/program/sampling.h>
-#include <biface/program/study_parameters.h>
+#include <biface/problem/parameters.h>
+#include <biface/study/sampling.h>
+#include <biface/study/study_parameters.h>
 
 #include "fuzz.h"
 

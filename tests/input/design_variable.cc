@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include <biface/base/errors.h>
-#include <biface/program/design_variable.h>
+#include <biface/problem/design_variable.h>
 
 using namespace dealii;
 using namespace Biface;

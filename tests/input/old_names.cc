@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/parameters.h>
+#include <biface/problem/parameters.h>
 
 #include "../tests.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
-#include <biface/program/parameters.h>
+#include <biface/problem/parameters.h>
 
 #include "../tests.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/design_variable.h>
+#include <biface/problem/design_variable.h>
 
 #include <run_analysis.h>
 #include <tests.h>

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include <biface/model/quantities/depth_between_points.h>
-#include <biface/program/parameters.h>
-#include <biface/program/shell_model.h>
+#include <biface/problem/parameters.h>
+#include <biface/problem/shell_model.h>
 
 #include <tests.h>
 

@@ -6,8 +6,8 @@
 
 #include <deal.II/base/timer.h>
 
-#include <biface/program/parameters.h>
-#include <biface/program/shell_model.h>
+#include <biface/problem/parameters.h>
+#include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>
 

@@ -5,8 +5,8 @@
 // of a compressed face against short waves, where cells are short.
 
 #include <biface/model/quantities/worst_strains.h>
-#include <biface/program/parameters.h>
-#include <biface/program/shell_model.h>
+#include <biface/problem/parameters.h>
+#include <biface/problem/shell_model.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <sstream>
 
-#include <biface/program/run_log.h>
+#include <biface/analysis/run_log.h>
 
 #include "../tests.h"
 

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <iostream>
 
-#include <biface/program/signal_watch.h>
+#include <biface/analysis/signal_watch.h>
 
 #include <sys/wait.h>
 #include <unistd.h>

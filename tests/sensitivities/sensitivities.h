@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/design_variable.h>
+#include <biface/problem/design_variable.h>
 #include <biface/stepping/sensitivity_table.h>
 
 #include <run_analysis.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/parameters.h>
+#include <biface/problem/parameters.h>
 
 namespace Biface
 {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/program/exit_code.h>
+#include <biface/analysis/exit_code.h>
 
 namespace Biface
 {

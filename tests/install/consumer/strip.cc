@@ -8,8 +8,8 @@
 #include <cmath>
 #include <iostream>
 
-#include <biface/program/parameters.h>
-#include <biface/program/simulation.h>
+#include <biface/analysis/simulation.h>
+#include <biface/problem/parameters.h>
 
 int
 main(int argc, char *argv[])

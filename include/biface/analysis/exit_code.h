@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_analysis_exit_code_h
+#define biface_analysis_exit_code_h
+
+namespace Biface
+{
+  /** The exit codes of the program `biface`. */
+  enum ExitCode : int
+  {
+    done           = 0,
+    wrong_input    = 1,
+    no_convergence = 2,
+    /** Or results cannot be written; converged steps are kept. */
+    internal_error = 3,
+    /** Stopped by SIGINT or SIGTERM; converged steps are kept. The numbers are
+     * those of shells for processes ended by these signals. */
+    interrupted = 130,
+    terminated  = 143
+  };
+} // namespace Biface
+
+#endif

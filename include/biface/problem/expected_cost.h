@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_problem_expected_cost_h
+#define biface_problem_expected_cost_h
+
+#include <mpi.h>
+
+#include <string>
+
+#include <biface/problem/parameters.h>
+#include <biface/surface/chart_grid.h>
+
+namespace Biface
+{
+  /** What an analysis takes, from runs of the bias tire (doc/performance.md):
+   * the memory within a third, the time within its order of magnitude. */
+  struct ExpectedCost
+  {
+    /** Of all ranks, in bytes. */
+    double memory = 0;
+    /** Of all stages. */
+    double seconds = 0;
+
+    ExpectedCost(const Parameters &parameters,
+                 const ChartGrid  &grid,
+                 const MPI_Comm    communicator);
+
+    /** "about 0.4 GiB of memory and a time of seconds". */
+    std::string
+    text() const;
+  };
+
+
+  /** Refuse what cannot fit into the memory, before the system ends the
+   * program: that of the machines, or what the ranks may have of it. Throws
+   * InputError. Must be called on all ranks. */
+  void
+  check_memory(const Parameters &parameters,
+               const ChartGrid  &grid,
+               const MPI_Comm    communicator);
+} // namespace Biface
+
+#endif

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_problem_parameters_h
+#define biface_problem_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/element/element_parameters.h>
+#include <biface/laminate/layup.h>
+#include <biface/laminate/material_parameters.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/forces/pressure_load.h>
+#include <biface/model/heat/rolling_heat.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/output/results_writer.h>
+#include <biface/problem/sensitivity_parameters.h>
+#include <biface/restart/checkpoint_writer.h>
+#include <biface/solver/linear/linear_solver.h>
+#include <biface/solver/newton.h>
+#include <biface/stepping/load_stepping.h>
+#include <biface/stepping/tire_test.h>
+#include <biface/surface/chart_grid.h>
+#include <biface/surface/surface_parameters.h>
+
+namespace Biface
+{
+  /** The contents of files of pairs, by entry. */
+  using PairsByEntry = std::map<std::string, std::vector<dealii::Point<2>>>;
+
+
+  /**
+   * All parameters of a run. Each part is declared by the class that uses it;
+   * here they are collected in reading order.
+   */
+  struct Parameters
+  {
+    Units                        units;
+    ReferenceSurface::Parameters surface;
+    /** The files of plies whose contents are those of the laminate. */
+    std::vector<std::string>        plies_files;
+    ChartGrid::Parameters           mesh;
+    Layup::Parameters               laminate;
+    ElementParameters               element;
+    NamedPoints                     points;
+    std::vector<MaterialParameters> materials;
+    Supports                        supports;
+    DeadLoads                       loads;
+    PressureLoad                    pressure;
+    Gas::Parameters                 gas;
+    ContactPair::Parameters         contact;
+    RollingHeat::Parameters         heat;
+    std::vector<BodyParameters>     bodies;
+    std::vector<Stage>              stages;
+    TireTest                        tire_test;
+    LinearSolver::Parameters        linear_solver;
+    Newton::Parameters              newton;
+    LoadStepping::Parameters        load_stepping;
+    ResultsWriter::Parameters       output;
+    CheckpointWriter::Parameters    checkpoint;
+    SensitivityParameters           sensitivities;
+
+    /** Declare all entries, with a section for each of the materials, bodies
+     * and stages. The object must outlive @p prm. */
+    void
+    add_parameters(dealii::ParameterHandler       &prm,
+                   const std::vector<std::string> &material_names,
+                   const std::vector<std::string> &body_names,
+                   const unsigned int              n_stages);
+
+    /** Give the loads and supports that stages name in 'Load factors' factors
+     * of their own, and set those of the stages. Throws InputError if there are
+     * none of a name. */
+    void
+    assign_load_factors();
+
+    /** Append the stages of a tire test. Throws InputError if the tire cannot
+     * be tested. */
+    void
+    add_tire_test();
+
+    /** Check everything that does not need a mesh: values, and whether the
+     * points, edges, materials and tables named by entries exist. Throws
+     * InputError. */
+    void
+    check() const;
+
+    /** Warnings about input that is valid but probably unintended: loads that
+     * no stage applies, and symmetry supports with angle plies. */
+    std::vector<std::string>
+    warnings() const;
+
+    /** The pairs of the files named by entries, by entry. */
+    PairsByEntry
+    named_pairs() const;
+
+    /** The names of these files. */
+    std::vector<std::string>
+    input_files() const;
+
+    /** The last stage that is run. */
+    unsigned int
+    last_stage() const
+    {
+      return std::min<unsigned int>(load_stepping.last_stage,
+                                    stages.size() - 1);
+    }
+
+  private:
+    /** The 'Forces on bodies' of a stage with their motions. Throws InputError
+     * if there is no such motion. */
+    std::vector<MotionByForce>
+    motions_by_force(const unsigned int i) const;
+
+    /** Throws InputError if the gas of a stage cannot be sealed. */
+    void
+    check_gas() const;
+
+    /** Check that stages with damping do not ask for what needs an
+     * equilibrium. */
+    void
+    check_damping() const;
+
+    /** Check the coefficients of friction, and where nodes are glued. */
+    void
+    check_friction() const;
+
+    /** Check the bodies and the stages in which they are. */
+    void
+    check_bodies() const;
+
+    /** Check that an imperfection is used with nothing that needs a perfect
+     * shell. */
+    void
+    check_imperfection() const;
+
+    /** Throws InputError if a stage asks for modes and a ply has no
+     * density. */
+    void
+    check_densities() const;
+    void
+    check_laws() const;
+
+    /** Throws InputError if the temperatures of plies cannot be computed. */
+    void
+    check_heat() const;
+    void
+    check_law(const MaterialParameters &material,
+              const Stage              &stage,
+              const std::string        &section) const;
+
+    /** Throws InputError if a stage in which the wheel rolls is not possible
+     * with a material that relaxes. */
+    void
+    check_rolling_relaxation(const MaterialParameters &material,
+                             const Stage              &stage,
+                             const std::string        &section) const;
+
+
+    /** Whether the shell rolls in each of the stages. */
+    std::vector<bool>
+    rolling_stages() const;
+
+    /** Check the inclination angle of a stage.
+     * @param section that of the stage. */
+    void
+    check_inclination(const std::string &section, const double angle) const;
+
+    /** Check the stages in which the shell rolls. */
+    void
+    check_rolling() const;
+
+    /** Throws InputError if the edges of a closed coordinate are supported or
+     * loaded. */
+    void
+    check_edges() const;
+  };
+
+
+  /** A setting from the command line. */
+  struct Override
+  {
+    /** @param setting "Section/Entry=value", from the option `--set`. */
+    Override(const std::string &setting)
+      : setting(setting), source("--set " + setting)
+    {}
+
+    Override(const char *setting) : Override(std::string(setting))
+    {}
+
+    /** @param source its name in error messages. */
+    Override(const std::string &setting, const std::string &source)
+      : setting(setting), source(source)
+    {}
+
+    std::string setting;
+    std::string source;
+  };
+
+
+  /**
+   * Parse a parameter file, which the first rank reads for all.
+   *
+   * Throws InputError on all ranks if it cannot be read, or contains an unknown
+   * entry or a value that cannot be parsed; the sentence names file, line,
+   * entry, value, and what is allowed.
+   *
+   * @param file_name the file; empty for defaults only.
+   * @param overrides settings that take precedence over the file.
+   * @param communicator the ranks.
+   * @param parameters the result.
+   * @param prm receives the declared entries and their values.
+   *
+   * @return sentences about old names in use and sections that are ignored.
+   */
+  std::vector<std::string>
+  parse_parameters(const std::string           &file_name,
+                   const std::vector<Override> &overrides,
+                   const MPI_Comm               communicator,
+                   Parameters                  &parameters,
+                   dealii::ParameterHandler    &prm);
+
+  /** The same, including Parameters::check() and the files named by entries,
+   * which the first rank reads for all: everything an analysis needs. */
+  std::vector<std::string>
+  read_parameters(const std::string           &file_name,
+                  const std::vector<Override> &overrides,
+                  const MPI_Comm               communicator,
+                  Parameters                  &parameters,
+                  dealii::ParameterHandler    &prm);
+
+  /** All entries and their values as the text of a parameter file. */
+  std::string
+  print_parameters(const dealii::ParameterHandler &prm);
+} // namespace Biface
+
+#endif

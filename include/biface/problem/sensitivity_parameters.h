@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_problem_sensitivity_parameters_h
+#define biface_problem_sensitivity_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  struct Parameters;
+
+
+  /** What SensitivityAnalysis computes. */
+  struct SensitivityParameters
+  {
+    /** See parse_design_variables(). */
+    std::string              entries;
+    std::vector<std::string> outputs;
+    /** The numbers of the stages at whose ends derivatives are computed; empty
+     * for the last one. */
+    std::vector<unsigned int> stages;
+    /** The change of an entry relative to its value; chosen by the program if
+     * not set. */
+    std::optional<double> step;
+
+    /** What a change of an entry changes in the mesh. */
+    enum class MeshChange
+    {
+      nothing,
+      plies,
+      anything
+    };
+
+    /** A design variable with the parameters of a run in which it is
+     * different. */
+    struct Change
+    {
+      std::string name;
+      double      value;
+      /** The difference of the values, and the parameters below and above. */
+      double                                           step;
+      std::array<std::shared_ptr<const Parameters>, 2> parameters;
+      /** The parts of the mesh that may differ. */
+      MeshChange mesh_change;
+    };
+
+    /** One for each of the entries, see read_parameters(). */
+    std::vector<Change> changes;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError if a value is invalid. */
+    void
+    check(const unsigned int n_stages) const;
+
+    /** Whether derivatives are computed at the end of a stage. */
+    bool
+    is_wanted(const unsigned int position, const unsigned int n_stages) const;
+  };
+} // namespace Biface
+
+#endif

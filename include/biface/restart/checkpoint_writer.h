@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_restart_checkpoint_writer_h
+#define biface_restart_checkpoint_writer_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <functional>
+#include <string>
+
+#include <biface/output/results_writer.h>
+#include <biface/restart/checkpoint.h>
+
+namespace Biface
+{
+  /** Decides when checkpoints are written to the directory of results. All
+   * functions must be called on all ranks. */
+  class CheckpointWriter
+  {
+  public:
+    struct Parameters
+    {
+      bool         write         = true;
+      unsigned int every_steps   = 0;
+      double       every_minutes = 0.05;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /** Throws InputError if a value is invalid. */
+      void
+      check() const;
+    };
+
+    /** The state of the run after the last converged step. */
+    struct Points
+    {
+      RestorePoints   run;
+      PerturbedPoints perturbed;
+    };
+
+    /**
+     * The objects are kept by reference.
+     * @param progress that of the run, as the last converged step leaves it.
+     * @param points returns what a checkpoint contains.
+     * @param restarted whether a checkpoint of the last step exists.
+     */
+    CheckpointWriter(const Parameters              &parameters,
+                     const std::string             &directory,
+                     const ShellMesh               &mesh,
+                     const Progress                &progress,
+                     const std::function<Points()> &points,
+                     ResultsWriter                 &results,
+                     const bool                     restarted);
+
+    /** Write a checkpoint if one is due. Throws OutputError. */
+    void
+    write_if_due(RunRecord &record);
+
+    /** Write a checkpoint, unless one of the last step exists. Throws
+     * OutputError. */
+    void
+    write(RunRecord &record);
+
+  private:
+    const Parameters              parameters;
+    const std::string             directory;
+    const ShellMesh              &mesh;
+    const Progress               &progress;
+    const std::function<Points()> points;
+    ResultsWriter                &results;
+
+    bool          any_written = false;
+    unsigned int  last_step   = 0;
+    dealii::Timer since_last;
+  };
+} // namespace Biface
+
+#endif

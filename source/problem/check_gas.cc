@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/problem/parameters.h>
+#include <biface/stepping/stage_sequence.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Whether a support of an edge of alpha_1 of a surface of revolution holds
+     * its radius. */
+    bool
+    holds_radius(const std::vector<SupportCondition> &support)
+    {
+      std::set<Component> held;
+      for (const SupportCondition &condition : support)
+        // not the difference of the faces
+        if (condition.coefficients[0] + condition.coefficients[1] > 0.5)
+          held.insert(condition.component);
+      const auto holds = [&](const std::vector<Component> &components) {
+        return std::all_of(
+          components.begin(), components.end(), [&](const Component c) {
+            return held.count(c) > 0;
+          });
+      };
+      return holds({Component::radial}) ||
+             holds({Component::x, Component::z}) ||
+             holds({Component::v_1, Component::v_3});
+    }
+  } // namespace
+
+
+  void
+  Parameters::check_gas() const
+  {
+    const bool revolution =
+      surface.type == ReferenceSurface::Parameters::Type::revolution;
+    gas.check(revolution);
+    if (!pressure.end_plates.empty())
+      {
+        const auto refuse = [this](const std::string &why) {
+          std::string text;
+          for (const Edge edge : pressure.end_plates)
+            text += (text.empty() ? "" : ", ") +
+                    edge_names[static_cast<unsigned int>(edge)];
+          throw InputError("Loads/End plates", text, why);
+        };
+        if (!revolution)
+          refuse("it needs 'Surface/Type = surface of revolution'");
+        if (!pressure.is_uniform())
+          refuse("it needs 'Pressure distribution = 1'");
+        for (const Edge edge : pressure.end_plates)
+          if (!holds_radius(supports.edges[static_cast<unsigned int>(edge)]))
+            refuse("the plate needs a support of its edge in the section "
+                   "'Supports' that holds the radius, such as 'radial both'");
+        if (gas.ambient_pressure && gas.cavity.rim_radius.value_or(0) != 0)
+          refuse("the cavity reaches to the axis: 'Gas/Rim radius' must be 0 "
+                 "or 'edges'");
+      }
+
+    // the pressures at the ends of the stages
+    std::vector<double> ends;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const auto        position = stage_before(stages, i);
+        const double      before   = (position ? ends[*position] : 0.);
+        const std::string section  = "Stage " + std::to_string(i + 1);
+        if (stages[i].sealed)
+          {
+            if (stages[i].pressure)
+              throw InputError(section + "/Pressure",
+                               number_to_string(*stages[i].pressure),
+                               "it must be 'unchanged' in a stage with 'Gas = "
+                               "sealed', where the pressure follows from the "
+                               "volume");
+            if (stages[i].theory == StrainTheory::linear)
+              throw InputError(section + "/Strain theory",
+                               "linear",
+                               "a stage with 'Gas = sealed' must be nonlinear");
+            if (!gas.ambient_pressure)
+              throw InputError(
+                section + "/Gas", "sealed", "it needs 'Gas/Ambient pressure'");
+            if (!(before + *gas.ambient_pressure > 0))
+              throw InputError(
+                section + "/Gas",
+                "sealed",
+                "it needs a positive absolute pressure, and before the "
+                "stage the pressure is " +
+                  number_to_string(before) + ", the ambient pressure " +
+                  number_to_string(*gas.ambient_pressure));
+            if (!pressure.is_uniform())
+              throw InputError("Loads/Pressure distribution",
+                               pressure.distribution.get_text(),
+                               "it must be 1 with 'Gas = sealed': the pressure "
+                               "of a gas is the same everywhere");
+          }
+        ends.push_back(stages[i].pressure.value_or(before));
+      }
+  }
+} // namespace Biface

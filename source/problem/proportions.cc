@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/problem/proportions.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    shortest_side_of_cells(const ShellMesh &mesh)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const Cell &cell : mesh.wall_elements())
+        for (const unsigned int side : GeometryInfo<2>::face_indices())
+          {
+            const auto end = [&](const unsigned int i) {
+              return mesh
+                .nodes[cell.nodes[GeometryInfo<2>::face_to_cell_vertices(side,
+                                                                         i)]]
+                .surface.position;
+            };
+            shortest = std::min(shortest, end(0).distance(end(1)));
+          }
+      return Utilities::MPI::min(shortest, mesh.communicator);
+    }
+
+
+    /** Between two points in contact, a smaller body passes through the shell.
+     * @param entry of the radius.
+     * @param distance of the shell from the body. */
+    void
+    check_radius(const std::string             &entry,
+                 const double                   radius,
+                 const double                   distance,
+                 const ContactPair::Parameters &contact,
+                 const ShellMesh               &mesh)
+    {
+      const unsigned int k  = contact.condition.points_per_side;
+      const double shortest = shortest_side_of_cells(mesh) / std::max(1U, k);
+      if (std::abs(radius) + distance < shortest)
+        throw InputError(
+          entry,
+          number_to_string(radius),
+          k > 0 ? "it must not be shorter than the distance of the points in "
+                  "contact, which is at least " +
+                    number_to_string(shortest)
+                : "it must not be shorter than the sides of all cells, "
+                  "the shortest of which is " +
+                    number_to_string(shortest) +
+                    " long: only nodes make contact, unless there are "
+                    "'Points in cells'");
+    }
+
+
+    void
+    check_foundation(const ContactPair::Parameters &contact,
+                     const ShellMesh               &mesh)
+    {
+      using Shape                             = RigidBody::Parameters::Shape;
+      const RigidBody::Parameters &foundation = contact.body;
+      if (foundation.shape == Shape::plane)
+        return;
+      const bool is_drum = (foundation.shape == Shape::drum);
+      check_radius(
+        is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
+        *(is_drum ? foundation.drum.radius : foundation.sphere.radius),
+        0,
+        contact,
+        mesh);
+    }
+
+
+    void
+    check_body(const BodyParameters          &body,
+               const ContactPair::Parameters &contact,
+               const ShellMesh               &mesh)
+    {
+      using Shape = BodyParameters::Shape;
+      const double distance =
+        (body.touches_tread() ? contact.tread.height.value_or(0) : 0);
+      const std::string section = "Body " + body.name + "/";
+      if (body.shape == Shape::sphere || body.shape == Shape::cylinder)
+        check_radius(section + "Radius", *body.radius, distance, contact, mesh);
+      if (body.shape == Shape::torus)
+        check_radius(
+          section + "Tube radius", *body.tube_radius, distance, contact, mesh);
+    }
+
+
+    /** The largest displacement that supports prescribe at any load factor. */
+    double
+    largest_prescribed(const std::vector<Stage> &stages, const ShellMesh &mesh)
+    {
+      double value = 0, factor = 0;
+      for (const PrescribedDisplacement &p : mesh.prescribed)
+        value = std::max(value, std::abs(p.values).sum());
+      for (const Stage &stage : stages)
+        for (const std::optional<double> &at_end : stage.factors)
+          factor = std::max(factor, std::abs(at_end.value_or(0)));
+      return factor * Utilities::MPI::max(value, mesh.communicator);
+    }
+
+
+    /** A supported shell cannot stay in contact for longer than it takes to
+     * turn it over. */
+    void
+    check_travel(const std::vector<Stage> &stages, const ShellMesh &mesh)
+    {
+      const double longest = 2 * mesh.size() + largest_prescribed(stages, mesh);
+      for (unsigned int i = 0; i < stages.size(); ++i)
+        if (stages[i].contact && stages[i].travel.value_or(0) > longest)
+          throw InputError("Stage " + std::to_string(i + 1) + "/Travel",
+                           number_to_string(*stages[i].travel),
+                           "it must be at most " + number_to_string(longest) +
+                             ": farther on, the foundation has passed through "
+                             "the shell");
+    }
+
+
+    /** With a critical velocity above all velocities, nothing sticks. */
+    void
+    check_critical_velocity(const Parameters &parameters, const ShellMesh &mesh)
+    {
+      double fastest = 0;
+      for (const Stage &stage : parameters.stages)
+        fastest = std::max(
+          {fastest,
+           std::abs(stage.ground_velocity.value_or(0)),
+           mesh.size() * std::abs(stage.angular_velocity.value_or(0))});
+      const double critical = parameters.contact.friction.critical_velocity;
+      if (fastest > 0 && critical > fastest)
+        throw InputError("Contact/Critical velocity",
+                         number_to_string(critical),
+                         "it must be less than the velocities of the wheel, "
+                         "which are at most " +
+                           number_to_string(fastest));
+    }
+  } // namespace
+
+
+  void
+  check_proportions(const Parameters &parameters, const ShellMesh &mesh)
+  {
+    const std::vector<Stage> &stages = parameters.stages;
+    for (const BodyParameters &body : parameters.bodies)
+      check_body(body, parameters.contact, mesh);
+    if (std::none_of(stages.begin(), stages.end(), [](const Stage &stage) {
+          return stage.contact;
+        }))
+      return;
+    check_foundation(parameters.contact, mesh);
+    check_travel(stages, mesh);
+    check_critical_velocity(parameters, mesh);
+  }
+} // namespace Biface

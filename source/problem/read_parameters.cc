@@ -1,0 +1,661 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_text.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
+#include <biface/problem/design_variable.h>
+#include <biface/problem/parameters.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A text of settings. */
+    struct Source
+    {
+      /** Its name in error messages. */
+      std::string name;
+      std::string text;
+      /** The number of stages according to it and the sources before it. */
+      unsigned int n_stages = 1;
+      /** Whether it is a file of plies. */
+      bool is_plies_file = false;
+    };
+
+
+    /** A setting as the text of a parameter file. */
+    std::string
+    override_text(const Override &given)
+    {
+      const std::string &setting = given.setting;
+      const std::string option = given.source.substr(0, given.source.find(' '));
+      const std::string value =
+        given.source.substr(std::min(option.size() + 1, given.source.size()));
+      const std::string form   = "it must have the form 'Section/Entry=value'";
+      const auto        equals = setting.find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw InputError(option, value, form);
+      const std::vector<std::string> path =
+        Utilities::split_string_list(setting.substr(0, equals), '/');
+      if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
+        throw InputError(option, value, form);
+      // characters that would end the line or continue it in the next one
+      if (setting.find_first_of("\n\r#") != std::string::npos ||
+          Utilities::trim(setting).back() == '\\')
+        throw InputError(option,
+                         value,
+                         "it must be a single line without '#' and without a "
+                         "backslash at the end");
+
+      std::string text;
+      for (unsigned int i = 0; i + 1 < path.size(); ++i)
+        text += "subsection " + path[i] + "\n";
+      text += "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
+      for (unsigned int i = 0; i + 1 < path.size(); ++i)
+        text += "end\n";
+      return text;
+    }
+
+
+    /** The number in the name of a section "Stage N"; none if it is another
+     * section. */
+    std::optional<unsigned long>
+    number_of_stage(const std::string &section)
+    {
+      const std::string stage = "Stage ";
+      if (section.rfind(stage, 0) != 0 || section.size() == stage.size() ||
+          section.find_first_not_of("0123456789", stage.size()) !=
+            std::string::npos)
+        return {};
+      return std::strtoul(section.c_str() + stage.size(), nullptr, 10);
+    }
+
+
+    /** Remove the sections of stages beyond the last one if a later source has
+     * reduced the number of stages. @return their names. */
+    std::set<std::string>
+    remove_surplus_stages(Source &source, const unsigned int n_stages)
+    {
+      std::set<std::string>            removed;
+      const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
+      std::istringstream               physical_lines(source.text);
+      std::string                      text, physical;
+      bool                             in_surplus = false;
+      for (unsigned int number = 1; std::getline(physical_lines, physical);
+           ++number)
+        {
+          const ParameterLine &line = lines[number];
+          if (line.keyword == "subsection" && line.section.empty())
+            if (const auto stage = number_of_stage(line.name))
+              if (*stage > n_stages && *stage <= source.n_stages)
+                {
+                  in_surplus = true;
+                  removed.insert(line.name);
+                }
+          // empty lines keep the numbers of the others
+          text += (in_surplus ? std::string() : physical) + '\n';
+          if (line.keyword == "end" && line.depth == 0)
+            in_surplus = false;
+        }
+      if (!removed.empty())
+        source.text = text;
+      return removed;
+    }
+
+
+    /** Throw InputError if a name of an entry cannot be that of a section. */
+    void
+    check_names(const std::string              &file_name,
+                const std::string              &entry,
+                const std::vector<std::string> &names)
+    {
+      if (names.size() > 1000)
+        throw InputError(file_name + ": the entry '" + entry + "' has " +
+                         std::to_string(names.size()) +
+                         " names, but at most 1000 are allowed.");
+      for (const std::string &name : names)
+        if (name.empty() || name.find_first_of(":/@") != std::string::npos ||
+            std::count(names.begin(), names.end(), name) > 1)
+          throw InputError(
+            file_name + ": " +
+            InputError(entry,
+                       name.empty() ? "," : name,
+                       "names must be unique and must not contain ':', '/', "
+                       "'@'")
+              .what());
+    }
+
+
+    /** Refuse sections of stages, materials and bodies that do not exist. */
+    void
+    check_sections(const Source                   &source,
+                   const std::vector<std::string> &materials,
+                   const std::vector<std::string> &bodies,
+                   const unsigned int              n_stages)
+    {
+      const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
+      for (unsigned int number = 1; number < lines.size(); ++number)
+        {
+          const ParameterLine &line = lines[number];
+          if (line.keyword != "subsection" || !line.section.empty())
+            continue;
+          std::string reason;
+          if (const auto stage = number_of_stage(line.name))
+            {
+              if (*stage > n_stages)
+                reason = "raise 'Number of stages', which is " +
+                         std::to_string(n_stages);
+              else if (line.name != "Stage " + std::to_string(*stage) ||
+                       *stage == 0)
+                reason = "stages are numbered from 1";
+            }
+          else
+            for (const auto &[start, entry, names] :
+                 {std::make_tuple("Material ", "Materials", &materials),
+                  std::make_tuple("Body ", "Bodies", &bodies)})
+              {
+                const std::string kind = start;
+                if (line.name.rfind(kind, 0) != 0 ||
+                    line.name.size() == kind.size())
+                  continue;
+                const std::string name = line.name.substr(kind.size());
+                if (std::find(names->begin(), names->end(), name) ==
+                    names->end())
+                  reason = "list " + quoted(name) + " in '" + entry + "'";
+              }
+          if (!reason.empty())
+            throw InputError(parameter_place(source.name, number) +
+                             "there is no section " + quoted(line.name) + "; " +
+                             reason + ".");
+        }
+    }
+
+
+    /** Make names of files absolute, so that the written parameters find the
+     * files.
+     * @param file_name the file to whose folder they are relative. */
+    void
+    make_names_absolute(const std::string &file_name,
+                        Parameters        &parameters,
+                        ParameterHandler  &prm)
+    {
+      const auto make_absolute = [&](std::string &name) {
+        std::error_code   error;
+        const std::string result =
+          std::filesystem::absolute(
+            std::filesystem::path(file_name).parent_path() / name, error)
+            .string();
+        // the reader of the file reports the error
+        if (!error)
+          name = result;
+      };
+      std::string points_file = parameters.surface.points_file.name;
+      if (!points_file.empty())
+        {
+          make_absolute(points_file);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Spline");
+          prm.set("File", print_file_name(points_file));
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
+      std::vector<NamedFile> charts;
+      for (const Imperfection::Table &table :
+           parameters.surface.imperfection.tables)
+        charts.push_back(table.file);
+      if (!charts.empty())
+        {
+          for (NamedFile &chart : charts)
+            make_absolute(chart.file_name);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Imperfection");
+          prm.set("Tables", print_named_files(charts));
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
+      std::vector<TableFile> tables = parameters.laminate.tables;
+      if (!tables.empty())
+        {
+          for (TableFile &table : tables)
+            make_absolute(table.file.name);
+          prm.enter_subsection("Laminate");
+          prm.set("Tables", print_tables(tables));
+          prm.leave_subsection();
+        }
+      for (const MaterialParameters &material : parameters.materials)
+        if (std::string file = material.cord_and_rubber.curve.name;
+            !file.empty())
+          {
+            make_absolute(file);
+            prm.enter_subsection("Material " + material.name);
+            prm.set("Cord curve", print_file_name(file));
+            prm.leave_subsection();
+          }
+      for (const BodyParameters &body : parameters.bodies)
+        {
+          prm.enter_subsection("Body " + body.name);
+          for (auto [entry, file] :
+               {std::make_pair("Profile file", body.profile_file),
+                std::make_pair("Height file", body.height_file)})
+            if (!file.empty())
+              {
+                make_absolute(file);
+                prm.set(entry, print_file_name(file));
+              }
+          prm.leave_subsection();
+        }
+    }
+
+
+    /** Old names that still work. */
+    std::vector<OldName>
+    old_names()
+    {
+      return {
+        {"Points", "Named points"},
+        {"Surface/Meridian=points", "Surface/Meridian=spline"},
+        {"Surface/Points/", "Surface/Spline/"},
+        {"Surface/Straight line/Begin", "Surface/Straight line/Start"},
+        {"Supports/Points", "Supports/Point supports"},
+        {"Supports/*=mean", "Supports/*=middle"},
+        {"Loads/Pressure", "Loads/Pressure type"},
+        {"Loads/Area of face loads=midway", "Loads/Area of face loads=middle"},
+        {"Contact/Plane normal", "Contact/Direction"},
+        {"Stage N/Begin from prestress", "Stage N/Start from prestress"},
+        {"Step control/Greatest growth", "Step control/Maximum growth"}};
+    }
+
+
+    /** Read settings; later ones replace earlier ones.
+     * @param file_name the file to whose folder names of files are relative.
+     * @return notes: the old names in the settings, and what is ignored. */
+    std::vector<std::string>
+    parse_sources(std::vector<Source> sources,
+                  const std::string  &file_name,
+                  Parameters         &parameters,
+                  ParameterHandler   &prm)
+    {
+      std::vector<OldName> used_old_names;
+      // these determine which sections exist
+      ParameterHandler         names_only;
+      unsigned int             n_stages = 1;
+      std::vector<std::string> materials{"cord"}, bodies;
+      names_only.add_parameter(
+        "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
+      names_only.add_parameter(
+        "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
+      names_only.add_parameter(
+        "Bodies", bodies, "", Patterns::List(Patterns::Anything()));
+      for (Source &source : sources)
+        {
+          for (const OldName &old : replace_old_names(source.text, old_names()))
+            if (std::none_of(used_old_names.begin(),
+                             used_old_names.end(),
+                             [&](const OldName &other) {
+                               return other.old_name == old.old_name;
+                             }))
+              used_old_names.push_back(old);
+          check_parameter_text(source.name, source.text);
+          parse_parameter_text(names_only, source.name, source.text, true);
+          source.n_stages = n_stages;
+        }
+
+      check_names(file_name, "Materials", materials);
+      check_names(file_name, "Bodies", bodies);
+      parameters.add_parameters(prm, materials, bodies, n_stages);
+      std::set<std::string> surplus;
+      for (Source &source : sources)
+        {
+          surplus.merge(remove_surplus_stages(source, n_stages));
+          check_sections(source, materials, bodies, n_stages);
+          parse_parameter_text(prm, source.name, source.text, false);
+          if (source.is_plies_file)
+            parameters.plies_files.push_back(source.name);
+        }
+
+      make_names_absolute(file_name, parameters, prm);
+      std::vector<std::string> notes;
+      for (const OldName &old : used_old_names)
+        notes.push_back("'" + old.old_name + "' is now called '" +
+                        old.new_name + "'; the old name still works.");
+      for (const std::string &section : surplus)
+        notes.push_back("The section '" + section +
+                        "' is ignored: 'Number of stages' is " +
+                        std::to_string(n_stages) + ".");
+      return notes;
+    }
+
+
+    /** Put the plies of each 'Laminate/Plies file' in 'Laminate/Plies': in a
+     * source behind the one that names it.
+     * @param file_name the file to whose folder names of files are relative. */
+    void
+    read_plies_files(const std::string   &file_name,
+                     const MPI_Comm       communicator,
+                     std::vector<Source> &sources)
+    {
+      const std::string entry = "Laminate/Plies file";
+      for (std::size_t i = 0; i < sources.size(); ++i)
+        {
+          std::string name;
+          bool        has_plies = false;
+          for (const ParameterLine &line : scan_parameter_text(sources[i].text))
+            if (line.section == "Laminate/" && line.keyword == "set")
+              {
+                if (line.name == "Plies file")
+                  name = line.value;
+                has_plies = has_plies || line.name == "Plies";
+              }
+          if (name.empty())
+            continue;
+          try
+            {
+              if (has_plies)
+                throw InputError(
+                  entry, name, "it must not be given together with 'Plies'");
+              const std::string path =
+                (std::filesystem::path(file_name).parent_path() /
+                 parse_file_name(entry, name))
+                  .string();
+              const std::string plies =
+                plies_of_csv(read_file(path, communicator), path);
+              Source source{path,
+                            "subsection Laminate\n  set Plies = " + plies +
+                              "\n  set Plies file =\nend\n"};
+              source.is_plies_file = true;
+              sources.insert(sources.begin() + i + 1, source);
+            }
+          catch (const InputError &error)
+            {
+              throw InputError(sources[i].name + ": " + error.what());
+            }
+          ++i;
+        }
+    }
+
+
+    /** The texts that set parameters. */
+    std::vector<Source>
+    collect_sources(const std::string           &file_name,
+                    const std::vector<Override> &overrides,
+                    const MPI_Comm               communicator)
+    {
+      std::vector<Source> sources;
+      if (!file_name.empty())
+        sources.push_back({file_name, read_file(file_name, communicator)});
+      for (const Override &setting : overrides)
+        sources.push_back({setting.source, override_text(setting)});
+      read_plies_files(file_name, communicator, sources);
+      return sources;
+    }
+
+
+    /** Check parameters, and read the files that they name. */
+    void
+    complete(const MPI_Comm communicator, Parameters &parameters)
+    {
+      parameters.add_tire_test();
+      parameters.assign_load_factors();
+      for (BodyParameters &body : parameters.bodies)
+        body.read_files(communicator);
+      for (MaterialParameters &material : parameters.materials)
+        if (!material.cord_and_rubber.curve.name.empty())
+          material.cord_and_rubber.curve.read("stretch, force", communicator);
+      parameters.check();
+      if (!parameters.surface.points_file.name.empty())
+        parameters.surface.points_file.read("radius, axial coordinate",
+                                            communicator);
+      parameters.surface.imperfection.read_files(communicator);
+      for (TableFile &table : parameters.laminate.tables)
+        table.file.read("alpha_1, value", communicator);
+    }
+
+
+    /** Whether an entry belongs to one of the sections that begin so. */
+    bool
+    is_in(const std::string                        &entry,
+          const std::initializer_list<const char *> sections)
+    {
+      return std::any_of(
+        sections.begin(), sections.end(), [&](const char *section) {
+          return entry.rfind(section, 0) == 0;
+        });
+    }
+
+
+    /** Whether a number describes the problem, and not how it is solved or what
+     * is written. */
+    bool
+    describes_the_problem(const std::string &entry)
+    {
+      return !is_in(entry,
+                    {"Linear solver/",
+                     "Newton/",
+                     "Step control/",
+                     "Output/",
+                     "Checkpoint/",
+                     "Sensitivities/"}) ||
+             entry == "Output/Moment center";
+    }
+
+
+    /** What entries change in the mesh. */
+    SensitivityParameters::MeshChange
+    mesh_change(const std::vector<std::string> &entries)
+    {
+      using MeshChange  = SensitivityParameters::MeshChange;
+      MeshChange change = MeshChange::nothing;
+      for (const std::string &entry : entries)
+        if (is_in(entry, {"Material ", "Laminate/"}))
+          change = std::max(change, MeshChange::plies);
+        else if (!is_in(entry, {"Stage ", "Loads/", "Gas/", "Contact/"}))
+          change = MeshChange::anything;
+      return change;
+    }
+
+
+    /** Whether the size of a change of an entry says nothing without a unit:
+     * no plain number and no angle. */
+    bool
+    has_unit(const ParameterHandler &prm, const std::string &entry)
+    {
+      std::stringstream text;
+      prm.print_parameters(text, ParameterHandler::JSON);
+      boost::property_tree::ptree tree;
+      boost::property_tree::read_json(text, tree);
+      const auto documentation = tree.get<std::string>(
+        boost::property_tree::ptree::path_type(entry + "/documentation", '/'));
+      return documentation.find("Unit") != std::string::npos &&
+             documentation.find("Unit: degrees.") == std::string::npos;
+    }
+
+
+    /** The change of a design variable in differences.
+     * @param automatic in parts of its value, if none is given. */
+    double
+    change_of(const DesignVariable       &variable,
+              const double                value,
+              const std::optional<double> given,
+              const double                automatic,
+              const ParameterHandler     &prm)
+    {
+      const std::string entry = "Sensitivities/Relative step";
+      if (value != 0)
+        {
+          if (given && *given > 0.1)
+            throw InputError(
+              entry, number_to_string(*given), "it must be at most 0.1");
+          return given.value_or(automatic) * std::abs(value);
+        }
+      for (const std::string &name : variable.get_entries())
+        if (!given && has_unit(prm, name))
+          throw InputError(entry,
+                           "automatic",
+                           "it must be a number, the change of " +
+                             quoted(variable.get_name()) +
+                             ", which is 0 and has a unit");
+      return given.value_or(automatic);
+    }
+
+
+    /** The parameters with each of the entries of the section 'Sensitivities'
+     * changed a little. */
+    std::vector<SensitivityParameters::Change>
+    change_entries(const std::vector<Source> &sources,
+                   const std::string         &file_name,
+                   const MPI_Comm             communicator,
+                   const Parameters          &parameters,
+                   const ParameterHandler    &prm)
+    {
+      // The step balances the round-off of stiff contact and the curvature of
+      // the forces, which is large if the shape changes at fixed displacements,
+      // or with friction, if a small slip changes its direction.
+      constexpr double step = 1e-4, small_step = 2e-5;
+
+      const bool has_friction =
+        std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [&](const Stage &stage) {
+                      return stage.contact &&
+                             (stage.glued || !parameters.contact.friction
+                                                .of_stage("", stage.friction)
+                                                .is_zero());
+                    });
+      const std::string     entry = "Sensitivities/Entries";
+      const DeclaredEntries declared(prm);
+      std::vector<SensitivityParameters::Change> changes;
+      for (const DesignVariable &variable :
+           parse_design_variables(entry, parameters.sensitivities.entries))
+        {
+          SensitivityParameters::Change change;
+          change.name  = variable.get_name();
+          change.value = variable.value(declared);
+          const std::vector<std::string> changed_entries =
+            variable.get_entries();
+          for (const std::string &name : changed_entries)
+            if (!describes_the_problem(name))
+              throw InputError(entry,
+                               change.name,
+                               "it must be a number that describes the shell, "
+                               "its loads or the foundation, not the solution "
+                               "or the output");
+          change.mesh_change = mesh_change(changed_entries);
+          const bool of_shape =
+            std::any_of(changed_entries.begin(),
+                        changed_entries.end(),
+                        [](const std::string &name) {
+                          return is_in(name, {"Surface/", "Mesh/"});
+                        });
+          const double size =
+            change_of(variable,
+                      change.value,
+                      parameters.sensitivities.step,
+                      has_friction || of_shape ? small_step : step,
+                      prm);
+          const std::array<double, 2> values{
+            {change.value - size, change.value + size}};
+          change.step = values[1] - values[0];
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              std::vector<Source> changed_sources = sources;
+              for (const Override &setting :
+                   settings({variable}, {values[side]}, declared, entry))
+                changed_sources.push_back({entry, override_text(setting)});
+              const auto       changed = std::make_shared<Parameters>();
+              ParameterHandler changed_prm;
+              try
+                {
+                  parse_sources(
+                    changed_sources, file_name, *changed, changed_prm);
+                  complete(communicator, *changed);
+                }
+              catch (const InputError &error)
+                {
+                  // without the place in the setting and the period
+                  std::string reason = error.what();
+                  if (reason.rfind(entry, 0) == 0)
+                    reason = reason.substr(reason.find(": ") + 2);
+                  if (reason.back() == '.')
+                    reason.pop_back();
+                  throw InputError(entry,
+                                   change.name,
+                                   "small changes of it are not allowed: " +
+                                     reason);
+                }
+              change.parameters[side] = changed;
+            }
+          changes.push_back(change);
+        }
+      return changes;
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  parse_parameters(const std::string           &file_name,
+                   const std::vector<Override> &overrides,
+                   const MPI_Comm               communicator,
+                   Parameters                  &parameters,
+                   ParameterHandler            &prm)
+  {
+    return parse_sources(collect_sources(file_name, overrides, communicator),
+                         file_name,
+                         parameters,
+                         prm);
+  }
+
+
+  std::vector<std::string>
+  read_parameters(const std::string           &file_name,
+                  const std::vector<Override> &overrides,
+                  const MPI_Comm               communicator,
+                  Parameters                  &parameters,
+                  ParameterHandler            &prm)
+  {
+    const std::vector<Source> sources =
+      collect_sources(file_name, overrides, communicator);
+    const std::vector<std::string> sentences =
+      parse_sources(sources, file_name, parameters, prm);
+    try
+      {
+        complete(communicator, parameters);
+        parameters.sensitivities.changes =
+          change_entries(sources, file_name, communicator, parameters, prm);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(file_name + ": " + error.what());
+      }
+    return sentences;
+  }
+
+
+  std::string
+  print_parameters(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(
+      text, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+    return text.str();
+  }
+} // namespace Biface

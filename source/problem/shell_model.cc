@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/model/forces/gas.h>
+#include <biface/model/forces/viscous_damping.h>
+#include <biface/model/mesh/plies_on_surface.h>
+#include <biface/problem/expected_cost.h>
+#include <biface/problem/shell_model.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Layup
+    make_layup(const Parameters &parameters, const ChartGrid &finest)
+    {
+      return {parameters.laminate,
+              parameters.materials,
+              plies_on_surface(make_surface(parameters.surface), finest)};
+    }
+
+
+    /** The cavity of the gas, if any. */
+    std::unique_ptr<const Cavity>
+    make_cavity(const Parameters &parameters, const ShellMesh &mesh)
+    {
+      if (!parameters.gas.ambient_pressure)
+        return nullptr;
+      Cavity::Parameters cavity = parameters.gas.cavity;
+      // plates close it down to the axis
+      if (!parameters.pressure.end_plates.empty())
+        cavity.rim_radius = 0;
+      return std::make_unique<const Cavity>(
+        mesh, cavity, parameters.pressure.face);
+    }
+
+
+    /** The terms of make_force_terms(), the gas in the cavity, if any, and the
+     * damping, if there is a stage with it. */
+    ForceTerms
+    force_terms(const Parameters         &parameters,
+                const ShellMesh          &mesh,
+                const ContactInteraction &contact,
+                const Cavity             *cavity)
+    {
+      ForceTerms terms =
+        make_force_terms(mesh, contact, parameters.loads, parameters.pressure);
+      if (cavity)
+        terms.push_back(std::make_unique<Gas>(parameters.gas, *cavity));
+      if (std::any_of(parameters.stages.begin(),
+                      parameters.stages.end(),
+                      [](const Stage &stage) { return stage.damping > 0; }))
+        terms.push_back(std::make_unique<ViscousDamping>(mesh));
+      return terms;
+    }
+  } // namespace
+
+
+  std::shared_ptr<const ShellMesh>
+  make_shell_mesh(const Parameters &parameters,
+                  const MPI_Comm    communicator,
+                  const ChartGrid  *grid)
+  {
+    std::unique_ptr<const ReferenceSurface> surface =
+      make_surface(parameters.surface);
+    const ChartGrid finest(parameters.mesh, *surface);
+    const ChartGrid given = (grid ? *grid : finest);
+    check_memory(parameters, given, communicator);
+    const Layup                   layup  = make_layup(parameters, finest);
+    const std::vector<NamedPoint> points = parameters.points.on(*surface);
+    const auto                    mesh =
+      std::make_shared<ShellMesh>(communicator,
+                                  std::move(surface),
+                                  given,
+                                  layup,
+                                  parameters.supports,
+                                  points,
+                                  parameters.element.sampling,
+                                  parameters.element.interpolation,
+                                  parameters.element.thickness_strain);
+    if (!parameters.surface.imperfection.is_zero())
+      mesh->deviate_by(
+        Imperfection(parameters.surface.imperfection, mesh->get_surface()));
+    return mesh;
+  }
+
+
+  std::shared_ptr<const ShellMesh>
+  with_other_plies(const ShellMesh &mesh, const Parameters &parameters)
+  {
+    const auto same_faces = mesh.with_layup(make_layup(parameters, mesh.grid));
+    return same_faces ? same_faces
+                      : make_shell_mesh(parameters, mesh.communicator);
+  }
+
+
+  ShellModel::ShellModel(const Parameters                &parameters,
+                         std::shared_ptr<const ShellMesh> shell_mesh)
+    : mesh(std::move(shell_mesh))
+    , contact(*mesh, parameters.contact, parameters.bodies)
+    , cavity(make_cavity(parameters, *mesh))
+    , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
+    , heat(mesh->grid.closed && mesh->layup.has_loss()
+             ? std::make_unique<const RollingHeat>(parameters.heat, *mesh)
+             : nullptr)
+  {}
+} // namespace Biface
