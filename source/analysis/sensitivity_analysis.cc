@@ -11,6 +11,7 @@
 
 #include <biface/analysis/sensitivity_analysis.h>
 #include <biface/base/errors.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/low_rank_stiffness.h>
@@ -378,7 +379,7 @@ namespace Biface
     const bool buckles =
       results.have_buckling() && step.run.stage.n_buckling > 0;
     return step.run.is_complete() || model.contact.has_friction(step.loads) ||
-           model.mesh->layup.relaxes() || step.trial.equations || buckles;
+           model.mesh->get_layup().relaxes() || step.trial.equations || buckles;
   }
 
 

@@ -12,6 +12,8 @@
 #include <biface/analysis/simulation.h>
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/problem/proportions.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/linear/make_linear_solver.h>
@@ -120,7 +122,7 @@ namespace Biface
     for (const NamedPoint &point : mesh->points)
       for (unsigned int a = 0; a < 2; ++a)
         kept[a].push_back(point.alpha[a]);
-    for (const PlyDescription &ply : mesh->layup.get_plies())
+    for (const PlyDescription &ply : mesh->get_layup().get_plies())
       for (const double end : {ply.begin, ply.end})
         kept[0].push_back(end * mesh->get_surface().coordinate_unit(0));
     return grid.coarsened(kept);

@@ -958,10 +958,10 @@ namespace Biface
 
   BIFACE_VECTORIZED
   void
-  MixedElement::add_tangent(const ModeStiffness             &stiffness,
-                            const Modes::Vector             &resultants,
-                            NodalMatrix                     &K,
-                            const NonlinearPlies::Stiffness *added) const
+  MixedElement::add_tangent(const ModeStiffness &stiffness,
+                            const Modes::Vector &resultants,
+                            NodalMatrix         &K,
+                            const Modes::Matrix *added) const
   {
     Modes::Vector H = resultants;
     if (with_normal_thickness())

@@ -6,6 +6,7 @@
 
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain_means.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

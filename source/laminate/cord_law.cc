@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <biface/laminate/cord_law.h>
+#include <biface/laminate/force_curve.h>
 
 namespace Biface
 {

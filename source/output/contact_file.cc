@@ -7,6 +7,7 @@
 #include <biface/model/quantities/face_stretch.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 
+#include <biface/laminate/layup.h>
 #include <biface/laminate/material.h>
 #include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
 
@@ -38,7 +40,7 @@ namespace Biface
             {
               const Ply            &ply = laminate.get_plies()[p];
               const PlyDescription &description =
-                mesh.layup.get_plies()[ply.number];
+                mesh.get_layup().get_plies()[ply.number];
               if (description.strengths)
                 for (unsigned int side = 0; side < 2; ++side)
                   function(

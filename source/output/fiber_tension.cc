@@ -9,6 +9,7 @@
 
 #include <biface/laminate/material.h>
 #include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>
 
 namespace Biface
@@ -71,7 +72,7 @@ namespace Biface
     constexpr double none = LargestCell::none;
 
     const ShellMesh     &mesh = equations.mesh;
-    const TensionMembers members(mesh.layup);
+    const TensionMembers members(mesh.get_layup());
     MaximumTension       maximum;
     if (!members.exist())
       return maximum;
@@ -91,7 +92,7 @@ namespace Biface
               mean(equations.internal_forces().strains_at_vertices(state, c));
             for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
               of_plies[laminate.get_plies()[p].number] +=
-                members.tension(mesh.layup, laminate, p, E);
+                members.tension(mesh.get_layup(), laminate, p, E);
           }
         for (const auto &[ply, tension] : of_plies)
           // the first of plies that differ by round-off

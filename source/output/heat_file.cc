@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/heat_file.h>
 #include <biface/output/rolling_file.h>
@@ -14,7 +16,7 @@ namespace Biface
                      ResultsDirectory         &directory,
                      const ShellEquations     &equations)
     : ResultFile("heat-*.csv", directory, equations)
-    , wanted(any_rolling(stages) && equations.mesh.layup.has_loss())
+    , wanted(any_rolling(stages) && equations.mesh.get_layup().has_loss())
   {}
 
 
@@ -23,7 +25,7 @@ namespace Biface
   {
     const ShellMesh          &mesh  = equations.mesh;
     const RollingHeat::Field &heat  = *report.heat;
-    const auto               &plies = mesh.layup.get_plies();
+    const auto               &plies = mesh.get_layup().get_plies();
     const auto                line  = [&](const unsigned int i) {
       return csv_number(mesh.grid.lines[0][i] /
                         mesh.get_surface().coordinate_unit(0));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
@@ -154,12 +155,12 @@ namespace Biface
              return values;
            }});
       }
-    if (mesh.layup.relaxes())
+    if (mesh.get_layup().relaxes())
       groups.push_back(
         {{"time", "temperature"}, [](const Step &step) -> Values {
            return {step.report.level.time, step.report.level.temperature};
          }});
-    if (mesh.layup.has_slack_cords())
+    if (mesh.get_layup().has_slack_cords())
       groups.push_back(
         {{"slack_cords"}, [](const Step &step) -> Values {
            return {step.equations.internal_forces().slack_fraction(step.state)};
@@ -197,7 +198,7 @@ namespace Biface
                                   step.report.level.wheel_turn,
                                   step.report.level.inclination_angle};
                         }});
-    const TensionMembers members(mesh.layup);
+    const TensionMembers members(mesh.get_layup());
     if (members.exist())
       {
         std::vector<std::string> columns;
@@ -251,7 +252,7 @@ namespace Biface
   std::vector<std::string>
   HistoryFile::warnings() const
   {
-    return criteria.warnings(equations.mesh.layup);
+    return criteria.warnings(equations.mesh.get_layup());
   }
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include <biface/laminate/layup.h>
 #include <biface/output/csv.h>
 #include <biface/output/hysteresis_file.h>
 #include <biface/output/rolling_file.h>
@@ -17,17 +18,18 @@ namespace Biface
     : StepTable("hysteresis.csv",
                 "step,stage,ply,material,loss_factor,energy,power,"
                 "first_harmonics",
-                equations.mesh.layup.get_plies().size(),
+                equations.mesh.get_layup().get_plies().size(),
                 directory,
                 equations,
-                any_rolling(stages) && equations.mesh.layup.has_loss())
+                any_rolling(stages) && equations.mesh.get_layup().has_loss())
   {}
 
 
   void
   HysteresisFile::write(const StepReport &report, const State & /*state*/)
   {
-    const std::vector<PlyDescription> &plies = equations.mesh.layup.get_plies();
+    const std::vector<PlyDescription> &plies =
+      equations.mesh.get_layup().get_plies();
     const double angular_velocity = report.loads.rolling->angular_velocity;
     std::string  lines;
     for (unsigned int p = 0; p < plies.size(); ++p)

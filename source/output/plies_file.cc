@@ -7,6 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/plies_file.h>
@@ -48,7 +51,7 @@ namespace Biface
   std::vector<std::string>
   PliesFile::warnings() const
   {
-    return criteria.warnings(equations.mesh.layup);
+    return criteria.warnings(equations.mesh.get_layup());
   }
 
 
@@ -68,9 +71,9 @@ namespace Biface
   PliesFile::write(const StepReport &report, const State &state)
   {
     const ShellMesh   &mesh      = equations.mesh;
-    const auto        &all_plies = mesh.layup.get_plies();
+    const auto        &all_plies = mesh.get_layup().get_plies();
     const unsigned int n_heights = parameters.points_per_ply;
-    const auto         names     = ply_value_names(criteria, mesh.layup);
+    const auto         names     = ply_value_names(criteria, mesh.get_layup());
 
     // the number of plies, which may be parts, and their tension along the
     // fibers, then for each height: the number of cells, angle, height above
@@ -128,7 +131,7 @@ namespace Biface
                                              shear.stress(c, v, p, fraction)),
                                     ply,
                                     criteria,
-                                    mesh.layup))
+                                    mesh.get_layup()))
                       *sum++ += value;
                   }
                 height += ply.thickness;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/plies_vtu.h>
 
 namespace Biface
@@ -65,7 +67,7 @@ namespace Biface
                          const FailureCriteria    &criteria,
                          const RollingHeat::Field *heat,
                          const double              temperature)
-    : VertexPatches<3>(patch_data_names(criteria, equations.mesh.layup))
+    : VertexPatches<3>(patch_data_names(criteria, equations.mesh.get_layup()))
   {
     const ShellMesh &mesh = equations.mesh;
     EquilibriumShear shear(equations, state);
@@ -117,9 +119,9 @@ namespace Biface
                                              shear.stress(c, v, p, side)),
                                     ply,
                                     criteria,
-                                    mesh.layup))
+                                    mesh.get_layup()))
                       patch.data(d++, i) = value;
-                    if (mesh.layup.has_loss())
+                    if (mesh.get_layup().has_loss())
                       {
                         const unsigned int s =
                           mesh.grid.cell_index(cell.column)[0];
@@ -163,7 +165,7 @@ namespace Biface
   std::vector<std::string>
   PliesVtu::warnings() const
   {
-    return criteria.warnings(equations.mesh.layup);
+    return criteria.warnings(equations.mesh.get_layup());
   }
 
 

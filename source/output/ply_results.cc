@@ -6,6 +6,7 @@
 
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/ply_results.h>
 

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/profile_file.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -94,8 +97,8 @@ namespace Biface
   ProfileFile::tensions(const State &state) const
   {
     const ShellMesh     &mesh = equations.mesh;
-    const TensionMembers members(mesh.layup);
-    const unsigned int   n_plies = mesh.layup.get_plies().size();
+    const TensionMembers members(mesh.get_layup());
+    const unsigned int   n_plies = mesh.get_layup().get_plies().size();
 
     // number of plies, which may be parts, and sum by node and ply
     std::vector<double> sums(2 * mesh.grid.n_nodes(0) * n_plies);
@@ -110,7 +113,8 @@ namespace Biface
                       double    *sum =
                         &sums[2 * (node.grid_index[0] * n_plies + ply.number)];
                       sum[0] += ply.end - ply.begin;
-                      sum[1] += members.tension(mesh.layup, laminate, p, E);
+                      sum[1] +=
+                        members.tension(mesh.get_layup(), laminate, p, E);
                     }
                 });
     Utilities::MPI::sum(sums, communicator, sums);
@@ -192,7 +196,7 @@ namespace Biface
         double          low = laminate.thickness(), high = 0, height = 0;
         for (const Ply &ply : laminate.get_plies())
           {
-            if (mesh.layup.get_plies()[ply.number].has_fibers)
+            if (mesh.get_layup().get_plies()[ply.number].has_fibers)
               {
                 low  = std::min(low, height);
                 high = std::max(high, height + ply.thickness);
@@ -212,8 +216,8 @@ namespace Biface
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
 
-    const TensionMembers members(mesh.layup);
-    const unsigned int   n_plies = mesh.layup.get_plies().size();
+    const TensionMembers members(mesh.get_layup());
+    const unsigned int   n_plies = mesh.get_layup().get_plies().size();
     const auto           tensions =
       (members.exist() ? this->tensions(state) : std::vector<double>());
     const std::vector<double> stresses   = this->stresses(state);

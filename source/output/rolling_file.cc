@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include <biface/laminate/layup.h>
 #include <biface/output/csv.h>
 #include <biface/output/rolling_file.h>
 
@@ -19,7 +20,7 @@ namespace Biface
         "step,stage,angular_velocity,ground_velocity,slip_angle,"
         "inclination_angle,rolling_radius,slip_ratio,F_x,F_y,F_z,M_x,M_y,M_z,axle_moment,axle_power,"
         "ground_power,friction_power,normal_power,mismatch,sliding_power,release_power" +
-          std::string(equations.mesh.layup.has_loss()
+          std::string(equations.mesh.get_layup().has_loss()
                         ? ",hysteresis_power,rolling_resistance"
                         : ""),
         1,

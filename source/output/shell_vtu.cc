@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/shell_vtu.h>
 
@@ -47,7 +49,7 @@ namespace Biface
                            const Loads                     &loads,
                            const std::vector<Tensor<1, 3>> &slip_velocities)
     : VertexPatches<2>(
-        dataset_names(equations.mesh.layup, !slip_velocities.empty()))
+        dataset_names(equations.mesh.get_layup(), !slip_velocities.empty()))
   {
     using namespace Resultants;
 
@@ -120,7 +122,7 @@ namespace Biface
                                 E[v])
                        .values())
                   patch.data(d++, v) = stress;
-                if (mesh.layup.has_slack_cords())
+                if (mesh.get_layup().has_slack_cords())
                   patch.data(d++, v) = slack[v];
                 if (mesh.n_layers() > 1)
                   patch.data(d++, v) = cell.layer + 1;

@@ -7,8 +7,10 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -11,6 +11,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

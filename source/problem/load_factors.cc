@@ -8,6 +8,8 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/problem/parameters.h>
 
 namespace Biface

@@ -8,9 +8,11 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/relaxation.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/surface/imperfection.h>
 
 namespace Biface
 {

@@ -20,6 +20,7 @@
 #include <biface/input/read_file.h>
 #include <biface/problem/design_variable.h>
 #include <biface/problem/parameters.h>
+#include <biface/surface/imperfection.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>

@@ -10,11 +10,16 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/gas.h>
 #include <biface/model/forces/viscous_damping.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/problem/expected_cost.h>
 #include <biface/problem/shell_model.h>
+#include <biface/surface/imperfection.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -111,7 +116,7 @@ namespace Biface
     , contact(*mesh, parameters.contact, parameters.bodies)
     , cavity(make_cavity(parameters, *mesh))
     , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
-    , heat(mesh->grid.closed && mesh->layup.has_loss()
+    , heat(mesh->grid.closed && mesh->get_layup().has_loss()
              ? std::make_unique<const RollingHeat>(parameters.heat, *mesh)
              : nullptr)
   {}

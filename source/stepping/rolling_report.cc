@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/stepping/rolling_report.h>
 #include <biface/stepping/wheel_motion.h>
 

@@ -11,6 +11,9 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/chart_grid.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -17,7 +17,10 @@
 #include <biface/element/shell_fe_values.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/plane.h>
+#include <biface/surface/reference_surface.h>
 #include <biface/surface/surface_of_revolution.h>
 
 /** The torus of the bias tire. */

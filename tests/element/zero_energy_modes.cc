@@ -9,6 +9,7 @@
 
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
+#include <biface/surface/reference_surface.h>
 
 #include "one_cell.h"
 #include <tests.h>

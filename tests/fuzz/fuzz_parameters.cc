@@ -11,6 +11,7 @@
 #include <biface/analysis/simulation.h>
 #include <biface/laminate/layup.h>
 #include <biface/problem/parameters.h>
+#include <biface/surface/intervals.h>
 
 #include "fuzz.h"
 #include <unistd.h>

@@ -9,6 +9,11 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/cavity.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/strip.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

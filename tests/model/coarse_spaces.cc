@@ -12,6 +12,7 @@
 
 #include <biface/model/mesh/coarse_spaces.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/surface/reference_surface.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -9,7 +9,11 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/surface_of_revolution.h>
 
 /** A section of the torus of the bias tire on a coarse, uneven grid, held at

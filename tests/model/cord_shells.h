@@ -11,9 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/plane.h>
+#include <biface/surface/reference_surface.h>
 #include <biface/surface/straight_line.h>
 #include <biface/surface/surface_of_revolution.h>
 

@@ -4,7 +4,10 @@
 // times the length of the edge, which pushes the outer face outward beyond the
 // edge; so are those of a follower moment in the undeformed shell.
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/dead_loads.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -10,6 +10,9 @@
 #include <map>
 
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>
 

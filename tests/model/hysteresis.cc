@@ -10,8 +10,11 @@
 #include <array>
 #include <cmath>
 
+#include <biface/model/mesh/supports.h>
 #include <biface/model/quantities/cyclic_loss.h>
 #include <biface/model/quantities/hysteresis.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/straight_line.h>
 #include <biface/surface/surface_of_revolution.h>
 

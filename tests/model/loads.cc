@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
 
 #include "cord_shells.h"
 #include <tests.h>

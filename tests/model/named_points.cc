@@ -5,8 +5,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/surface_of_revolution.h>
 
 #include <cord_ply.h>

@@ -7,8 +7,13 @@
 #include <deal.II/physics/transformations.h>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/surface_of_revolution.h>
 
 #include <cord_ply.h>

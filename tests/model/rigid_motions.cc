@@ -6,7 +6,10 @@
 
 #include <iostream>
 
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/reference_surface.h>
 
 #include "cord_shells.h"
 #include <tests.h>

@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
 
 #include "coarse_torus.h"

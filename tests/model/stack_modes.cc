@@ -9,7 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/plane.h>
 
 #include "cord_shells.h"

@@ -7,6 +7,10 @@
 #include <cmath>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

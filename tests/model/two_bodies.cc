@@ -6,6 +6,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>

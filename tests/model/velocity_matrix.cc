@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>
 

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/solver/active_set_iteration.h>
 
 #include "../model/coarse_torus.h"

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/solver/condensed_contact.h>
 #include <biface/solver/linear/mumps_solver.h>
 

@@ -7,6 +7,8 @@
 
 #include <iostream>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/solver/newton.h>
 
 #include "../model/coarse_torus.h"

@@ -6,6 +6,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 

@@ -9,7 +9,11 @@
 #include <iostream>
 #include <string>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/symmetry.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
 #include <biface/solver/linear/multigrid_solver.h>
 #include <biface/solver/linear/mumps_solver.h>
 

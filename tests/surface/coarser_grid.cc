@@ -3,6 +3,8 @@
 // A coarser grid has every second line, and those that must be kept.
 
 #include <biface/surface/chart_grid.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/plane.h>
 
 #include <tests.h>

@@ -6,6 +6,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/reference_surface.h>
 #include <biface/surface/surface_of_revolution.h>
 
 #include <tests.h>

@@ -12,7 +12,10 @@
 #include <deal.II/fe/mapping_manifold.h>
 
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/intervals.h>
 #include <biface/surface/surface_of_revolution.h>
 
 #include <cord_ply.h>

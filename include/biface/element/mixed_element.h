@@ -9,7 +9,6 @@
 
 #include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
-#include <biface/element/nonlinear_plies.h>
 #include <biface/element/normal_thickness.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
@@ -192,10 +191,10 @@ namespace Biface
      * @param added the stiffness of plies that are not linear; null for none.
      */
     void
-    add_tangent(const ModeStiffness             &stiffness,
-                const Modes::Vector             &resultants,
-                NodalMatrix                     &K,
-                const NonlinearPlies::Stiffness *added = nullptr) const;
+    add_tangent(const ModeStiffness &stiffness,
+                const Modes::Vector &resultants,
+                NodalMatrix         &K,
+                const Modes::Matrix *added = nullptr) const;
 
     /**
      * The product of the tangent of add_tangent() and @p dV, computed from

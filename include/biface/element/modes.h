@@ -95,6 +95,9 @@ namespace Biface
 
     using Vector = dealii::Tensor<1, n>;
 
+    /** `K[i][j]`, row by row. */
+    using Matrix = std::array<std::array<double, n>, n>;
+
     /** The points @f$\xi_1,\xi_2=\pm1/\sqrt3@f$ of the element, numbered like
      * the vertices next to them. With the weight 1/4 each they integrate
      * products of modes exactly. */

@@ -11,6 +11,7 @@
 
 #include <biface/element/modes.h>
 #include <biface/laminate/laminate.h>
+#include <biface/laminate/relaxation.h>
 
 namespace Biface
 {
@@ -81,7 +82,7 @@ namespace Biface
   public:
     /** The derivative of resultants() by the strains, the rows times the
      * weights of their modes: symmetric. Unit: force/length. */
-    using Stiffness = std::array<std::array<double, Modes::n>, Modes::n>;
+    using Stiffness = Modes::Matrix;
 
     /** @param sampling the set of strain modes. */
     explicit NonlinearPlies(

@@ -12,10 +12,12 @@
 
 #include <biface/element/element_geometry.h>
 #include <biface/element/strain_sampling.h>
-#include <biface/surface/reference_surface.h>
+#include <biface/surface/surface_point.h>
 
 namespace Biface
 {
+  class ReferenceSurface;
+
   /**
    * The geometry of a shell, cell by cell, in the manner of dealii::FEValues:
    * reinit() goes to a cell, and the other functions give the geometry of the

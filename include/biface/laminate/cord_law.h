@@ -7,12 +7,13 @@
 
 #include <memory>
 
-#include <biface/laminate/force_curve.h>
-#include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
 {
+  class ForceCurve;
+  class Relaxation;
+
   /**
    * What the cords of a ply add to the law of its material: a stress along them
    * that depends on the Green-Lagrange strain along them. Unit of energies,

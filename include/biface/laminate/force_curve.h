@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <biface/input/read_file.h>
-
 namespace Biface
 {
+  struct PairsFile;
+
   /**
    * The force of a cord by its stretch, as measured: a piecewise cubic that is
    * monotone between the rows of a table @cite FritschCarlson1980, and linear

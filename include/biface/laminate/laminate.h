@@ -14,6 +14,7 @@
 #include <biface/laminate/cord_law.h>
 #include <biface/laminate/material_law.h>
 #include <biface/laminate/ply_points.h>
+#include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
 #include <biface/laminate/thickness_functions.h>
 #include <biface/laminate/transverse_shear.h>

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <biface/input/coordinate.h>
+#include <biface/input/formula.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material_parameters.h>

@@ -6,19 +6,10 @@
 #include <vector>
 
 #include <biface/laminate/material_law.h>
+#include <biface/laminate/time_step.h>
 
 namespace Biface
 {
-  /** What happens between two equilibria beside the change of strains. */
-  struct TimeStep
-  {
-    /** Unit: time. */
-    double duration = 0;
-    /** In the middle of it. Unit: that of Relaxation. */
-    double temperature = 0;
-  };
-
-
   /**
    * The relaxation of stresses: a Prony series of the moduli,
    * @f[

@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include <biface/model/mesh/named_points.h>
 #include <biface/output/result_file.h>
 
 namespace Biface

@@ -14,6 +14,7 @@
 #include <biface/model/state/state.h>
 #include <biface/output/units.h>
 #include <biface/stepping/step_report.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

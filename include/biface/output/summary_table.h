@@ -6,6 +6,7 @@
 #include <ostream>
 #include <vector>
 
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 #include <biface/output/failure_maxima.h>

@@ -29,6 +29,8 @@
 #include <biface/stepping/load_stepping.h>
 #include <biface/stepping/tire_test.h>
 #include <biface/surface/chart_grid.h>
+#include <biface/surface/grid_parameters.h>
+#include <biface/surface/reference_surface.h>
 #include <biface/surface/surface_parameters.h>
 
 namespace Biface

@@ -3,18 +3,16 @@
 #ifndef biface_surface_chart_grid_h
 #define biface_surface_chart_grid_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include <biface/surface/intervals.h>
-#include <biface/surface/reference_surface.h>
-
 namespace Biface
 {
+  class ReferenceSurface;
+
   /** Distribution of the cells over the ranks. */
   enum class MeshDistribution
   {
@@ -52,22 +50,8 @@ namespace Biface
    */
   struct ChartGrid
   {
-    struct Parameters
-    {
-      /** In the units of parameter files. */
-      std::array<IntervalList, 2> intervals{
-        {parse_intervals("Mesh/Intervals alpha_1",
-                         "-120:-45:12, -45:45:18, 45:120:12"),
-         parse_intervals("Mesh/Intervals alpha_2",
-                         "-180:-15:11:smooth, -15:15:18, 15:180:11:smooth")}};
-      bool             closed       = true;
-      MeshDistribution distribution = MeshDistribution::shared;
-      /** The number of coarser meshes to start with, see coarsened(). */
-      unsigned int n_coarse = 0;
-
-      void
-      add_parameters(dealii::ParameterHandler &prm);
-    };
+    /** The entries of a grid, see grid_parameters.h. */
+    struct Parameters;
 
     /** Coordinates of the grid lines in ascending order, in the internal unit
      * of the surface. */

@@ -4,6 +4,7 @@
 
 #include <biface/element/element_mass.h>
 #include <biface/model/equations/mass_matrix.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

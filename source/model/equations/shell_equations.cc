@@ -9,37 +9,12 @@
 #include <limits>
 #include <utility>
 
-#include <biface/model/contact/contact_forces.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
-#include <biface/model/forces/centrifugal_forces.h>
-#include <biface/model/forces/edge_moments.h>
-#include <biface/model/forces/end_plates.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  ForceTerms
-  make_force_terms(const ShellMesh          &mesh,
-                   const ContactInteraction &contact,
-                   const DeadLoads          &dead_loads,
-                   const PressureLoad       &pressure)
-  {
-    ForceTerms terms;
-    terms.push_back(
-      std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
-    terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
-    if (!pressure.end_plates.empty())
-      terms.push_back(std::make_unique<EndPlates>(mesh, pressure));
-    terms.push_back(
-      std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
-    terms.push_back(std::make_unique<CentrifugalForces>(mesh));
-    for (const auto &pair : contact.pairs)
-      terms.push_back(std::make_unique<ContactForces>(*pair));
-    return terms;
-  }
-
 
   ShellEquations::ShellEquations(const ShellMesh &mesh, ForceTerms other_terms)
     : EquationSystem(mesh)

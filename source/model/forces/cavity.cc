@@ -11,6 +11,7 @@
 #include <biface/element/follower_pressure.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/cavity.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

@@ -10,6 +10,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/edge_moments.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include <biface/element/nonlinear_plies.h>
+#include <biface/input/formula.h>
 #include <biface/model/forces/internal_forces.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {
@@ -52,7 +55,7 @@ namespace Biface
       resultants.push_back(cell.is_layer ? of_strips[cell.strip]
                                          : Modes::Vector());
 
-    const auto          &given = mesh.layup.get_initial_resultants();
+    const auto          &given = mesh.get_layup().get_initial_resultants();
     std::vector<Formula> formulas;
     for (const InitialResultant &resultant : given)
       formulas.push_back(resultant.value);
@@ -66,6 +69,24 @@ namespace Biface
         resultants[c] += Modes::from_vertices(at_vertices);
       }
     return resultants;
+  }
+
+
+  InternalForces::~InternalForces() = default;
+
+
+  bool
+  InternalForces::is_symmetric(const Loads &loads) const
+  {
+    return symmetric_stiffness &&
+           !(loads.rolling && mesh.get_layup().relaxes());
+  }
+
+
+  const NonlinearPlies &
+  InternalForces::nonlinear_plies(const Cell &cell) const
+  {
+    return nonlinear[cell.strip];
   }
 
 
@@ -165,7 +186,7 @@ namespace Biface
   std::string
   InternalForces::name() const
   {
-    return mesh.layup.relaxes() ? "relaxation" : "";
+    return mesh.get_layup().relaxes() ? "relaxation" : "";
   }
 
 
@@ -536,7 +557,7 @@ namespace Biface
   double
   InternalForces::strain_energy(const State &state) const
   {
-    if (mesh.layup.relaxes())
+    if (mesh.get_layup().relaxes())
       return std::numeric_limits<double>::quiet_NaN();
     double     energy = 0;
     CellForces forces;

@@ -7,8 +7,12 @@
 #include <string>
 
 #include <biface/element/mixed_element.h>
+#include <biface/element/nonlinear_plies.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
+#include <biface/laminate/relaxation.h>
 #include <biface/model/forces/relaxation_in_flow.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {
@@ -122,6 +126,13 @@ namespace Biface
   }
 
 
+  const std::vector<RelaxingStress> &
+  RelaxationInFlow::relaxing(const unsigned int strip) const
+  {
+    return plies[strip].relaxing_stresses();
+  }
+
+
   std::vector<double>
   RelaxationInFlow::temperatures(const State       &state,
                                  const unsigned int strip) const
@@ -129,7 +140,7 @@ namespace Biface
     const auto found = state.terms.find("heat");
     if (!state.flow || found == state.terms.end())
       return {};
-    const unsigned int  n_plies = mesh.layup.get_plies().size();
+    const unsigned int  n_plies = mesh.get_layup().get_plies().size();
     std::vector<double> result;
     for (const Ply &ply : mesh.strips[strip].laminate.get_plies())
       result.push_back(

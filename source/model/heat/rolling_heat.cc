@@ -9,7 +9,9 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/heat/rolling_heat.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {
@@ -74,7 +76,7 @@ namespace Biface
   {
     const std::vector<double> &lines    = mesh.grid.lines[0];
     const unsigned int         n_strips = mesh.n_strips();
-    const auto                &plies    = mesh.layup.get_plies();
+    const auto                &plies    = mesh.get_layup().get_plies();
 
     std::vector<double> areas(n_strips);
     for (const unsigned int c : mesh.walls)

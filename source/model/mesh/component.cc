@@ -2,6 +2,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/model/mesh/component.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

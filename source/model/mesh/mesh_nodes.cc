@@ -8,6 +8,8 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/mesh_nodes.h>
+#include <biface/model/mesh/named_points.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -28,6 +30,23 @@ namespace Biface
       }
     return result;
   }
+
+
+  MeshNodes::MeshNodes(const MPI_Comm                          communicator,
+                       std::shared_ptr<const ReferenceSurface> surface,
+                       const ChartGrid                        &grid,
+                       const std::vector<NamedPoint>          &points)
+    : communicator(communicator)
+    , grid(grid)
+    , points(points)
+    , surface(std::move(surface))
+  {}
+
+
+  MeshNodes::MeshNodes(const MeshNodes &) = default;
+
+
+  MeshNodes::~MeshNodes() = default;
 
 
   namespace

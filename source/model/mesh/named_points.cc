@@ -5,6 +5,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/named_points.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

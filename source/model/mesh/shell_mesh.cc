@@ -16,8 +16,13 @@
 #include <set>
 
 #include <biface/base/errors.h>
+#include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/strip.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/imperfection.h>
 
 #include <boost/signals2/connection.hpp>
 
@@ -365,7 +370,6 @@ namespace Biface
                        const Interpolation                     interpolation,
                        const ThicknessStrain                   thickness_strain)
     : MeshNodes(communicator, std::move(surface), grid, points)
-    , layup(layup)
     , sampling(sampling)
     , interpolation(interpolation)
     , thickness_strain(thickness_strain != ThicknessStrain::by_layers
@@ -373,9 +377,8 @@ namespace Biface
                        : layup.n_layers() > 1 ? ThicknessStrain::normal
                                               : ThicknessStrain::vertices)
   {
-    this->layup.set_thickness_strain_along_normal(this->thickness_strain ==
-                                                  ThicknessStrain::normal);
-    const Faces faces(this->layup, *this->surface, grid);
+    set_layup(layup);
+    const Faces faces(*this->layup, *this->surface, grid);
     strips = faces.strips;
     for (const Faces::Heights &heights : faces.on_lines)
       max_thickness = std::max(max_thickness, heights.back() - heights.front());
@@ -424,6 +427,23 @@ namespace Biface
       if (!constraints.is_constrained(dof))
         ++n_owned_free;
     n_free = Utilities::MPI::sum(n_owned_free, communicator);
+  }
+
+
+  ShellMesh::ShellMesh(const ShellMesh &) = default;
+
+
+  ShellMesh::~ShellMesh() = default;
+
+
+  void
+  ShellMesh::set_layup(const Layup &new_layup)
+  {
+    const auto plies = std::make_shared<Layup>(new_layup);
+    plies->set_thickness_strain_along_normal(thickness_strain ==
+                                             ThicknessStrain::normal);
+    n_all_layers = plies->n_layers();
+    layup        = plies;
   }
 
 
@@ -482,10 +502,8 @@ namespace Biface
   ShellMesh::with_layup(const Layup &other) const
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
-    result->layup = other;
-    result->layup.set_thickness_strain_along_normal(thickness_strain ==
-                                                    ThicknessStrain::normal);
-    const Faces faces(result->layup, *surface, grid);
+    result->set_layup(other);
+    const Faces faces(*result->layup, *surface, grid);
     result->strips = faces.strips;
     if (strips.size() != result->strips.size())
       return nullptr;

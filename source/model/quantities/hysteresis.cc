@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/model/quantities/cyclic_loss.h>
 #include <biface/model/quantities/hysteresis.h>
 
@@ -90,7 +92,7 @@ namespace Biface
     public:
       explicit Energies(const ShellMesh &mesh)
         : mesh(mesh)
-        , n_plies(mesh.layup.get_plies().size())
+        , n_plies(mesh.get_layup().get_plies().size())
         , values(2 * mesh.n_strips() * n_plies)
       {}
 
@@ -222,11 +224,11 @@ namespace Biface
                   }
           }
       }
-    if (mesh.layup.relaxes())
+    if (mesh.get_layup().relaxes())
       add_relaxation(equations, state, angular_velocity, energies);
     energies.sum_over_ranks();
 
-    const auto &plies = mesh.layup.get_plies();
+    const auto &plies = mesh.get_layup().get_plies();
     Hysteresis  result;
     result.by_strip.reinit(mesh.n_strips(), plies.size());
     for (unsigned int p = 0; p < plies.size(); ++p)

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/quantities/rolling_summary.h>
 
@@ -147,7 +148,7 @@ namespace Biface
       }
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
-    if (mesh.layup.has_loss())
+    if (mesh.get_layup().has_loss())
       {
         result.hysteresis =
           find_hysteresis(equations, state, rolling.angular_velocity);

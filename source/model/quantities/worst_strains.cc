@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <limits>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/strip.h>
 #include <biface/model/quantities/worst_strains.h>
 
 namespace Biface
@@ -208,7 +210,7 @@ namespace Biface
                        maximum(mesh, shears)->stiffness,
                        {}};
     worst.compression.value *= -1;
-    const auto &plies = mesh.layup.get_plies();
+    const auto &plies = mesh.get_layup().get_plies();
     worst.linear_law =
       std::any_of(plies.begin(), plies.end(), [](const PlyDescription &ply) {
         return !ply.is_hyperelastic;

@@ -9,32 +9,16 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/equation_system.h>
 #include <biface/model/equations/tangent_matrix.h>
-#include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/forces/nodal_forces.h>
-#include <biface/model/forces/pressure_load.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
 {
-  using ForceTerms = std::vector<std::unique_ptr<const ForceTerm>>;
-
-
-  /** The forces on the shell except its internal forces; a new kind of force is
-   * one more line here. The mesh and the contact are kept by reference. Throws
-   * InputError if the loads are invalid. */
-  ForceTerms
-  make_force_terms(const ShellMesh          &mesh,
-                   const ContactInteraction &contact,
-                   const DeadLoads          &dead_loads = DeadLoads(),
-                   const PressureLoad       &pressure   = PressureLoad());
-
-
   /**
    * The discrete equilibrium equations of the shell: the sum of its forces,
    * each kind a ForceTerm.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/input/formula.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/pressure_load.h>

@@ -6,6 +6,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -253,6 +254,10 @@ namespace Biface
         row.fill(0);
     square = 0;
   }
+
+
+  /** The kinds of forces on a shell, those of one kind in each term. */
+  using ForceTerms = std::vector<std::unique_ptr<const ForceTerm>>;
 } // namespace Biface
 
 #endif

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include <biface/element/modes.h>
-#include <biface/element/nonlinear_plies.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/relaxation_in_flow.h>
 
 namespace Biface
 {
+  struct HistoryOfPlies;
+  class NonlinearPlies;
+
   /**
    * The internal forces of the layers, including those of initial resultants,
    * with the corresponding strains, resultants and energy. Where there are
@@ -26,6 +28,8 @@ namespace Biface
   public:
     /** The mesh is kept by reference. */
     explicit InternalForces(const ShellMesh &mesh);
+
+    ~InternalForces() override;
 
     bool
     acts_on(const unsigned int cell,
@@ -48,10 +52,7 @@ namespace Biface
                    CellForces                      &forces) const;
 
     bool
-    is_symmetric(const Loads &loads) const override
-    {
-      return symmetric_stiffness && !(loads.rolling && mesh.layup.relaxes());
-    }
+    is_symmetric(const Loads &loads) const override;
 
     Source
     source() const override
@@ -226,10 +227,7 @@ namespace Biface
     }
 
     const NonlinearPlies &
-    nonlinear_plies(const Cell &cell) const
-    {
-      return nonlinear[cell.strip];
-    }
+    nonlinear_plies(const Cell &cell) const;
 
     /** The internal variables of a cell in a state, with its step. */
     HistoryOfPlies

@@ -12,13 +12,19 @@
 #include <string>
 #include <vector>
 
-#include <biface/element/nonlinear_plies.h>
+#include <biface/element/modes.h>
+#include <biface/laminate/time_step.h>
 #include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
 {
+  struct HistoryOfPlies;
+  class NonlinearPlies;
+  class RelaxationAroundLine;
+  struct RelaxingStress;
+
   /**
    * The relaxation of stresses in a wheel that rolls steadily: the material
    * flows through the mesh around the axle, and what a Gauss point remembers is
@@ -128,10 +134,7 @@ namespace Biface
     }
 
     const std::vector<RelaxingStress> &
-    relaxing(const unsigned int strip) const
-    {
-      return plies[strip].relaxing_stresses();
-    }
+    relaxing(const unsigned int strip) const;
 
     /** Of the plies of a strip, if they follow from the heat; otherwise
      * empty. */

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
-#include <biface/surface/reference_surface.h>
+#include <biface/surface/surface_point.h>
 
 namespace Biface
 {
+  class ReferenceSurface;
+
   /** A component of a displacement: in the frame of the node, Cartesian, or
    * about the axis of a surface of revolution. All directions are those of the
    * undeformed shell. */

@@ -12,11 +12,12 @@
 #include <valarray>
 #include <vector>
 
-#include <biface/model/mesh/mesh_nodes.h>
-#include <biface/model/mesh/supports.h>
 
 namespace Biface
 {
+  class MeshNodes;
+  struct Supports;
+
   /** A constrained unknown whose constraint is not homogeneous: @p values are
    * multiplied by Loads::factors, and their sum is added to the entries of the
    * constraint. */

@@ -15,13 +15,14 @@
 #include <utility>
 #include <vector>
 
-#include <biface/element/mixed_element.h>
-#include <biface/model/mesh/named_points.h>
 #include <biface/surface/chart_grid.h>
-#include <biface/surface/reference_surface.h>
+#include <biface/surface/surface_point.h>
 
 namespace Biface
 {
+  struct NamedPoint;
+  class ReferenceSurface;
+
   /**
    * A node of the mesh: a vertex with the displacements of all faces.
    *
@@ -133,12 +134,11 @@ namespace Biface
     MeshNodes(const MPI_Comm                          communicator,
               std::shared_ptr<const ReferenceSurface> surface,
               const ChartGrid                        &grid,
-              const std::vector<NamedPoint>          &points)
-      : communicator(communicator)
-      , grid(grid)
-      , points(points)
-      , surface(std::move(surface))
-    {}
+              const std::vector<NamedPoint>          &points);
+
+    MeshNodes(const MeshNodes &);
+
+    ~MeshNodes();
 
     const MPI_Comm  communicator;
     const ChartGrid grid;

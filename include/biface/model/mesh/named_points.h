@@ -4,16 +4,18 @@
 #define biface_model_mesh_named_points_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <biface/input/coordinate.h>
-#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
+  class ReferenceSurface;
+
   /** A named point of the surface, used to support, load, monitor or control a
    * node. */
   struct NamedPoint

@@ -16,22 +16,24 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/element/element_geometry.h>
 #include <biface/element/mixed_element.h>
-#include <biface/element/shell_fe_values.h>
-#include <biface/input/formula.h>
-#include <biface/laminate/layup.h>
 #include <biface/model/mesh/constraints.h>
 #include <biface/model/mesh/mesh_nodes.h>
-#include <biface/model/mesh/supports.h>
-#include <biface/surface/chart_grid.h>
-#include <biface/surface/imperfection.h>
-#include <biface/surface/reference_surface.h>
 
 #include <boost/iterator/permutation_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
 namespace Biface
 {
+  class Formula;
+  class Imperfection;
+  class Layup;
+  struct NamedPoint;
+  class ReferenceSurface;
+  struct Strip;
+  struct Supports;
+
   /**
    * An element on a locally owned cell of the triangulation, between two faces
    * of the shell: one of its layers, which has stiffness and mass, or the whole
@@ -96,16 +98,6 @@ namespace Biface
   };
 
 
-  /** The plies of an element between two lines of the first coordinate. */
-  struct Strip
-  {
-    /** At the middle of the strip, which gives the stiffness of the cells. */
-    Laminate laminate;
-    /** The same plies at both lines. */
-    std::array<Laminate, 2> at_lines;
-  };
-
-
   /** A side of a locally owned cell on an edge of the shell. */
   struct BoundarySegment
   {
@@ -143,8 +135,8 @@ namespace Biface
       const ChartGrid                        &grid,
       const Layup                            &layup,
       const Supports                         &supports,
-      const std::vector<NamedPoint>          &points = {},
-      const StrainSampling  sampling                 = StrainSampling::vertices,
+      const std::vector<NamedPoint>          &points,
+      const StrainSampling  sampling         = StrainSampling::vertices,
       const Interpolation   interpolation    = Interpolation::components,
       const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
 
@@ -159,7 +151,13 @@ namespace Biface
     std::shared_ptr<const ShellMesh>
     with_layup(const Layup &other) const;
 
-    Layup layup;
+    ~ShellMesh();
+
+    const Layup &
+    get_layup() const
+    {
+      return *layup;
+    }
 
     const StrainSampling sampling;
     const Interpolation  interpolation;
@@ -205,7 +203,7 @@ namespace Biface
     unsigned int
     n_layers() const
     {
-      return layup.n_layers();
+      return n_all_layers;
     }
 
     /** The number of unknowns of a node. */
@@ -365,7 +363,11 @@ namespace Biface
 
   private:
     /** A copy on the same triangulation. */
-    ShellMesh(const ShellMesh &) = default;
+    ShellMesh(const ShellMesh &);
+
+    /** Take the plies, and say how they follow the strain of the thickness. */
+    void
+    set_layup(const Layup &new_layup);
 
     /** The strips, and the heights of the faces. */
     class Faces;
@@ -381,6 +383,8 @@ namespace Biface
     Node
     make_node(const GridIndex &index, const Faces &faces) const;
 
+    std::shared_ptr<const Layup> layup;
+    unsigned int                 n_all_layers;
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;
     std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;

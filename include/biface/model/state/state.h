@@ -19,6 +19,7 @@
 #include <biface/contact/rolling.h>
 #include <biface/contact/tangential_law.h>
 #include <biface/element/modes.h>
+#include <biface/laminate/time_step.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface

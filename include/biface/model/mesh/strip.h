@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_mesh_strip_h
+#define biface_model_mesh_strip_h
+
+#include <array>
+
+#include <biface/laminate/laminate.h>
+
+namespace Biface
+{
+  /** The plies of an element between two lines of the first coordinate. */
+  struct Strip
+  {
+    /** The plies at the middle of the strip, which give the stiffness of the
+     * cells. */
+    Laminate laminate;
+    /** The same plies at both lines. */
+    std::array<Laminate, 2> at_lines;
+  };
+} // namespace Biface
+
+#endif
