@@ -14,7 +14,7 @@
 #include <biface/base/version.h>
 #include <biface/output/results_check.h>
 #include <biface/output/results_writer.h>
-#include <biface/output/tire_test_file.h>
+#include <biface/output/rig_table.h>
 #include <biface/problem/expected_cost.h>
 #include <biface/restart/checkpoint_writer.h>
 
@@ -92,8 +92,9 @@ namespace Biface
       std::optional<ResultsWriter::Written> written;
       if (checkpoint != nullptr)
         {
-          written        = checkpoint->get_record().written;
-          record.summary = checkpoint->get_record().summary;
+          written           = checkpoint->get_record().written;
+          record.rig_points = checkpoint->get_record().rig_points;
+          record.summary    = checkpoint->get_record().summary;
         }
       ResultsDirectory results_directory(
         directory, communicator, parameters.units);
@@ -110,8 +111,10 @@ namespace Biface
                               parameters.sensitivities.outputs.size(),
                             written);
 
-      TireTestFile tire_test(
-        parameters.tire_test, parameters.stages, results_directory);
+      RigTable rig_table(parameters.tire_test.axes,
+                         parameters.stages,
+                         parameters.first_rig_point,
+                         results_directory);
 
       log.open(directory + "/run.log", checkpoint != nullptr);
       if (checkpoint != nullptr)
@@ -148,7 +151,11 @@ namespace Biface
           for (const std::string &warning : check.add(report, state))
             out << "  " << warning << std::endl;
           results.write_step(report, state);
-          tire_test.write(progress.tested);
+          const unsigned int stage = report.instant.stage;
+          if (rig_table.is_point(stage) && progress.at_end_of(stage))
+            record.rig_points[stage] =
+              rig_point(parameters.stages[stage], report);
+          rig_table.write(record.rig_points, progress.failed_stages);
           record.summary.add(
             report, state, equations.mesh, results.get_failure_maxima());
           checkpoints.write_if_due(record);
@@ -158,7 +165,7 @@ namespace Biface
         [&]() { return signals.caught(communicator) != 0; },
         options.predictor);
       checkpoints.write(record);
-      tire_test.write(progress.tested);
+      rig_table.write(record.rig_points, progress.failed_stages);
 
       out << std::endl;
       if (out.is_active())
@@ -167,10 +174,10 @@ namespace Biface
       print_costs(simulation, out);
       out << (result.success ? "Results" : "Results so far");
       std::vector<std::string> files = results.list();
-      if (!tire_test.description().empty())
-        files.insert(files.begin(), tire_test.description());
+      if (!rig_table.description().empty())
+        files.insert(files.begin(), rig_table.description());
       print_files(directory, files, out);
-      const std::string failures = tire_test.failures(progress.tested);
+      const std::string failures = rig_table.warning(progress.failed_stages);
       if (!failures.empty())
         out << "Warning: " << failures << std::endl;
       if (result.success)

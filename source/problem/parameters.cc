@@ -151,6 +151,7 @@ namespace Biface
   Parameters::add_tire_test()
   {
     tire_test.check(stages);
+    first_rig_point = stages.size();
     if (!tire_test.is_requested())
       return;
     const auto refuse = [](const std::string &why) {
@@ -167,7 +168,7 @@ namespace Biface
       refuse(
         "a stage 'Start from' in which the wheel does not roll, not stage " +
         std::to_string(start));
-    tire_test.append_to(stages);
+    first_rig_point = tire_test.append_to(stages);
   }
 
 

@@ -84,24 +84,18 @@ namespace Biface
             auto step = next_step(run);
             if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
               {
-                if (failure->stopped || !run.stage.may_fail())
+                if (failure->stopped || !run.stage.may_fail)
                   return *failure;
                 out << "  " << run.stage.name
                     << " is left out: " << failure->message << std::endl;
-                progress.tested[progress.stage] =
-                  TireTestResult::failed(failure->message);
-                failed = true;
+                progress.failed_stages[progress.stage] = failure->message;
+                failed                                 = true;
                 continue;
               }
             StepReport &report = std::get<StepReport>(step);
             if (run.is_complete())
-              {
-                for (const auto &analysis : analyses)
-                  analysis->end_stage(run, report);
-                if (run.stage.test_point > 0)
-                  progress.tested[progress.stage] =
-                    test_result(run.stage, report);
-              }
+              for (const auto &analysis : analyses)
+                analysis->end_stage(run, report);
             observer(report, state);
           }
 
@@ -135,19 +129,19 @@ namespace Biface
         const Stage &start = stages[*stage_before(stages, next)];
         if (!progress.has_failed(*stage_before(stages, next)))
           break;
-        progress.tested[next] = TireTestResult::failed(
-          "it starts from " + start.name + ", which failed");
+        progress.failed_stages[next] =
+          "it starts from " + start.name + ", which failed";
       }
     const unsigned int before = *stage_before(stages, next);
     if (before != progress.stage)
       {
         const RestorePoint &end     = ends.at(before);
         const unsigned int  n_steps = progress.n_steps;
-        const auto          tested  = progress.tested;
+        const auto          failed  = progress.failed_stages;
         state                       = end.state;
         progress                    = end.progress;
         progress.n_steps            = n_steps;
-        progress.tested             = tested;
+        progress.failed_stages      = failed;
         out << "Start of " << stages[next].name << " from the end of stage "
             << before + 1 << ", " << stages[before].name << std::endl;
       }

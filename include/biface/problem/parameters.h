@@ -22,12 +22,12 @@
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/output/results_writer.h>
+#include <biface/problem/rig_protocol.h>
 #include <biface/problem/sensitivity_parameters.h>
 #include <biface/restart/checkpoint_writer.h>
 #include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/load_stepping.h>
-#include <biface/stepping/tire_test.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/reference_surface.h>
@@ -62,13 +62,16 @@ namespace Biface
     RollingHeat::Parameters         heat;
     std::vector<BodyParameters>     bodies;
     std::vector<Stage>              stages;
-    TireTest                        tire_test;
-    LinearSolver::Parameters        linear_solver;
-    Newton::Parameters              newton;
-    LoadStepping::Parameters        load_stepping;
-    ResultsWriter::Parameters       output;
-    CheckpointWriter::Parameters    checkpoint;
-    SensitivityParameters           sensitivities;
+    RigProtocol                     tire_test;
+    /** The position of the stage of the first point of the tire test, which
+     * all others follow; the number of stages if there is none. */
+    unsigned int                 first_rig_point = 0;
+    LinearSolver::Parameters     linear_solver;
+    Newton::Parameters           newton;
+    LoadStepping::Parameters     load_stepping;
+    ResultsWriter::Parameters    output;
+    CheckpointWriter::Parameters checkpoint;
+    SensitivityParameters        sensitivities;
 
     /** Declare all entries, with a section for each of the materials, bodies
      * and stages. The object must outlive @p prm. */

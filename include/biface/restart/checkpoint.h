@@ -13,6 +13,7 @@
 
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/output/results_writer.h>
+#include <biface/output/rig_table.h>
 #include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>
 #include <biface/stepping/restore_point.h>
@@ -74,6 +75,8 @@ namespace Biface
     std::set<unsigned int>                          lost_stages;
     std::set<std::pair<unsigned int, unsigned int>> unsettled;
     ResultsWriter::Written                          written;
+    /** The points of a tire test, so far. */
+    RigTable::Points rig_points;
     /** The table at the end of the run, so far. */
     SummaryTable summary;
 
@@ -81,8 +84,9 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &version &parameters &stages &files              &differences;
-      archive &run &perturbed &lost_stages &unsettled &written &summary;
+      archive &version &parameters &stages &files     &differences;
+      archive &run &perturbed &lost_stages &unsettled &written;
+      archive &rig_points                             &summary;
     }
   };
 

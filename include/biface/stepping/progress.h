@@ -14,7 +14,6 @@
 #include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stage.h>
-#include <biface/stepping/tire_test.h>
 
 namespace Biface
 {
@@ -64,8 +63,9 @@ namespace Biface
     /** See Control::Equilibrium. */
     LA::Vector last_change;
 
-    /** The points of a tire test by the positions of their stages. */
-    std::map<unsigned int, TireTestResult> tested;
+    /** The stages that have failed, by position, and why: the run has gone on
+     * without them, see Stage::may_fail. */
+    std::map<unsigned int, std::string> failed_stages;
 
     /** The data of the control of the current stage, if it has started. */
     Control::Memory control;
@@ -76,8 +76,7 @@ namespace Biface
     bool
     has_failed(const unsigned int position) const
     {
-      const auto point = tested.find(position);
-      return point != tested.end() && !point->second.failure.empty();
+      return failed_stages.count(position) > 0;
     }
 
     /** Whether the stages up to this one are complete. */
@@ -119,7 +118,7 @@ namespace Biface
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, free_rolling_radius);
       serialize_optional(archive, n_negative_pivots);
-      archive &tested &control &predictor;
+      archive &failed_stages &control &predictor;
     }
   };
 } // namespace Biface

@@ -52,16 +52,9 @@ namespace Biface
     /** Whether to start with the stresses and loads reached so far, but
      * undeformed. */
     bool from_prestress = false;
-    /** The number of the point of a TireTest at its end, from 1; 0 for none. */
-    unsigned int test_point = 0;
-
-    /** Whether the run goes on with other stages if this one fails: those after
-     * the first point of a tire test. */
-    bool
-    may_fail() const
-    {
-      return test_point > 1;
-    }
+    /** Whether the run goes on with other stages if this one fails, but not
+     * with those that start from it. */
+    bool may_fail = false;
 
     /** Whether the shell rolls: it does not stand both at the start and at the
      * end of the stage. */
@@ -103,7 +96,7 @@ namespace Biface
       StageControl::serialize(archive, version);
       StageResults::serialize(archive, version);
       serialize_optional(archive, start_from);
-      archive &name &theory &from_prestress &test_point;
+      archive &name &theory &from_prestress &may_fail;
     }
 
   private:

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/stepping/step_report.h>
-#include <biface/stepping/tire_test.h>
+#include <biface/problem/rig_protocol.h>
 
 namespace Biface
 {
@@ -49,7 +47,7 @@ namespace Biface
 
 
   void
-  TireTest::add_parameters(ParameterHandler &prm)
+  RigProtocol::add_parameters(ParameterHandler &prm)
   {
     const auto add = [&prm](const std::string   &name,
                             const std::string   &default_text,
@@ -124,7 +122,7 @@ namespace Biface
       prm,
       "Axes",
       axes,
-      {"ISO", "SAE", "adapted ISO"},
+      rig_axes_names(),
       "The signs in tire_test.csv: 'ISO' (ISO 8855: x forward, y to "
       "the left, z up), 'SAE' (J670e: y to the right, z down), or "
       "'adapted ISO' (as ISO, but slip angle and inclination angle have "
@@ -134,7 +132,7 @@ namespace Biface
 
 
   void
-  TireTest::check(const std::vector<Stage> &stages) const
+  RigProtocol::check(const std::vector<Stage> &stages) const
   {
     if (!is_requested())
       return;
@@ -196,10 +194,10 @@ namespace Biface
   namespace
   {
     /** Adds the stages of a tire test to others. */
-    class TestStages
+    class RigStages
     {
     public:
-      TestStages(const TireTest &test, std::vector<Stage> &stages)
+      RigStages(const RigProtocol &test, std::vector<Stage> &stages)
         : test(test), stages(stages), base(test.number_of_start(stages))
       {}
 
@@ -234,7 +232,7 @@ namespace Biface
       }
 
     private:
-      const TireTest     &test;
+      const RigProtocol  &test;
       std::vector<Stage> &stages;
       const unsigned int  base;
       /** What is common to the points at hand. */
@@ -303,8 +301,9 @@ namespace Biface
       {
         stages.push_back(point);
         stages.back().start_from = from;
-        stages.back().test_point = ++n_points;
-        stages.back().name = "tire test: point " + std::to_string(n_points);
+        ++n_points;
+        stages.back().may_fail = n_points > 1;
+        stages.back().name     = "tire test: point " + std::to_string(n_points);
         return stages.size();
       }
 
@@ -325,7 +324,7 @@ namespace Biface
               {
                 point.slip_angle = angle;
                 previous         = add(previous, point);
-                if (test.slip == TireTest::Slip::combined)
+                if (test.slip == RigProtocol::Slip::combined)
                   add_slip_ratios(previous, angle);
               }
           }
@@ -351,46 +350,14 @@ namespace Biface
   } // namespace
 
 
-  void
-  TireTest::append_to(std::vector<Stage> &stages) const
-  {
-    if (is_requested())
-      TestStages(*this, stages).add_all();
-  }
-
-
   unsigned int
-  TireTest::n_points(const std::vector<Stage> &stages)
+  RigProtocol::append_to(std::vector<Stage> &stages) const
   {
-    return std::count_if(stages.begin(), stages.end(), [](const Stage &stage) {
-      return stage.test_point > 0;
-    });
-  }
-
-
-  TireTestResult
-  test_result(const Stage &stage, const StepReport &report)
-  {
-    const RollingSummary &rolling = *report.rolling;
-    TireTestResult        result;
-    result.pressure           = report.loads.pressure;
-    result.velocity           = report.level.ground_velocity;
-    result.inclination_angle  = report.level.inclination_angle;
-    result.slip_angle         = report.level.slip_angle;
-    result.slip_ratio         = stage.slip_ratio.value_or(0);
-    result.angular_velocity   = report.level.angular_velocity;
-    result.rolling_radius     = rolling.rolling_radius;
-    result.loaded_radius      = rolling.loaded_radius;
-    result.force              = rolling.force;
-    result.moment             = rolling.moment;
-    result.axle_moment        = rolling.axle_moment;
-    result.rolling_resistance = rolling.hysteresis
-                                  ? rolling.rolling_resistance
-                                  : std::numeric_limits<double>::quiet_NaN();
-    result.footprint_length   = report.footprint.length;
-    result.footprint_width    = report.footprint.width;
-    result.footprint_area     = report.footprint.area;
-    result.n_iterations       = report.iterations;
-    return result;
+    if (!is_requested())
+      return stages.size();
+    // one stage more for the standing tire
+    const unsigned int first_point = stages.size() + 1;
+    RigStages(*this, stages).add_all();
+    return first_point;
   }
 } // namespace Biface

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_problem_rig_protocol_h
+#define biface_problem_rig_protocol_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+#include <biface/output/rig_table.h>
+#include <biface/stepping/stage.h>
+
+namespace Biface
+{
+  /**
+   * A tire test, as on a test rig: a wheel that rolls at every combination of
+   * pressures, inclination angles and loads, and there with slip angles and
+   * slip ratios.
+   *
+   * It is a sequence of stages that follows those of the parameter file. Each
+   * point is the end of a stage, which starts from the end of the nearest
+   * point before: from zero slip to larger slip on both sides, from load to
+   * load, from inclination to inclination. Points at zero slip ratio roll
+   * freely, without a moment of the axle.
+   */
+  struct RigProtocol
+  {
+    /** How slip angles and slip ratios are combined. */
+    enum class Slip
+    {
+      /** One of the two is zero. */
+      pure,
+      /** Every slip angle with every slip ratio. */
+      combined
+    };
+
+    /** The number of the stage from whose end the test starts; 0 for the last
+     * one. There the tire is inflated and does not roll. */
+    unsigned int start_from = 0;
+    /** Empty for that at the start. */
+    std::vector<double> pressures;
+    std::vector<double> loads;
+    std::vector<double> inclination_angles{0.};
+    std::vector<double> slip_angles;
+    std::vector<double> slip_ratios;
+    double              ground_velocity = 0;
+    Slip                slip            = Slip::pure;
+    unsigned int        n_steps         = 1;
+    RigAxes             axes            = RigAxes::ISO;
+
+    bool
+    is_requested() const
+    {
+      return !loads.empty();
+    }
+
+    /** The number of the stage from whose end the test starts. */
+    unsigned int
+    number_of_start(const std::vector<Stage> &stages) const
+    {
+      return start_from == 0 ? stages.size() : start_from;
+    }
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Throws InputError if a value is invalid.
+     * @param stages those of the parameter file. */
+    void
+    check(const std::vector<Stage> &stages) const;
+
+    /** Append the stages of the test: one that presses the standing tire on
+     * the ground, then one for each point, see RigTable. All but the first
+     * point may fail.
+     * @return the position of the stage of the first point, which is the number
+     * of all stages if there is no test. */
+    unsigned int
+    append_to(std::vector<Stage> &stages) const;
+  };
+} // namespace Biface
+
+#endif
