@@ -211,6 +211,8 @@ namespace Biface
     record.stages     = parameters.stages;
     for (const auto &change : parameters.sensitivities.changes)
       record.differences.push_back(change.step);
+    // before the set-up, which takes long: a run that cannot be continued is
+    // refused at once
     const auto checkpoint =
       find_checkpoint(parameters, record, options.restart, communicator);
 
@@ -221,6 +223,7 @@ namespace Biface
       out << note << std::endl;
     for (const std::string &warning : parameters.warnings())
       out << warning << std::endl;
+    // after the set-up, so that a check finds all that an analysis would refuse
     if (options.check_only)
       {
         const ExpectedCost expected(

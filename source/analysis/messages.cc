@@ -127,6 +127,8 @@ namespace Biface
     if (const unsigned int n = report.n_negative_pivots.value_or(0); n > 0)
       text += ", " + std::to_string(n) +
               (n == 1 ? " negative pivot" : " negative pivots");
+    // in proportion to the steps since the start of this run: a restart has not
+    // spent the time of the others
     if (predictable && now > at_begin && planned > now)
       {
         std::snprintf(part,

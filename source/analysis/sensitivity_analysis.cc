@@ -867,6 +867,7 @@ namespace Biface
     if (lost_stages.count(position) > 0)
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
+    // also where no derivatives are wanted, since later stages go on from here
     for (PerturbedRun *perturbed : followers(position))
       perturbed->progress.end_stage(perturbed->run->stage);
     const SensitivityParameters &asked = parameters.sensitivities;
@@ -898,6 +899,7 @@ namespace Biface
         std::array<std::vector<double>, 2> values;
         for (unsigned int side = 0; side < 2; ++side)
           {
+            // what a perturbed run does not change is that of the run
             PerturbedRun &perturbed = *perturbed_runs[2 * e + side];
             StepReport    changed   = report;
             report_contact(*perturbed.run,
@@ -926,6 +928,7 @@ namespace Biface
               table->derivatives[e][o] = derivative;
             else
               not_finite.insert(o);
+            // at a kink both sides deviate in the same direction
             if (!is_straight(values[0][o],
                              here[o],
                              values[1][o],

@@ -107,6 +107,8 @@ namespace Biface
   BodyParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string section = "Body " + name + "/";
+    // the entries of all shapes: make() asks for those that the shape needs;
+    // files are only named here, since one rank reads them for all
     add_choice(prm,
                "Shape",
                shape,

@@ -15,6 +15,8 @@ namespace Biface
   void
   FrictionLaw::Parameters::add_parameters(ParameterHandler &prm)
   {
+    // no number with a unit is built in: the regularization follows from the
+    // wall, and a critical velocity must be given where a wheel needs one
     prm.add_parameter("Friction",
                       coefficient,
                       "Coefficient of Coulomb friction between the shell and "

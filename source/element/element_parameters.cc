@@ -8,6 +8,8 @@ namespace Biface
   void
   ElementParameters::add_parameters(dealii::ParameterHandler &prm)
   {
+    // the element of the paper remains a choice, with which its results can be
+    // repeated
     add_choice(
       prm,
       "Strain sampling",

@@ -48,6 +48,8 @@ namespace Biface
                         : cross_product_3d(tangents[q][0], dt);
         };
 
+        // each tangent depends on the vertex and on its neighbor along the
+        // line, see ElementGeometry::derivative()
         Tensor<2, 3> own;
         for (unsigned int a = 0; a < 2; ++a)
           {

@@ -72,6 +72,8 @@ namespace Biface
     {
       const ElementGeometry::Vertex &vertex = geometry.vertices[q];
 
+      // where the thickness varies, the derivative at constant height enters
+      // the strains, see DisplacementGradient::g
       Tensor<1, 3> conjugate_beta = conjugate.beta;
       for (unsigned int face = 0; face < 2; ++face)
         for (unsigned int a = 0; a < 2; ++a)
@@ -264,6 +266,8 @@ namespace Biface
     if (with_normal_thickness())
       H += NormalThickness::resultants(shear, resultants + H_0);
 
+    // initial resultants do work on the nonlinear part of the strains only: in
+    // the undeformed shape, constant forces balance them
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     const auto total_at_vertices =
       Modes::to_vertices(geometry.weight * (H + H_0));
@@ -309,6 +313,8 @@ namespace Biface
                                 const Modes::Vector &resultants,
                                 const NodalVector   &dV) const
   {
+    // B^T D B dV and G[H] dV without the matrices, whose large entries would
+    // cancel only up to round-off
     const Modes::Vector dE    = strain_variation(dV);
     const Modes::Vector dH    = stiffness.resultants(dE);
     NodalVector         force = internal_force(dH, Modes::Vector());
@@ -410,6 +416,7 @@ namespace Biface
                 add_beta(strain, -vertex.face_slope[face][a] * p);
             };
 
+            // the derivatives of green_lagrange_strain() by its five vectors
             for (unsigned int face = 0; face < 2; ++face)
               {
                 const auto &zeta = vertex.metric.zeta[face];
@@ -579,6 +586,7 @@ namespace Biface
           matrix[3 * row + i][3 * column + i] += value;
       };
 
+      // half of the symmetric matrix, to which add_tangent() adds its transpose
       const bool turns = geometry.interpolation != Interpolation::components;
 
       for (unsigned int q = 0; q < 4; ++q)
@@ -601,6 +609,8 @@ namespace Biface
                 own[a][i][i] += slope[a];
             }
 
+          // in the mean and half the difference, the faces enter by the sum and
+          // the difference of their terms
           const auto add_products = [&](const double sign,
                                         PartMatrix  &of_faces,
                                         PartMatrix  &of_director) {
@@ -712,6 +722,8 @@ namespace Biface
           row[n_of_part + k] += sign * v[k];
         }
 
+      // the director depends on half the difference alone, and so does a face
+      // that is not parallel to the surface
       if (b || maps.tapered)
         {
           Tensor<1, 3> along[4];
@@ -834,6 +846,7 @@ namespace Biface
                   maps.director[2][3 * q + j] * at_q[2][l];
           }
       };
+      // by the mean with the director, and by half the difference with it
       multiply(director_even, director_sum);
       multiply(director_odd, director_difference);
 
@@ -1009,6 +1022,7 @@ namespace Biface
           }
       }
 
+    // the rows are weighted already, since they are derivatives of an energy
     if (added)
       for (unsigned int m = 0; m < Modes::n; ++m)
         for (unsigned int n = 0; n < Modes::n; ++n)
@@ -1051,6 +1065,8 @@ namespace Biface
             of_dof[dof(q, i, other)] += row[n_of_part * other + 3 * q + i];
     };
 
+    // B^T DB, and the symmetric sum of each half of the second variation and
+    // its transpose
     for (unsigned int k = 0; k < n_of_part; ++k)
       {
         PartVector sum, difference, mean_by_half, half_by_half;

@@ -86,6 +86,8 @@ namespace Biface
     const Tangential by_thickness = tangential_row(softest, thickness);
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
+        // the strains f that the group lacks, with D_ff y = D_f3, section 4 of
+        // doc/theory.md
         const std::vector<Tangential> missing = missing_strains(m, with_twist);
         FullMatrix<double>            of_missing(missing.size());
         Vector<double>                right_side(missing.size());
@@ -113,6 +115,9 @@ namespace Biface
                                 matrix[thickness][t] /
                                 matrix[thickness][thickness];
         };
+        // the law between the other strains where the thickness strain has no
+        // resultant is taken out before the row of that changes, and put back
+        // after
         change_free_thickness(-1);
         for (unsigned int s = 0; s < Resultants::n; ++s)
           {

@@ -54,6 +54,8 @@ namespace Biface
     , cords(laminate.cord_points())
     , with_twist(sampling == StrainSampling::means)
   {
+    // in the order in which for_relaxing() passes the stresses: those of
+    // points, of cords, of thickness strains that vary
     if (points)
       for (const PlyPoints::Point &point : points->get_points())
         if (point.relaxation)
@@ -75,6 +77,8 @@ namespace Biface
           relaxing.push_back(
             {plies[k].relaxation, OfGroups::n_independent_components, k, 1.});
         }
+    // at small strains the thickness strains that vary must have the linear
+    // law, or nearly incompressible layers lock
     ModeStiffness released(laminate.stiffness(), sampling);
     released.release_thickness_strain(laminate.stiffness_of_slack_cords());
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
@@ -174,6 +178,8 @@ namespace Biface
     const Modes::Vector weights = weights_of_modes();
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
+        // the linear law of eta_m, which itself is not linear in the strains:
+        // its second derivatives carry the resultant
         const Variation eta = variation(E, m);
         const auto      law = varying_law(m, relaxed);
         const double    D = law.stiffness, H = D * eta.value + law.added;
@@ -256,6 +262,7 @@ namespace Biface
                   at_points[g][s] +=
                     cord.thickness * at.stress * cord.direction[s];
               }
+            // taut cords of a linear law are in the law of the laminate already
             if (at.modulus == 0)
               continue;
             soft = true;
@@ -289,6 +296,8 @@ namespace Biface
               (*stiffness)[m][n] += value * by_mode[s][n];
           });
       }
+    // the thickness stress is common to all Gauss points, which it couples by a
+    // term of rank one
     if (points && stiffness)
       for (unsigned int m = 0; m < Modes::n; ++m)
         for (unsigned int n = 0; n < Modes::n; ++n)
@@ -471,6 +480,7 @@ namespace Biface
   NonlinearPlies::relaxed(const HistoryOfPlies &history) const
   {
     RelaxedStresses result;
+    // nothing has relaxed, and the laws are elastic
     if (!history.internal)
       return result;
     const unsigned int n_points = points ? points->get_points().size() : 0;
@@ -539,6 +549,8 @@ namespace Biface
     OfGroups                  eta;
     if (points)
       {
+        // the thickness stress is in equilibrium with what has relaxed, though
+        // the stresses asked for have not
         state = points->thickness_state(places, relaxed(history).points);
         for (unsigned int m = 1; m < Modes::groups.size(); ++m)
           eta[m - 1] = variation(E, m).value;
@@ -709,6 +721,7 @@ namespace Biface
     std::vector<PointStrains::Vector> at_points;
     if (points)
       points->elastic_stresses(strains, added_at_points(added), at_points);
+    // in the order of elastic_stresses(), of which these are the derivatives
     OfGroups d_eta;
     for (unsigned int m = 0; m < varying.size(); ++m)
       for (unsigned int i = 0; i < Modes::n; ++i)
@@ -763,6 +776,8 @@ namespace Biface
                          Modes::value_at_gauss_point(Modes::groups[m], g) *
                          stress[m - 1] / n_gauss_points;
                  });
+    // work-conjugate to the strains of elastic_stresses(): the transpose of
+    // their derivatives
     if (points)
       points->resultants(added_at_points(added),
                          make_array_view(sums.begin(), sums.end()));
@@ -805,6 +820,8 @@ namespace Biface
           H[m] += sum / group.weight(i);
         }
 
+    // the kink of cords that become slack or taut is kept: linearized across
+    // it, their stress would be far from any that they can have
     const AtPoints strains = at_gauss_points(E), about = at_gauss_points(law.E);
     AtPoints       changes;
     bool           any = false;

@@ -51,6 +51,8 @@ namespace Biface
         ElementGeometry::Vertex &vertex  = geometry.vertices[q];
         for (unsigned int a = 0; a < 2; ++a)
           {
+            // along coordinate lines, only the vertex and its neighbor have
+            // slopes
             vertex.slope[a] = at_vertices.shape_grad(q, q) * point.frame[a];
             vertex.connection[a] = point.connection(a);
 
@@ -96,6 +98,8 @@ namespace Biface
         for (unsigned int q = 0; q < 4; ++q)
           length += geometry.vertices[q].metric.zeta_bar[c] /
                     std::abs(geometry.vertices[q].slope[c]) / 4;
+        // about 1 in cells shorter than the wall is thick, about 0 in thin
+        // shells, which would lock with 1
         const double ratio      = length / thickness;
         geometry.mean_factor[a] = 1 / (1 + ratio * ratio / 12);
         const double to_wall =

@@ -48,6 +48,8 @@ namespace Biface
                            ".");
         for (Point<3> &point : points)
           {
+            // points of a row have the same coordinate from here on, so that
+            // the order below is exact
             auto row =
               std::upper_bound(rows[d].begin(), rows[d].end(), point[d]);
             point[d] = *--row;

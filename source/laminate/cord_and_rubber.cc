@@ -13,6 +13,8 @@ namespace Biface
   void
   CordAndRubber::add_parameters(ParameterHandler &prm, const std::string &name)
   {
+    // 0 stands for what is not given; check() asks for it where the material is
+    // of this type
     prm.add_parameter("E_cord",
                       E_cord,
                       "Young's modulus of the cords. Unit: force/area.",
@@ -164,6 +166,10 @@ namespace Biface
         G_LT  = E_rubber / (3 * (1 - v));
       }
 
+    // Neither homogenization gives the constants in the plane across the cords:
+    // they follow from Hill's bulk modulus of a composite of cylinders and an
+    // identity of transverse isotropy (section 4 of doc/theory.md, "Cords in
+    // rubber").
     // bulk moduli in plane strain
     const double K_c = G_c / (1 - 2 * nu_cord);
     const double K_r = G_r / (1 - 2 * nu_rubber);

@@ -132,6 +132,8 @@ namespace Biface
     for (const Tensor<1, 2> &Q : shear_forces)
       total += Q;
 
+    // the equilibrium from the inner face up to the height: stresses by the law
+    // of a layer jump between layers
     Tensor<1, 2> stress;
     for (unsigned int k = 0; k <= layer; ++k)
       {
@@ -142,6 +144,9 @@ namespace Biface
             std::array<Tensor<1, 3>, 2> of_faces;
             for (unsigned int m = 0; m < shear_forces.size(); ++m)
               {
+                // bending along both coordinates is superposed; where plies at
+                // an angle couple them, the forces across are parts of those of
+                // the wall
                 const Tensor<2, 2> &part = parts_of_wall[m];
                 const double        along =
                   shear_forces[m][c] - part[c][1 - c] * total[1 - c];

@@ -208,6 +208,8 @@ namespace Biface
             D[transverse(a, p)][transverse(c, q)] =
               transverse_shear.stiffness(p, q)[a][c];
 
+    // the constant thickness stress is eliminated, so that the law derives from
+    // an energy and does not lock (section 4 of doc/theory.md)
     if (law == ThicknessLaw::symmetric)
       {
         for (unsigned int ab = 0; ab < 3; ++ab)
@@ -418,6 +420,8 @@ namespace Biface
         if (ply.cords)
           {
             const std::array<double, 3> direction = cord_direction(ply.angle);
+            // two points are exact as long as a ply is slack or taut as a whole
+            // (section 4, "Cords that go slack")
             for (unsigned int g = 0; g < quadrature.size(); ++g)
               {
                 const double at = z + quadrature.point(g)[0] * ply.thickness;
@@ -488,6 +492,7 @@ namespace Biface
       {
         const SymmetricTensor<2, 3> stress =
           rotate_about_normal(ply.initial_stress, ply.angle);
+        // transverse shear keeps the integrals of a plate, those of N
         const StrainMoments w(functions, z, z + ply.thickness);
         const FaceMoments   N(functions, z, z + ply.thickness);
         z += ply.thickness;
@@ -563,6 +568,7 @@ namespace Biface
             stress       = b * e;
             stress[2][2] = S_33;
           }
+        // those whose integrals with N^- and N^+ are the resultants
         const Tensor<1, 2> shear =
           transverse_shear.stress(transverse_strains(E), ply, z);
         for (unsigned int a = 0; a < 2; ++a)

@@ -20,6 +20,8 @@ namespace Biface
   void
   Layup::Parameters::add_parameters(ParameterHandler &prm)
   {
+    // texts are parsed as they are read, so that a message names the entry; the
+    // names in them are known only to check()
     add_parsed(prm,
                "Laminate/",
                "Plies",
@@ -424,6 +426,7 @@ namespace Biface
         std::to_string(max_layers) + ", or the numbers of plies in at most " +
         std::to_string(max_layers) +
         " layers, each at least 0.001, separated by commas");
+    // any fault of an item is answered by the sentence on the whole entry
     const auto number = [&](const std::string &item) {
       try
         {
@@ -516,6 +519,7 @@ namespace Biface
           throw InputError(entry, item, form);
         const Formula value = parse_position_formula(
           entry, Utilities::trim(item.substr(equals + 1)));
+        // the only one without a face
         if (words.size() == 1 && words[0] == "H_33")
           {
             resultants.push_back({Resultants::thickness, value});
@@ -559,6 +563,8 @@ namespace Biface
         if (material == materials.end())
           throw InputError(
             "Laminate/Plies", ply.text, "its material must be one of " + names);
+        // here, and not for all materials: those that no ply uses may be
+        // incomplete
         material->check();
         if ((material->is_hyperelastic() || material->relaxes()) &&
             law != ThicknessLaw::symmetric)
@@ -665,6 +671,8 @@ namespace Biface
                     const std::function<double(const double)> &angle,
                     const SurfaceOfPlies                      &surface)
     {
+      // On a surface of revolution the number of cords is the same everywhere,
+      // on other surfaces, and along the circumference, the distance.
       const double at_crown = material.cord_pitch;
       const double sine     = std::abs(std::cos(angle(surface.crown)));
       if (!surface.radius || sine < 1e-6)
@@ -685,6 +693,7 @@ namespace Biface
     {
       const CordAndRubber &cords = material.cord_and_rubber;
       ply.cord_pitch             = make_cord_pitch(cords, ply.angle, surface);
+      // pitch times thickness is constant as the volume of the rubber
       if (cords.thickness == CordAndRubber::Thickness::constant_volume)
         ply.thickness = [given    = ply.thickness,
                          pitch    = ply.cord_pitch,
@@ -738,6 +747,8 @@ namespace Biface
           std::find_if(materials.begin(), materials.end(), [&](const auto &m) {
             return m.name == given.material;
           });
+        // functions of a ply own copies of all they need, so that a layup
+        // outlives its parameters
         PlyDescription ply;
         ply.text            = given.text;
         ply.material        = given.material;
@@ -822,6 +833,7 @@ namespace Biface
     for (unsigned int p = 0; p < plies.size(); ++p)
       {
         const PlyDescription &ply = plies[p];
+        // at the end of a ply, this selects the side
         if (within < ply.begin || within > ply.end)
           continue;
         const double thickness = ply.thickness(alpha_1);
@@ -894,6 +906,8 @@ namespace Biface
           all.push_back(ply);
         }
 
+    // equilibrium with bending is that of the whole wall, of whose distribution
+    // of shear each layer takes its part
     WallOfLayer wall;
     double      h = 0;
     if (n_layers() > 1)

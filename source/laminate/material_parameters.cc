@@ -45,6 +45,8 @@ namespace Biface
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
+    // 0 stands for a constant that is not given, since a material has only
+    // those of its type; check() asks for these and refuses others
     add_choice(
       prm,
       "Type",
@@ -268,6 +270,8 @@ namespace Biface
   void
   MaterialParameters::check_unused() const
   {
+    // a constant without effect is mostly a misunderstanding, so that it is
+    // refused and not ignored
     const std::string section = "Material " + name + "/";
     const auto        only    = [&](const std::string &entry,
                           const std::string &value,
@@ -395,6 +399,7 @@ namespace Biface
           return std::make_shared<PolynomialRubber>(
             std::array<double, 3>{{c10, c20, c30}},
             c01,
+            // the message names the constant that is to blame
             bulk_modulus_of(c10 > 0 ? "c01" : "c10",
                             number_to_string(c10 > 0 ? c01 : c10),
                             2 * (c10 + c01)));
@@ -557,6 +562,7 @@ namespace Biface
          none.activation,
          Kind::Arrhenius,
          "Arrhenius");
+    // a shift alone would have no effect
     if (!relaxes())
       {
         if (shift.kind != Kind::none)

@@ -152,6 +152,9 @@ namespace Biface
           }
       }
 
+    // Newton's method for the strains of all points and their common stress
+    // (section 4 of doc/theory.md, "Rubber at large strains"): eliminated point
+    // by point, the strains leave one equation for the stress.
     std::vector<MaterialLaw::ThicknessStress> at(n);
     ThicknessState                            result{PointStrains::none, {}};
     double                                    largest = 1;

@@ -29,6 +29,8 @@ namespace Biface
             if (A[p][q] == 0)
               continue;
             const double half = (A[q][q] - A[p][p]) / (2 * A[p][q]);
+            // of the two angles that make the entry zero the smaller one, with
+            // which the sweeps converge
             const double t =
               (half < 0 ? -1 : 1) / (std::abs(half) + std::hypot(1., half));
             const double c = 1 / std::hypot(1., t), s = t * c;

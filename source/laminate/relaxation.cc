@@ -120,6 +120,8 @@ namespace Biface
                    factors.of_last[k] * last[c];
         };
         std::fill(v.begin(), v.end(), 0.);
+        // the steady state: what a turn from zero adds, divided by the part
+        // that a turn forgets, or the mean if a turn takes no time
         if (factors.turn == 0)
           for (unsigned int k = 0; k < n; ++k)
             for (unsigned int c = 0; c < n_components; ++c)

@@ -88,6 +88,7 @@ namespace Biface
           for (unsigned int j = 0; j < 4; ++j)
             A[i][j] *= scale[i] * scale[j];
         }
+      // relative to the unit diagonal, so that it has no unit
       constexpr double least_pivot = 1e-15;
       for (unsigned int i = 0; i < 4; ++i)
         {
@@ -141,6 +142,7 @@ namespace Biface
             {
               const auto &ab = Resultants::tangential_pairs[i];
               const auto &cd = Resultants::tangential_pairs[j];
+              // without thickness stress
               ply.plane_stress[i][j] =
                 b[ab[0]][ab[1]][cd[0]][cd[1]] -
                 b[ab[0]][ab[1]][2][2] * b[2][2][cd[0]][cd[1]] / b[2][2][2][2];
@@ -158,12 +160,15 @@ namespace Biface
           for (unsigned int q = 0; q < 2; ++q)
             D[p][q] += law.factor * N.second[p][q] * ply.shear;
       }
+    // a layer has the distribution of its wall
     if (!wall.shear)
       set_distribution();
     if (law.kind == TransverseShearLaw::Kind::equilibrium)
       set_equilibrium_stiffness();
     else if (law.gradient_factor != 1)
       {
+        // a gradient of the thickness strain matters only where a face
+        // wrinkles, section 4 of doc/theory.md
         const Tensor<2, 2> R = law.factor * set_residual();
         for (unsigned int p = 0; p < 2; ++p)
           for (unsigned int q = 0; q < 2; ++q)
@@ -271,6 +276,8 @@ namespace Biface
           compliance += weight * transpose(F) * inverse(ply.shear) * F;
         }
 
+    // Equilibrium says nothing about a gradient of the thickness strain, for
+    // which the law of constant strain is kept.
     const Tensor<2, 2> residual = law.gradient_factor * set_residual();
     const Tensor<2, 2> K        = inverse(compliance);
     for (unsigned int p = 0; p < 2; ++p)

@@ -130,6 +130,8 @@ namespace Biface
                  report.level.turn,
                  report.contact.n_slipping};
        }}};
+    // columns exist only where there is something to say, from the features of
+    // the model alone: all steps must have the same ones
     if (with_volume)
       groups.push_back({{"volume"}, [](const Step &step) -> Values {
                           return {step.cavity->volume(step.state)};

@@ -89,6 +89,7 @@ namespace Biface
     const unsigned int of_cell = mesh.wall_of(layer);
     const unsigned int line    = vertex & 1;
     const auto [first, end]    = mesh.layers_of(of_cell);
+    // the plies of a wall are asked for one after the other
     if (wall != of_cell)
       {
         wall = of_cell;

@@ -216,6 +216,8 @@ namespace Biface
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
 
+    // means of cells around a node need all ranks, also those without a node of
+    // the line
     const TensionMembers members(mesh.get_layup());
     const unsigned int   n_plies = mesh.get_layup().get_plies().size();
     const auto           tensions =

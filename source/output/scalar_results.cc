@@ -129,6 +129,7 @@ namespace Biface
   {
     const ShellMesh &mesh = equations.mesh;
     Source           source;
+    // fixed names before those that contain a name of the user
     for (unsigned int g = 0; g < history.size(); ++g)
       if (const auto column = position_of(name, history[g].columns))
         {

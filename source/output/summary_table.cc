@@ -73,6 +73,7 @@ namespace Biface
     };
 
     add("step", [](const Line &line) { return std::to_string(line.step); });
+    // columns of zeros would take the place of others
     if (any([](const Line &line) { return line.factor != 0; }))
       add("load factor", [&](const Line &line) { return number(line.factor); });
     if (any([](const Line &line) { return line.pressure != 0; }))

@@ -78,6 +78,7 @@ namespace Biface
         const Stage      &stage   = stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
         check_entries(stages, i);
+        // friction with history makes no more demands
         if (!rolling[i])
           continue;
         if (stage.glued)

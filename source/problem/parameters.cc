@@ -24,6 +24,8 @@ namespace Biface
                              const std::vector<std::string> &body_names,
                              const unsigned int              n_stages)
   {
+    // the names of materials and bodies, and the number of stages, must have
+    // been read before: each has a section
     units.add_parameters(prm);
 
     prm.enter_subsection("Surface");
@@ -212,6 +214,7 @@ namespace Biface
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     surface.imperfection.check();
+    // what parts demand of each other, once each of them is valid
     check_densities();
     check_laws();
     check_imperfection();
@@ -374,6 +377,7 @@ namespace Biface
                        value,
                        "it needs a material with 'Relaxation times' or a "
                        "'Loss factor'");
+    // the temperatures would act on nothing
     if (coupled && !shifts)
       throw InputError("Heat/Temperatures",
                        value,
@@ -519,6 +523,7 @@ namespace Biface
       sentences.push_back("Warning: the section 'Tire test' has no 'Loads', "
                           "so that there is no test.");
 
+    // an error would be too much: a factor of 0 may be meant
     const auto rests = [this](const unsigned int factor) {
       return std::all_of(
         stages.begin(), stages.end(), [factor](const Stage &stage) {

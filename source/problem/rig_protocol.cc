@@ -49,6 +49,8 @@ namespace Biface
   void
   RigProtocol::add_parameters(ParameterHandler &prm)
   {
+    // a file without 'Loads' asks for no test, so that the other entries may
+    // have values all the same
     const auto add = [&prm](const std::string   &name,
                             const std::string   &default_text,
                             std::vector<double> &values,
@@ -169,6 +171,7 @@ namespace Biface
                            number_to_string(*value),
                            "a value must not appear twice");
 
+    // the test adds stages to this one, which must be a start for rolling
     const Stage      &base    = stages[number_of_start(stages) - 1];
     const std::string section = "Tire test/Start from";
     const std::string number =
@@ -178,6 +181,7 @@ namespace Biface
     if (base.theory == StrainTheory::linear)
       throw InputError(
         section, number, "it must be a stage with 'Strain theory = nonlinear'");
+    // as real numbers, since the product may exceed an integer
     const double n_slips =
       slip == Slip::combined
         ? (slip_angles.size() + 1.) * (slip_ratios.size() + 1.)

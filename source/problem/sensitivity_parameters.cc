@@ -13,6 +13,7 @@ namespace Biface
   void
   SensitivityParameters::add_parameters(ParameterHandler &prm)
   {
+    // as texts, which have a meaning only when the whole file is known
     prm.add_parameter("Entries",
                       entries,
                       "Numbers of this file by which derivatives are computed, "

@@ -103,6 +103,7 @@ namespace Biface
     ConditionalOStream err(err_stream, is_root);
     limit_blas_threads();
 
+    // the file, for errors after its reading, which do not name it
     std::string source;
     try
       {

@@ -295,6 +295,7 @@ namespace Biface
     Reader::Reader(const std::string &path, const MPI_Comm communicator)
       : communicator(communicator), path(path)
     {
+      // the first rank alone reads, but all must throw
       std::string reason;
       using Head = std::pair<std::string,
                              std::map<std::string, std::vector<std::uint64_t>>>;
@@ -344,6 +345,7 @@ namespace Biface
       std::vector<double> values(numbers.size() * entry.width);
       if (entry.n_rows == 0)
         return values;
+      // pieces of the table come in ascending order and are not stored
       std::vector<std::size_t> order(numbers.size());
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {

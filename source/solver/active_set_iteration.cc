@@ -67,6 +67,7 @@ namespace Biface
     std::vector<Named> all;
     for (const auto &part : gather_on_all(mesh.communicator, mine))
       all.insert(all.end(), part.begin(), part.end());
+    // by number, so that the text does not depend on the ranks
     std::sort(all.begin(), all.end());
 
     const ReferenceSurface &surface = mesh.get_surface();
@@ -101,6 +102,7 @@ namespace Biface
     const std::string nodes =
       name_nodes(contact.mesh, contact.nodes_around(cycle.toggling_nodes()));
     cycle.restart();
+    // glue first: it may be the reason why no active set is a solution
     if (contact.release_glue(state, cycle.toggling_nodes()))
       {
         out << "    active set is cycling; no longer glued: " << nodes

@@ -108,6 +108,8 @@ namespace Biface
                              const Equilibrium &now,
                              Pencil            &pencil)
   {
+    // both tangents in the shape at the end, section 9 of doc/theory.md: then
+    // they are linear in resultants and loads
     State later   = equations.internal_forces().in_shape_of_tangent(now.state);
     State earlier = later;
     earlier.resultants = before.state.resultants;
@@ -188,6 +190,8 @@ namespace Biface
       last = solve_pinned(pencil, x, b, LinearSystem::original);
       return last.success;
     };
+    // the gas and free motions come after the factors of the matrix alone, in
+    // this order, as they enter the counts of negative eigenvalues
     pencil.low_rank_shifted = pencil.low_rank_0;
     pencil.low_rank_shifted.sadd(1 - shift, shift, pencil.low_rank_1);
     if (!pencil.low_rank_shifted.prepare(solve_matrix))
@@ -257,6 +261,8 @@ namespace Biface
         result.message = linear.message;
         return {};
       }
+    // then the vectors are orthogonal in the product with K_0, and Lanczos'
+    // method works though G is indefinite
     pencil.definite = pencil.symmetric && linear.n_negative_pivots == 0u;
 
     // G x = (1/s) K_0 x
@@ -428,6 +434,8 @@ namespace Biface
       std::max(n, std::min<unsigned int>(n + 4, mesh.n_unknowns() / 4));
     LinearSolverResult linear;
     double             shift = below * *lowest;
+    // by Sylvester's law of inertia, the negative pivots count the positions
+    // below the shift: there must be none
     for (unsigned int attempt = 0; attempt < max_attempts; ++attempt)
       {
         linear = factorize(pencil, shift);

@@ -75,6 +75,7 @@ namespace Biface
       return false;
     std::vector<UnitMultiplier> units =
       unit_multipliers(contact, state, loads, added);
+    // all right hand sides at once: a direct solver reads its factors once
     std::vector<LA::Vector> answers, forces;
     for (UnitMultiplier &unit : units)
       {
@@ -102,6 +103,7 @@ namespace Biface
         points.push_back(point);
       }
 
+    // only the new rows and columns of C, with one reduction for all
     compliance.resize(n);
     std::vector<double> motions;
     for (unsigned int i = 0; i < n; ++i)
@@ -188,6 +190,8 @@ namespace Biface
         for (unsigned int i = 0; i < n; ++i)
           if (active[i])
             selected.push_back(i);
+        // a contact problem of few unknowns, to which the active set method of
+        // the shell is applied
         FullMatrix<double> inverse = compliance_of(selected);
         if (!invert(inverse))
           return {};
@@ -229,6 +233,8 @@ namespace Biface
     in_contact.clear();
     if (!base)
       return {};
+    // a point that leaves has its spring in the factors, beside which they do
+    // not know the shell well enough, section 7 of doc/theory.md
     const ActiveSet active = contact.active_points(state);
     bool            left   = false;
     for (unsigned int i = 0; i < active.size(); ++i)
@@ -257,6 +263,8 @@ namespace Biface
     for (const unsigned int i : selected)
       touching.push_back(points[i]);
     const MPI_Comm communicator = equations.mesh.communicator;
+    // the correction outlives this call and later points: it keeps what it
+    // needs
     return [touching, inverse, communicator](LA::Vector &x) {
       std::vector<double> motions;
       for (const auto &point : touching)

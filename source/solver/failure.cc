@@ -22,6 +22,8 @@ namespace Biface
     std::string
     meaning(const FailureCause cause)
     {
+      // without a default, so that the compiler asks for the sentence of a new
+      // cause
       switch (cause)
         {
           case FailureCause::too_many_iterations:

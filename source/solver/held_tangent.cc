@@ -76,6 +76,8 @@ namespace Biface
                                  &column =
                                    mesh.nodes[cell.nodes[s]].surface.frame;
                       Tensor<2, 3> in_frame;
+                      // the symmetric part: friction does not make a held node
+                      // unsymmetric
                       for (unsigned int i = 0; i < 3; ++i)
                         for (unsigned int j = 0; j < 3; ++j)
                           in_frame[i][j] =

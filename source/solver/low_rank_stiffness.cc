@@ -90,6 +90,7 @@ namespace Biface
         if (!solve(part.solution, part.forces))
           return false;
       }
+    // the Woodbury formula: a small system in place of other factors
     LAPACKFullMatrix<double> matrix(rank);
     for (unsigned int i = 0; i < rank; ++i)
       for (unsigned int j = 0; j < rank; ++j)

@@ -67,6 +67,7 @@ namespace Biface
       mesh.condense(inertia);
       if (translations.size() < 3)
         translations.push_back(inertia);
+      // per unit of energy, so that all fields count alike
       if (square > 0)
         inertia /= std::sqrt(square);
       fields.push_back(inertia);
@@ -140,6 +141,7 @@ namespace Biface
     if (is_complex)
       mode.imaginary = shapes[1];
     mode.waves = wave_numbers(mesh, shapes);
+    // in the direction of the wheel, which may roll backward
     if (mode.waves && loads.rolling && loads.rolling->angular_velocity < 0)
       mode.waves->travel *= -1;
     return mode;
@@ -253,6 +255,8 @@ namespace Biface
       linear = linear_solver.solve_system(system, x, b, exactness);
       return linear.success;
     };
+    // the factors know neither the gas nor the motions to be left out, which
+    // are corrected in each solution
     LowRankStiffness low_rank =
       (transposed ? problem.low_rank.transposed() : problem.low_rank);
     if (!low_rank.prepare(solve_matrix))
@@ -455,6 +459,8 @@ namespace Biface
       low_rank.vmult_add(product, x);
     };
 
+    // without the entries that constraints give, which the products do not
+    // expect
     BothEigenpairs neighbors;
     for (const VibrationMode &mode : modes.modes)
       {

@@ -162,6 +162,8 @@ namespace Biface
   {
     Iterate iterate(
       state, loads, mu, iteration, zone_given, equations, contact, out);
+    // what follows from the displacements of the whole shell, such as internal
+    // variables in a wheel that rolls, must be there before forces are computed
     const std::string unprepared = equations.prepare(iterate.loads, state);
     NewtonResult     &result     = iterate.result;
     Increment         increment;
@@ -189,6 +191,8 @@ namespace Biface
 
         if (is_converged(iterate))
           {
+            // multipliers of the iterates are predictions; those of the result
+            // are of its clearances, which may change the set
             iterate.n_changes = iterate.zone.settle(state, iterate.loads);
             if (iterate.n_changes > 0)
               {
@@ -196,6 +200,7 @@ namespace Biface
                 continue;
               }
             TimerOutput::Scope scope(timer, "Update of the state");
+            // Green's strains do not distinguish a director from its opposite
             if (const auto inverted =
                   find_inverted_layer(equations.mesh, state))
               return fail({FailureCause::divergence,
@@ -211,6 +216,8 @@ namespace Biface
         if (result.iterations == parameters.max_iterations)
           return fail(too_many_iterations(iterate));
 
+        // the residual has not converged after all, so that an increment needs
+        // the tangent that was saved
         complete(iterate);
         if (const auto failure = compute_increment(iterate, increment))
           return fail(*failure);
@@ -254,6 +261,8 @@ namespace Biface
       condensed.differences(extrapolated, iterate.last_active);
     if (!condensed.has_room_for(candidates))
       return;
+    // section 7 of doc/theory.md: the factors are those without the points that
+    // come and go
     ActiveSet others = extrapolated;
     for (unsigned int i = 0; i < others.size(); ++i)
       others[i] = extrapolated[i] && iterate.last_active[i];
@@ -308,6 +317,8 @@ namespace Biface
     TimerOutput::Scope scope(timer, "Assembly");
     if (!iterate.is_assembled)
       {
+        // the last residual of a step needs no tangent, most of the time of an
+        // assembly
         iterate.has_tangent = !expects_convergence(iterate);
         if (iterate.has_tangent)
           equations.assemble(iterate.state, iterate.loads);
@@ -582,6 +593,8 @@ namespace Biface
     if (!increment.mu.empty())
       add(iterate.mu, 1, increment.mu);
     iterate.total += increment.displacement;
+    // before the displacements change: predicted multipliers belong to this
+    // linear system
     const ControlEquations *control  = iterate.parametrized.equations;
     const auto              contacts = contact.linearize(
       iterate.state,

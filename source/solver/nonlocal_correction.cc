@@ -66,6 +66,8 @@ namespace Biface
       control, SolverGMRES<LA::Vector>::AdditionalData(max_iterations + 2));
     try
       {
+        // in forces, preconditioned by the tangent: few iterations, since the
+        // rest is small
         gmres.solve(matrix, y, residual, PreconditionIdentity());
       }
     catch (const SolverControl::NoConvergence &)

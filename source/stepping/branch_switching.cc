@@ -26,6 +26,9 @@ namespace Biface
       return std::nullopt;
     };
 
+    // the amplitude of the shape is prescribed and the load unknown, section 9
+    // of doc/theory.md: with given loads the iteration would return to the
+    // primary path
     Control::Trial along = trial;
     along.size           = 0;
     Attempt reached;
@@ -42,6 +45,8 @@ namespace Biface
             << amplitude + increment << std::endl;
         along.equations = std::make_shared<const ShapeEquation>(
           run.control->load_rate(), shape, amplitude + increment);
+        // from the unperturbed state the loads would do no work on the shape
+        // and not be determined
         InitialGuess guess{reached.state, reached.mu};
         LA::Vector   change(shape);
         change *= increment;
@@ -62,6 +67,7 @@ namespace Biface
         amplitude += increment;
         if (!to_given_loads || reached.mu[0] >= target)
           break;
+        // the path of the branch is smooth away from the bifurcation
         if (n_cuts == 0)
           increment = amplitude;
       }

@@ -128,6 +128,7 @@ namespace Biface
         if (relative_change(level_before, attempt.level) <= tolerance &&
             high - low <= maximum_part)
           break;
+        // by the size of the step, whatever its control prescribes
         const double middle = (low + high) / 2;
         run.control->scale_step(middle / taken);
         taken                      = middle;
@@ -179,6 +180,8 @@ namespace Biface
     const LoadLevel   &level = run.progress.reached;
     const unsigned int n_changed =
       std::max(n_after, n_before) - std::min(n_after, n_before);
+    // more at once than eigenvalues are computed, as where cells get too small:
+    // their shapes have nothing in common
     const bool several = !located && n_changed > BucklingAnalysis::n_candidates;
     const auto critical =
       (several
@@ -212,6 +215,7 @@ namespace Biface
         << point->kind() << std::endl;
     if (run.stage.critical_points == CriticalPoints::switch_branch &&
         !point->is_limit_point())
+      // the next step, which tests this, attempts the branch
       run.progress.branch = owned_part(point->mode.shape);
     return point;
   }

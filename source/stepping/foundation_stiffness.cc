@@ -14,6 +14,8 @@ namespace Biface
   {
     using Motion = FoundationStiffness::Motion;
 
+    // a stiffness is a force by a motion of the ground alone, in axes that do
+    // not turn
     if (from.level.angular_velocity != to.level.angular_velocity ||
         from.level.ground_velocity != to.level.ground_velocity ||
         from.level.slip_angle != to.level.slip_angle ||
@@ -51,6 +53,7 @@ namespace Biface
     const Tensor<1, 3> force  = to.force - from.force;
     const Tensor<1, 3> moment = to.moment - from.moment;
     result.force              = force / result.amount;
+    // moments are given about the origin, which is no point of the footprint
     result.moment =
       (moment - cross_product_3d(Tensor<1, 3>(center), force)) / result.amount;
     return result;

@@ -100,6 +100,7 @@ namespace Biface
           ratio = std::sqrt(ratio);
         else
           break;
+        // from the last solution, by a smaller step after each failure
         easing = std::max(1., *last / ratio);
       }
     Attempt result           = failed;

@@ -133,6 +133,8 @@ namespace Biface
           "it starts from " + start.name + ", which failed";
       }
     const unsigned int before = *stage_before(stages, next);
+    // stages are branches of a tree: the end of the one before may have been
+    // passed since, but its steps and tests count on
     if (before != progress.stage)
       {
         const RestorePoint &end     = ends.at(before);
@@ -228,6 +230,7 @@ namespace Biface
     unsigned int n_cuts = 0, n_iterations = 0;
     while (true)
       {
+        // The time of a step is that of its last attempt alone.
         Timer          timer;
         Control::Trial trial;
         Attempt        attempt = try_proposed_step(run, trial);
@@ -398,6 +401,8 @@ namespace Biface
                        const Control::Trial &trial,
                        Attempt              &attempt)
   {
+    // the analyses below need the control, the loads and the state both before
+    // and after the step
     const NewtonResult   &result       = attempt.result;
     Progress             &progress     = run.progress;
     const Control::Memory memory       = run.control->get_memory();
@@ -410,6 +415,7 @@ namespace Biface
                          run.state,
                          attempt.state,
                          attempt.to_branch});
+    // a step to another branch is no secant of the path
     if (attempt.to_branch)
       progress.predictor.reset();
     else if (trial.size > 0)
@@ -423,8 +429,10 @@ namespace Biface
     progress.reached  = attempt.level;
     const Loads loads = equations.with_dependent_loads(
       attempt.state, run.loads_at(attempt.level));
+    // that of a sealed gas, from which a later stage may go on
     progress.reached.pressure = loads.pressure;
     const TimeInterval time{start.time(), run.instant().time()};
+    // before the force terms forget the start of the step
     for (const auto &analysis : analyses)
       analysis->follow({run,
                         level_before,
@@ -436,6 +444,7 @@ namespace Biface
                         time});
     equations.commit_step(run.state, loads, time, attempt.state);
 
+    // those at the end of a step are kept for the start of the next one
     if (!forces)
       forces = std::make_shared<const NodalForces>(
         equations.nodal_forces(run.state, loads_before));

@@ -77,6 +77,8 @@ namespace Biface
   {
     if (states.empty())
       return false;
+    // The change on the coarser mesh is added, instead of taking its state: the
+    // error of a change vanishes with the step.
     const Mean begin = at(from), end = at(to);
     if (begin.before == nullptr || end.before == nullptr)
       return false;
@@ -130,6 +132,7 @@ namespace Biface
     state.displacement = displacement;
 
     const auto &lines = mesh.grid.lines;
+    // resultants are unknowns of the mixed iteration like displacements
     for (const unsigned int c : mesh.layers)
       {
         const Point<2> low = mesh.nodes[mesh.cells[c].nodes[0]].alpha;

@@ -43,6 +43,8 @@ namespace Biface
     const std::string section = "Stage " + std::to_string(number);
     name                      = "stage " + std::to_string(number);
 
+    // the order of the declarations is that of printed files and of the
+    // reference of parameters
     prm.add_parameter(
       "Name", name, "Name of the stage in the results.", Patterns::Anything());
     add_parsed(

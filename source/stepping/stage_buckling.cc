@@ -29,6 +29,7 @@ namespace Biface
       });
     const Loads loads  = run.loads_at(level);
     LoadRates   change = change_of(from.level, level);
+    // the gas makes its own pressure, which is no load that is given
     if (run.stage.sealed)
       change.pressure = 0;
     const BucklingModes found =
@@ -37,6 +38,8 @@ namespace Biface
                                 change,
                                 run.stage.n_buckling,
                                 with_left(report.instant.stage));
+    // it takes as much memory as the state of the run, and is of no use any
+    // more
     before = State();
     if (!found.success)
       {

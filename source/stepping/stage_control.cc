@@ -48,6 +48,8 @@ namespace Biface
   StageControl::add_parameters(ParameterHandler  &prm,
                                const std::string &section)
   {
+    // 'Control' decides which of the other entries count; check() refuses those
+    // that do not
     add_choice(
       prm,
       "Control",

@@ -69,6 +69,8 @@ namespace Biface
   void
   StageLoads::add_parameters(ParameterHandler &prm, const std::string &section)
   {
+    // most entries have no number by default: a stage keeps what it does not
+    // set
     const std::string unchanged = "unchanged";
     add_optional_number(
       prm,

@@ -34,6 +34,8 @@ namespace Biface
   void
   StageResults::add_parameters(ParameterHandler &prm)
   {
+    // nothing is on by default that takes its own time: 'report' reads the
+    // pivots that the iteration has
     prm.add_parameter("Modes",
                       n_modes,
                       "Number of natural frequencies and modes of vibration "

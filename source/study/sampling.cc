@@ -85,6 +85,8 @@ namespace Biface
   void
   Sampling::add_parameters(ParameterHandler &prm)
   {
+    // values refer to variables by name, so that the order of the entries does
+    // not matter
     add_parsed(
       prm,
       "Study/",
@@ -270,6 +272,7 @@ namespace Biface
         std::istringstream       stream(line);
         for (std::string cell; std::getline(stream, cell, ',');)
           cells.push_back(Utilities::trim(cell));
+        // by name, so that the order of the columns does not matter
         if (columns.empty())
           {
             for (const DesignVariable &variable : variables)

@@ -398,6 +398,7 @@ namespace Biface
 
       const std::string base_text = text_of_base(base_prm, base);
       std::string       reason;
+      // rows of another study would be mixed with those of this one
       if (is_root && restart)
         {
           std::ifstream     file(path(base_name));

@@ -73,6 +73,8 @@ namespace Biface
   void
   StudyParameters::add_parameters(ParameterHandler &prm)
   {
+    // the base file is only named here; its path is relative to the file of the
+    // study
     add_parsed(prm,
                "Study/",
                "Base file",

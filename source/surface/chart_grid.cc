@@ -29,6 +29,7 @@ namespace Biface
   void
   ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
   {
+    // the default grid is that of the bias tire of the paper
     const std::string form =
       " A comma-separated list of adjoining intervals: 'start:end:n' is n "
       "equal cells, 'start:end:n:q' is n cells each q times as long as the "

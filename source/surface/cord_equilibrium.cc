@@ -71,6 +71,9 @@ namespace Biface
   double
   CordEquilibrium::Shape::one_minus_sine(const double depth) const
   {
+    // From the depth below the crown, not from r: near the crown, where cos phi
+    // vanishes, 1 - sin phi would be lost in round-off (section 1 of
+    // doc/theory.md).
     const double r_c = crown_radius, cosine = std::cos(crown_cord_angle),
                  sine = std::sin(crown_cord_angle);
     const double drop = depth * (2 * r_c - depth); // r_c^2 - r^2
@@ -246,6 +249,8 @@ namespace Biface
         widest              = std::fmax(widest, at_end);
         return at_end - *parameters.end_half_width;
       };
+      // The end exists only for a part of the angles, so that a change of sign
+      // is looked for degree by degree.
       constexpr double min_angle = 1;
       double           above = 90, before = excess(above);
       while (above > min_angle)
@@ -297,6 +302,8 @@ namespace Biface
                        "the curve must end before it reaches y = 0");
 
     length = integrate_to_crown(shape, r_0, [](const double) { return 1.; });
+    // The curve by arc length has no closed form. From the nearest of these
+    // samples, evaluate() takes a single step.
     constexpr unsigned int n = 200;
     samples.push_back({{shape.crown_radius, 0, numbers::PI / 2}});
     for (unsigned int i = 0; i < n; ++i)
@@ -308,6 +315,7 @@ namespace Biface
   CordEquilibrium::advance(const Position &position,
                            const double    distance) const
   {
+    // as d(phi)/ds = -k_1(r), regular at the crown and at the widest point
     boost::numeric::odeint::runge_kutta_fehlberg78<Position> stepper;
     Position                                                 x = position;
     stepper.do_step(

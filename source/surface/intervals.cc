@@ -208,6 +208,7 @@ namespace Biface
         }
       if (intervals.empty())
         throw InputError(entry, text, "it must contain at least one interval");
+      // lengths that depend on 'end' are checked when the surface is known
       if (!known)
         {
           intervals.clear();

@@ -125,6 +125,7 @@ namespace Biface
     radius = std::make_unique<Functions::CSpline<1>>(knots, r);
     axial  = std::make_unique<Functions::CSpline<1>>(knots, y);
 
+    // starts for Newton's method in parameter_of(), and the polygon below
     constexpr unsigned int n_samples = 4;
     for (unsigned int i = 0; i + 1 < knots.size(); ++i)
       for (unsigned int k = 0; k <= n_samples; ++k)

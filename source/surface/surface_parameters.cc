@@ -14,6 +14,8 @@ namespace Biface
   void
   ReferenceSurface::Parameters::add_parameters(ParameterHandler &prm)
   {
+    // the sections of all meridians, so that a file may keep them while another
+    // one is chosen
     add_choice(prm,
                "Type",
                type,

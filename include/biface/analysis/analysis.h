@@ -29,13 +29,14 @@ namespace Biface
     std::string file_name;
     /** Whether to continue the run in the directory of results. */
     bool restart = false;
-    /** The first stage that is asked for: a restart has reached it. */
+    /** The position of the first stage that is asked for, which a restart must
+     * have reached. */
     unsigned int first_stage = 0;
     /** Whether only to set up the analysis. */
     bool check_only = false;
     /** States from which steps start; null for none. */
     const NestedPredictor *predictor = nullptr;
-    /** Called after every converged step, if set. */
+    /** A function that is called after every converged step, if set. */
     std::function<void(const Simulation &, const StepReport &, const State &)>
       observer;
     /** The object that watches signals; null if the analysis has its own. */
@@ -47,7 +48,7 @@ namespace Biface
   struct AnalysisResult
   {
     ExitCode code = done;
-    /** The reason why it ended early, or what failed all the same; empty
+    /** The reason of an early end, or what failed all the same; empty
      * otherwise. */
     std::string reason;
   };

@@ -11,10 +11,11 @@ namespace Biface
     done           = 0,
     wrong_input    = 1,
     no_convergence = 2,
-    /** Or results cannot be written; converged steps are kept. */
+    /** An error of the program, or results that cannot be written; converged
+     * steps are kept. */
     internal_error = 3,
-    /** Stopped by SIGINT or SIGTERM; converged steps are kept. The numbers are
-     * those of shells for processes ended by these signals. */
+    /** The end by SIGINT or by SIGTERM; converged steps are kept. The numbers
+     * are those of shells for processes ended by these signals. */
     interrupted = 130,
     terminated  = 143
   };

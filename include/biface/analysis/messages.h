@@ -17,7 +17,7 @@
 
 namespace Biface
 {
-  /** Version, ranks, size of the mesh, BLAS, and free rigid motions. */
+  /** Print version, ranks, size of the mesh, BLAS, and free rigid motions. */
   void
   print_header(const Simulation &simulation, dealii::ConditionalOStream &out);
 
@@ -33,14 +33,15 @@ namespace Biface
                 const unsigned int        last_stage,
                 const Progress           &progress);
 
-    /** "step 3 of 21: ...; 2.1 s so far, about 12 s left". The total number of
-     * steps and the remaining time are given if each step is a given fraction
-     * of its stage. */
+    /** The line of a step, such as "step 3 of 21: ...; 2.1 s so far, about 12 s
+     * left". The total number of steps and the remaining time are given if each
+     * step is a given fraction of its stage. */
     std::string
     line(const StepReport &report, const Progress &progress) const;
 
   private:
-    /** Completed steps of those planned by the stages, including fractions. */
+    /** The number of completed steps of those planned by the stages, including
+     * fractions. */
     double
     done(const Progress &progress) const;
 
@@ -52,19 +53,19 @@ namespace Biface
   };
 
 
-  /** Times of the parts of the run, and the peak memory of all ranks. Must be
-   * called on all ranks. */
+  /** Print the times of the parts of the run, and the peak memory of all ranks.
+   * Must be called on all ranks. */
   void
   print_costs(Simulation &simulation, dealii::ConditionalOStream &out);
 
-  /** The location of the results. @param files see ResultsWriter::list(). */
+  /** Print the location of the results. */
   void
   print_files(const std::string              &directory,
               const std::vector<std::string> &files,
               dealii::ConditionalOStream     &out);
 
-  /** The meaning of the failure of a step, possible remedies, and the progress
-   * of the run, as indented lines. */
+  /** Indented lines with the meaning of the failure of a step, possible
+   * remedies, and the progress of the run. */
   std::string
   failure_paragraph(const LoadSteppingResult &result);
 } // namespace Biface

@@ -28,7 +28,7 @@ namespace Biface
     }
 
     /**
-     * Also print to a file, starting with everything printed before. If the
+     * Print also to a file, starting with everything printed before. If the
      * file cannot be opened, a line on the screen says so, and the run
      * continues.
      * @param append whether to continue the file of an earlier run.
@@ -54,7 +54,7 @@ namespace Biface
     const bool    on_screen;
     const bool    is_first_rank;
     std::ofstream file;
-    /** The output before open(). */
+    /** The output before open(), which the file is to start with. */
     std::string  waiting;
     bool         opened = false;
     std::ostream out;

@@ -56,11 +56,12 @@ namespace Biface
 
     ~SensitivityAnalysis() override;
 
-    /** Where the perturbed runs are, with resultants of zero. */
+    /** The states and progress of the perturbed runs, with resultants of
+     * zero. */
     PerturbedPoints
     get_restore_points() const;
 
-    /** Continue from there. */
+    /** Continue perturbed runs from their restore points. */
     void
     restore(const PerturbedPoints &points);
 
@@ -68,8 +69,9 @@ namespace Biface
     start_stage(const StageRun                    &run,
                 const std::optional<unsigned int> &before) override;
 
-    /** If a linear system cannot be solved, the derivatives in this stage and
-     * in those that start from its end are left out, with a warning. */
+    /** Take the perturbed runs along in a converged step. If a linear system
+     * cannot be solved, the derivatives in this stage and in those that start
+     * from its end are left out, with a warning. */
     void
     follow(const Step &step) override;
 
@@ -101,7 +103,7 @@ namespace Biface
       return unsettled.count({stage, entry}) == 0;
     }
 
-    /** The perturbed runs that do. */
+    /** The perturbed runs that follow a stage. */
     std::vector<PerturbedRun *>
     followers(const unsigned int stage) const;
 
@@ -114,8 +116,8 @@ namespace Biface
     void
     move(const Step &step, PerturbedRun &perturbed) const;
 
-    /** What a converged step leaves out of balance, the perturbed runs as well
-     * as the run. */
+    /** The forces and loads that a converged step leaves out of balance, in the
+     * perturbed runs as well as in the run. */
     struct Balance
     {
       LA::Vector forces;
@@ -128,7 +130,7 @@ namespace Biface
     Balance
     balance_of_run(const Step &step, const Linearization &tangent) const;
 
-    /** The forces out of balance of a perturbed run where it is, beyond those
+    /** The forces out of balance of a perturbed run in its state, beyond those
      * of the run. Sets its multipliers to those of the run. */
     LA::Vector
     unbalance(const Step       &step,
@@ -153,11 +155,11 @@ namespace Biface
             const LoadParameters          &missing_in_run,
             PerturbedRun                  &perturbed) const;
 
-    /** A vector of each perturbed run of an entry. */
+    /** A vector of each of the two perturbed runs of an entry. */
     using Sides = std::array<const LA::Vector *, 2>;
 
-    /** Whether both perturbed runs of an entry are somewhere near the run:
-     * whether the corrections do not diverge. */
+    /** Whether both perturbed runs of an entry are near the run, so that their
+     * corrections do not diverge. */
     bool
     is_near(const unsigned int entry) const;
 
@@ -194,7 +196,8 @@ namespace Biface
     void
     lose(const Step &step, const Failure &failure);
 
-    /** Leave those of an entry there that have not settled. */
+    /** Leave the perturbed runs of an entry that have not settled where they
+     * were before a step. */
     void
     leave_unsettled(const Step &step, const unsigned int entry);
 
@@ -222,9 +225,9 @@ namespace Biface
     dealii::TimerOutput        &timer;
     const ScalarResults         results;
 
-    /** Two of each entry, below and above. */
+    /** The perturbed runs, two of each entry: below and above its value. */
     std::vector<std::unique_ptr<PerturbedRun>> perturbed_runs;
-    /** See PerturbedPoints. */
+    /** The stages that perturbed runs did not follow, see PerturbedPoints. */
     std::set<unsigned int>                          lost_stages;
     std::set<std::pair<unsigned int, unsigned int>> unsettled;
     std::vector<std::string>                        warned;

@@ -41,7 +41,7 @@ namespace Biface
   };
 
 
-  /** "SIGTERM", "SIGINT". */
+  /** The name of a signal, "SIGTERM" or "SIGINT". */
   const char *
   signal_name(const int signal);
 } // namespace Biface

@@ -95,7 +95,8 @@ namespace Biface
     RestorePoints
     get_restore_points() const;
 
-    /** The same of the runs with changed entries, see SensitivityAnalysis. */
+    /** The restore points of the runs with changed entries, see
+     * SensitivityAnalysis. */
     PerturbedPoints
     get_perturbed_points() const;
 
@@ -105,7 +106,7 @@ namespace Biface
     void
     restore(const Checkpoint &checkpoint);
 
-    /** Times of the parts of the run. */
+    /** The times of the parts of the run. */
     dealii::TimerOutput &
     get_timer()
     {
@@ -126,18 +127,19 @@ namespace Biface
     }
 
   private:
-    /** @param mesh in place of that of the parameters. */
+    /** The analysis of a coarser or other mesh than that of the parameters.
+     * @param mesh in place of that of the parameters. */
     Simulation(const Parameters                &parameters,
                const MPI_Comm                   communicator,
                std::ostream                    &stream,
                std::shared_ptr<const ShellMesh> mesh);
 
-    /** Every second line of a grid and the lines of points and ends of
-     * plies. */
+    /** The grid of every second line of a grid and of the lines of points and
+     * ends of plies. */
     ChartGrid
     coarser_grid(const ChartGrid &grid) const;
 
-    /** What accompanies the stages. */
+    /** Create what accompanies the stages. */
     StageAnalyses
     make_analyses(BucklingAnalysis &buckling_analysis);
 
@@ -151,13 +153,13 @@ namespace Biface
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
     ShellModel                 model;
-    /** Its parts. */
+    /** The parts of the model. */
     const std::shared_ptr<const ShellMesh> &mesh;
     const ContactInteraction               &contact;
     ShellEquations                         &equations;
 
     const std::unique_ptr<LinearSolver> linear_solver;
-    /** Null if no derivatives are asked for. */
+    /** The sensitivity analysis; null if no derivatives are asked for. */
     std::shared_ptr<SensitivityAnalysis> sensitivities;
 
     State     state;

@@ -29,16 +29,16 @@ namespace Biface
   class InputError : public std::runtime_error
   {
   public:
-    /** A sentence of the form "`entry` is `value`, but `allowed`." The first
-     * two are passed through quoted(). */
+    /** The sentence "`entry` is `value`, but `allowed`.", whose first two parts
+     * are passed through quoted(). */
     InputError(const std::string &entry,
                const std::string &value,
                const std::string &allowed);
 
-    /** Any other sentence; unprintable characters are removed. */
+    /** Any sentence; unprintable characters are removed. */
     explicit InputError(const std::string &sentence);
 
-    /** The name of the entry; empty where the sentence was given. */
+    /** The name of the entry; empty where only the sentence was given. */
     const std::string &
     get_entry() const
     {

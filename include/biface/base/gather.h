@@ -46,8 +46,8 @@ namespace Biface
   }
 
 
-  /** The objects of all ranks in their order, on all of them, likewise without
-   * compression. */
+  /** The objects of all ranks in their order, on all of them, without
+   * compression, see gather_numbers(). */
   template <typename Object>
   std::vector<Object>
   gather_on_all(const MPI_Comm communicator, const Object &mine)

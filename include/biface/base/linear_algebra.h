@@ -22,7 +22,7 @@ namespace Biface
   } // namespace LA
 
 
-  /** Replace a small matrix by its inverse, which may be empty.
+  /** Replace a small matrix, which may be empty, by its inverse.
    * @return whether it is regular; if not, it is unchanged. */
   bool
   invert(dealii::FullMatrix<double> &matrix);

@@ -29,19 +29,19 @@ namespace Biface
       /** A half-space bounded by a plane. */
       plane,
       sphere,
-      /** Infinitely long. */
+      /** An infinitely long cylinder. */
       cylinder,
       torus,
       cone,
       /** A quarter of the space with a rounded edge. */
       step,
-      /** A polygon along an axis. */
+      /** A polygon extruded along an axis. */
       extruded,
-      /** A polygon about an axis. */
+      /** A polygon revolved about an axis. */
       revolved,
-      /** See HeightField. */
+      /** The body below heights over a grid, see HeightField. */
       height_field,
-      /** See FormulaSurface. */
+      /** The body where a formula is negative, see FormulaSurface. */
       formula
     };
 
@@ -50,42 +50,48 @@ namespace Biface
     dealii::Point<3>     point;
     dealii::Tensor<1, 3> direction{{1, 0, 0}};
     dealii::Tensor<1, 3> axis{{0, 1, 0}};
-    /** Unit: length. */
+    /** The radius of a sphere, cylinder or torus, and that of the tube of a
+     * torus. Unit: length. */
     std::optional<double> radius, tube_radius;
-    /** Between axis and surface of a cone. Unit: degrees. */
+    /** The angle between the axis and the surface of a cone. Unit: degrees. */
     std::optional<double> half_angle;
-    /** Of the edge of a step and the tip of a cone. Unit: length. */
+    /** The radius of the edge of a step and of the tip of a cone. Unit:
+     * length. */
     double                              edge_radius = 0;
     std::vector<RoundedPolygon::Corner> profile;
-    /** A file of its corners in place of the entry; empty for none. */
+    /** The name of a file of the corners of the profile, in place of the entry;
+     * empty for none. */
     std::string profile_file;
-    /** A file of the points of a height field; empty for none. */
+    /** The name of a file of the points of a height field; empty for none. */
     std::string height_file;
-    /** Across, along the axis, up. Unit: length. */
+    /** The points of a height field as (across, along the axis, up). Unit:
+     * length. */
     std::vector<dealii::Point<3>> heights;
-    /** Negative in the body. */
+    /** The formula of the surface, which is negative in the body. */
     std::string formula;
-    /** Over which it is smooth. Unit: length. */
+    /** The length over which the formula is smooth. Unit: length. */
     std::optional<double> size;
 
     /** Whether the body touches the inner face. */
     bool touches_inner_face = false;
-    /** Whether it moves with the foundation. */
+    /** Whether the body moves with the foundation. */
     bool on_foundation = false;
 
-    /** Whether it touches the tread, like the foundation, not the shell itself,
-     * like a rim. */
+    /** Whether the body touches the tread, as the foundation does, and not the
+     * shell itself, as a rim does. */
     bool
     touches_tread() const
     {
       return on_foundation && !touches_inner_face;
     }
 
-    /** A constant coefficient or a formula, see FrictionLaw. */
+    /** The coefficient of friction: a constant or a formula, see
+     * FrictionLaw. */
     std::string friction = "0";
 
     std::vector<BodyMotion> motions;
-    /** Stiffnesses by the names of motions. */
+    /** The stiffnesses of springs by the names of motions. Unit: see
+     * BodyMotion::spring. */
     NamedNumbers springs;
 
     void

@@ -14,13 +14,13 @@ namespace Biface
   /** The signed distance from the boundary of a plane region. */
   struct SectionPoint
   {
-    /** Negative inside the region. Unit: length. */
+    /** The distance, negative inside the region. Unit: length. */
     double distance;
     /** The derivative of the distance, a unit vector. */
     dealii::Tensor<1, 2> gradient;
-    /** Its second derivative is this number times @f$\mathbf t\mathbf t^T@f$
-     * with the unit vector @f$\mathbf t@f$ along the boundary. Unit:
-     * 1/length. */
+    /** The curvature: the second derivative of the distance is this number
+     * times @f$\mathbf t\mathbf t^T@f$ with the unit vector @f$\mathbf t@f$
+     * along the boundary. Unit: 1/length. */
     double curvature;
   };
 
@@ -41,7 +41,8 @@ namespace Biface
   class Disk : public BodySection
   {
   public:
-    /** @param radius any nonzero number. */
+    /** The disk of a circle, or the plane around it.
+     * @param radius any nonzero number. */
     Disk(const dealii::Point<2> &center, const double radius)
       : center(center), radius(radius)
     {}
@@ -71,13 +72,13 @@ namespace Biface
     struct Corner
     {
       dealii::Point<2> point;
-      /** Of the arc that rounds the corner; 0 for a sharp one. */
+      /** The radius of the arc that rounds the corner; 0 for a sharp one. */
       double radius = 0;
     };
 
-    /** Throws InputError if there are fewer than two corners, or three of a
-     * closed polygon, if corners coincide, if it turns back at a corner,
-     * crosses itself, or has no room for the arcs.
+    /** The region of given corners. Throws InputError if there are fewer than
+     * two corners, or three of a closed polygon, if corners coincide, if it
+     * turns back at a corner, crosses itself, or has no room for the arcs.
      * @param corners those of a closed polygon end with the first, whose
      * radius may be given at either place.
      * @param entry the name of the entry that contains them, for error
@@ -96,7 +97,7 @@ namespace Biface
     {
       dealii::Point<2>     start;
       dealii::Tensor<1, 2> along;
-      /** The range of the positions along it. */
+      /** The range of the positions along the line. Unit: length. */
       double begin, end;
     };
 
@@ -106,7 +107,7 @@ namespace Biface
       double           radius;
       /** Whether the region is on the side of the center. */
       bool convex;
-      /** The outward normals at both ends. */
+      /** The outward normals at both ends of the arc. */
       dealii::Tensor<1, 2> first, last;
     };
 

@@ -44,8 +44,8 @@ namespace Biface
     /** The line along which a foundation travels. */
     struct TravelLine
     {
-      /** From the shell toward the foundation, which travels against it; any
-       * nonzero vector. */
+      /** The direction from the shell toward the foundation, which travels
+       * against it; any nonzero vector. */
       dealii::Tensor<1, 3> direction{{1, 0, 0}};
       dealii::Point<3>     point;
     };
@@ -66,24 +66,24 @@ namespace Biface
     virtual double
     travel_to(const dealii::Point<3> &x) const;
 
-    /** What can turn about its axis under a wheel. */
+    /** The cylinder that can turn about its axis under a wheel. */
     struct Cylinder
     {
       /** The unit vector along the axis, to the left of a wheel with the y
        * axis as its axle: its y component is not negative. */
       dealii::Tensor<1, 3> axis;
-      /** Negative if it is hollow. */
+      /** The radius; negative if the cylinder is hollow. Unit: length. */
       double radius;
     };
 
-    /** None for shapes that are no cylinders. */
+    /** The cylinder of a drum; none for other shapes. */
     virtual std::optional<Cylinder>
     cylinder() const
     {
       return {};
     }
 
-    /** The unit vector and the point of the line of travel. */
+    /** The unit vector along the line of travel, and its point. */
     const dealii::Tensor<1, 3> direction;
     const dealii::Point<3>     point;
   };
@@ -115,7 +115,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** Must be set if the foundation is a sphere. */
+      /** The radius; it must be set if the foundation is a sphere. */
       std::optional<double> radius;
 
       void
@@ -125,7 +125,8 @@ namespace Biface
     /** Throws InputError if the parameters are invalid. */
     RigidSphere(const TravelLine &line, const Parameters &parameters);
 
-    /** @param radius any nonzero number. */
+    /** A sphere of a given radius.
+     * @param radius any nonzero number. */
     RigidSphere(const TravelLine &line, const double radius)
       : BodyShape(line), radius(radius)
     {}
@@ -148,7 +149,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** Must be set if the foundation is a drum. */
+      /** The radius; it must be set if the foundation is a drum. */
       std::optional<double> radius;
       dealii::Tensor<1, 3>  axis{{0, 1, 0}};
 
@@ -185,7 +186,8 @@ namespace Biface
   class ExtrudedBody : public BodyShape
   {
   public:
-    /** @param axis a unit vector, orthogonal to the direction. */
+    /** The body with a section, extruded along an axis.
+     * @param axis a unit vector, orthogonal to the direction. */
     ExtrudedBody(const TravelLine                  &line,
                  const dealii::Tensor<1, 3>        &axis,
                  std::shared_ptr<const BodySection> section);
@@ -194,7 +196,7 @@ namespace Biface
     evaluate(const dealii::Point<3> &x) const override;
 
   private:
-    /** Of the coordinates. */
+    /** The unit vectors of the coordinates of the section. */
     const dealii::Tensor<1, 3>               across, up;
     const std::shared_ptr<const BodySection> section;
   };
@@ -206,7 +208,8 @@ namespace Biface
   class RevolvedBody : public BodyShape
   {
   public:
-    /** @param axis a unit vector. */
+    /** The body with a section, revolved about an axis.
+     * @param axis a unit vector. */
     RevolvedBody(const TravelLine                  &line,
                  const dealii::Tensor<1, 3>        &axis,
                  std::shared_ptr<const BodySection> section);

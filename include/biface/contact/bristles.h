@@ -41,7 +41,7 @@ namespace Biface
   class BristleLaw
   {
   public:
-    /** Kept by reference.
+    /** The law of bristles. Both objects are kept by reference.
      * @param law the coefficient must not depend on the slip velocity. */
     BristleLaw(const FrictionLaw &law, const ContactCondition &condition)
       : law(law), condition(condition)
@@ -53,11 +53,11 @@ namespace Biface
       bool             touches;
       dealii::Point<3> x;
       BodyPoint        at_body;
-      /** See RigidBody::tangents(). */
+      /** The tangents of the ground, see RigidBody::tangents(). */
       std::array<dealii::Tensor<1, 3>, 2> tangents;
-      /** Their derivatives by the position. */
+      /** The derivatives of the tangents by the position. */
       std::array<dealii::Tensor<2, 3>, 2> tangent_gradients;
-      /** From the station before; positive, in radians. */
+      /** The angle from the station before; positive, in radians. */
       double angle;
     };
 
@@ -71,19 +71,20 @@ namespace Biface
 
     struct Bristle
     {
-      /** Its deflection @f$\mathbf e@f$ along the tangents. Unit: length. */
+      /** The deflection @f$\mathbf e@f$ of the bristle along the tangents.
+       * Unit: length. */
       dealii::Tensor<1, 2> deflection;
-      /** The velocity with which its tip has slipped over the ground since the
-       * station before. Unit: length/time. */
+      /** The velocity with which the tip of the bristle has slipped over the
+       * ground since the station before. Unit: length/time. */
       dealii::Tensor<1, 2> slip_velocity;
       /** The derivatives of both components of the deflection by the positions
-       * of the stations from @p first to this one, and by the angular velocity.
-       */
+       * of the stations from @p first to this one, and by the angular
+       * velocity. */
       unsigned int                                     first = 0;
       std::vector<std::array<dealii::Tensor<1, 3>, 2>> per_position;
       dealii::Tensor<1, 2>                             per_angular_velocity;
 
-      /** Whether its tip slips. */
+      /** Whether the tip slips. */
       bool
       slips() const
       {
@@ -97,7 +98,7 @@ namespace Biface
     deflections(const std::vector<Station> &line, const Rolling &rolling) const;
 
   private:
-    /** Set the bristle of a station after another. */
+    /** Set the bristle of a station from the bristle of the one before. */
     void
     move(const Station &before,
          const Bristle &bristle_before,

@@ -11,7 +11,7 @@
 
 namespace Biface
 {
-  /** Whether nodes are in contact, by their positions. One byte per node, since
+  /** The points in contact, as a flag for each position. One byte each, since
    * the elements of vector<bool> cannot be written independently. */
   using ActiveSet = std::vector<char>;
 
@@ -20,13 +20,14 @@ namespace Biface
    * nodes. */
   enum class MultiplierMass
   {
-    /** Bilinear times bilinear, @f$M_{rs}=\frac w4\int N_rN_s\,d\xi@f$, as in
+    /** The mass of bilinear multipliers,
+     * @f$M_{rs}=\frac w4\int N_rN_s\,d\xi@f$, as in
      * @cite GrigolyukKulikovPlotnikova2004. Pressures oscillate at the edge of
      * the contact zone, and the tangent is not symmetric. */
     consistent,
-    /** Its row sums on the diagonal: smooth pressures, symmetric tangent. It is
-     * the consistent matrix of multipliers that are interpolated by dual basis
-     * functions @cite Wohlmuth2000. */
+    /** The row sums of the consistent matrix on the diagonal: smooth pressures,
+     * symmetric tangent. It is the consistent matrix of multipliers that are
+     * interpolated by dual basis functions @cite Wohlmuth2000. */
     lumped
   };
 
@@ -62,8 +63,8 @@ namespace Biface
        * stiffness of the wall. Unit: pressure/length. */
       std::optional<double> regularization;
 
-      /** The points of a cell that make contact are this number squared; if
-       * it is 0, the nodes do. */
+      /** The number k of @f$k\times k@f$ points of a cell that make contact; 0
+       * if the nodes do. */
       unsigned int points_per_side = 0;
 
       void
@@ -74,7 +75,8 @@ namespace Biface
       check() const;
     };
 
-    /** @param wall_stiffness the pressure per change of the thickness of the
+    /** The condition on a wall of a given stiffness.
+     * @param wall_stiffness the pressure per change of the thickness of the
      * wall, of which an @f$\varepsilon@f$ that is not given is a multiple, so
      * that no number with a unit is built in. Unit: pressure/length. */
     ContactCondition(const Parameters &parameters, const double wall_stiffness)

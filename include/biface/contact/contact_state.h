@@ -19,7 +19,7 @@ namespace Biface
   {
     ContactState() = default;
 
-    /** No point is in contact.
+    /** The state in which no point is in contact.
      * @param per_cell the number of points in a cell; 0 if they are the
      * nodes. */
     explicit ContactState(const unsigned int n_points,
@@ -31,7 +31,7 @@ namespace Biface
       , stick_points(n_points)
     {}
 
-    /** See ContactPoints::per_cell(). */
+    /** The number of points in a cell, see ContactPoints::per_cell(). */
     unsigned int per_cell = 0;
 
     /** The active set: the points in contact. */
@@ -50,7 +50,7 @@ namespace Biface
      */
     std::vector<dealii::Tensor<1, 3>> multipliers;
 
-    /** How the body holds the nodes sideways, and the points of the body at
+    /** The statuses of the nodes in friction, and the points of the body at
      * rest to which they stick. In a step a node may start and cease to slip;
      * everything else is the history of friction up to the end of the last
      * step, see TangentialLaw::commit_step(). While the shell rolls, friction
@@ -59,7 +59,7 @@ namespace Biface
     std::vector<ContactStatus>    statuses;
     std::vector<dealii::Point<3>> stick_points;
 
-    /** The contact pressure at a node. */
+    /** The contact pressure at a node; 0 if it is not in contact. */
     double
     pressure(const unsigned int node) const
     {
@@ -73,7 +73,7 @@ namespace Biface
       return active[node] && statuses[node] == ContactStatus::slip;
     }
 
-    /** Let a node forget how it sticks. */
+    /** Let a node forget its stick point. */
     void
     forget_stick_point(const unsigned int node)
     {

@@ -29,8 +29,9 @@ namespace Biface
   class FormulaSurface : public ImplicitSurface
   {
   public:
-    /** Throws InputError if the text is no formula of x, y and z, is not finite
-     * near the origin, has no sign change around it, or no derivatives there.
+    /** The surface of a formula. Throws InputError if the text is no formula of
+     * x, y and z, is not finite near the origin, has no sign change around it,
+     * or no derivatives there.
      * @param entry,text those of the formula.
      * @param size_entry the entry of the length, for error messages.
      * @param size a length over which the formula is smooth. */
@@ -56,7 +57,7 @@ namespace Biface
                    const Search           &search) const override;
 
   private:
-    /** The derivative along a direction and the second one.
+    /** The first and second derivatives along a direction, by differences.
      * @param step that of the differences. */
     std::array<double, 2>
     differences(const dealii::Point<3>     &x,
@@ -78,11 +79,12 @@ namespace Biface
 
     const Formula formula;
     const double  size;
-    /** The step of differences. */
+    /** The step of the differences. Unit: length. */
     const double step;
-    /** Those of the variables, in place of a new vector for each value. */
+    /** The values of the variables, kept to avoid a new vector for each
+     * evaluation. */
     mutable std::vector<double> values = std::vector<double>(3);
-    /** Some point of the surface. */
+    /** A known point of the surface. */
     dealii::Point<3> known;
   };
 } // namespace Biface

@@ -14,17 +14,17 @@
 
 namespace Biface
 {
-  /** How the foundation holds a node sideways. */
+  /** The way in which a body holds a node sideways. */
   enum class ContactStatus : char
   {
-    /** Not in contact at the end of the last step, so that the node has no
+    /** The node was not in contact at the end of the last step and has no
      * history: friction begins at the end of the step in which it enters. */
     none,
-    /** It sticks to its point of the foundation. */
+    /** The node sticks to its point of the body. */
     stick,
-    /** It slips at the limit of friction. */
+    /** The node slips at the limit of friction. */
     slip,
-    /** It sticks, however large the traction. */
+    /** The node sticks, however large the traction. */
     glued
   };
 
@@ -32,9 +32,9 @@ namespace Biface
   /** The law of friction of a shell that rolls. */
   enum class RollingFriction
   {
-    /** See SlipVelocityLaw. */
+    /** Friction by the slip velocity, see SlipVelocityLaw. */
     slip_velocity,
-    /** See BristleLaw. */
+    /** Friction by the deflection of bristles, see BristleLaw. */
     bristles
   };
 
@@ -64,7 +64,8 @@ namespace Biface
        * stiffness of the wall. Unit: pressure/length. */
       std::optional<double> regularization;
       RollingFriction       rolling = RollingFriction::slip_velocity;
-      /** See FrictionLaw::critical_velocity; 0 if not given. */
+      /** The critical velocity, see FrictionLaw::critical_velocity; 0 if not
+       * given. */
       double critical_velocity = 0;
 
       void
@@ -94,7 +95,8 @@ namespace Biface
                const double       wall_stiffness = 1) const;
     };
 
-    /** @param entry the entry of the coefficient, for error messages.
+    /** The law with a coefficient.
+     * @param entry the entry of the coefficient, for error messages.
      * @param coefficient a number or a formula of the contact pressure `p` and
      * of the slip velocity `s`, which is 0 unless the shell rolls.
      * @param regularization the parameter @f$\varepsilon_t@f$.
@@ -105,14 +107,14 @@ namespace Biface
                 const double       regularization,
                 const double       critical_velocity = 0);
 
-    /** The same law for another critical velocity. */
+    /** The law with another critical velocity. */
     FrictionLaw
     with_critical_velocity(const double velocity) const
     {
       return FrictionLaw(*this, velocity, part);
     }
 
-    /** The same law with a part of the coefficient. */
+    /** The law with a part of the coefficient. */
     FrictionLaw
     with_part_of_friction(const double further_part) const
     {
@@ -130,33 +132,37 @@ namespace Biface
     bool
     depends_on_speed() const;
 
-    /** The maximum traction @f$\tau@f$, with its derivatives. */
+    /** The maximum traction @f$\tau@f$, with its derivatives by the pressure
+     * and the slip velocity. */
     struct Limit
     {
       double value = 0, per_pressure = 0, per_speed = 0;
     };
 
-    /** A negative coefficient of friction counts as 0. The limit is NaN where
-     * the formula is.
+    /** The limit of friction. A negative coefficient counts as 0. The limit is
+     * NaN where the formula is.
      * @param speed the slip velocity. */
     Limit
     limit(const double pressure, const double speed = 0) const;
 
-    /** The trial traction @f$\mathbf q@f$. */
+    /** The trial traction @f$\mathbf q@f$ for the vector from the stick point.
+     * Unit: force/area. */
     dealii::Tensor<1, 3>
     trial(const dealii::Tensor<1, 3> &elastic_slip) const
     {
       return -regularization * elastic_slip;
     }
 
-    /** The part @f$\mathbf s@f$ of the slip that belongs to a traction. */
+    /** The part @f$\mathbf s@f$ of the slip that belongs to a traction. Unit:
+     * length. */
     dealii::Tensor<1, 3>
     elastic_slip(const dealii::Tensor<1, 3> &traction) const
     {
       return -1 / regularization * traction;
     }
 
-    /** Minus the derivative of the trial traction by @f$\mathbf s@f$. */
+    /** Minus the derivative of the trial traction by @f$\mathbf s@f$, the
+     * parameter @f$\varepsilon_t@f$. Unit: pressure/length. */
     double
     stiffness() const
     {
@@ -196,14 +202,14 @@ namespace Biface
       , part(part)
     {}
 
-    /** See limit(). */
+    /** The maximum traction without derivatives, see limit(). */
     double
     value(const double pressure, const double speed) const;
 
     std::shared_ptr<const Formula> coefficient;
     std::optional<double>          constant;
     const double                   regularization;
-    /** Of the coefficient. */
+    /** The part of the coefficient that counts. */
     const double part = 1;
   };
 

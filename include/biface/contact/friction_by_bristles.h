@@ -22,7 +22,7 @@ namespace Biface
       : law(law), condition(condition), of_bristles(this->law, this->condition)
     {}
 
-    /** Others refer to its members. */
+    /** Not copied: its law of bristles refers to its other members. */
     FrictionByBristles(const FrictionByBristles &) = delete;
 
     bool

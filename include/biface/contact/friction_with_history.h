@@ -9,12 +9,13 @@
 
 namespace Biface
 {
-  /** Friction of a shell that stands: each node has a stick point on the
-   * body, see FrictionLaw. Nodes may be glued to theirs. */
+  /** Friction of a shell that stands: each node has a stick point on the body,
+   * see FrictionLaw. Nodes may be glued to theirs. */
   class FrictionWithHistory : public TangentialLaw
   {
   public:
-    /** @param glued whether the nodes in contact at the start of the stage
+    /** The law of a stage.
+     * @param glued whether the nodes in contact at the start of the stage
      * cannot slip. */
     FrictionWithHistory(const FrictionLaw      &law,
                         const ContactCondition &condition,
@@ -40,8 +41,9 @@ namespace Biface
     void
     hold(ContactState &state) const override;
 
-    /** A node that slips sticks in the next iteration if it has passed its
-     * stick point: friction does not push. */
+    /** Decide whether a node sticks or slips. A node that slips sticks in the
+     * next iteration if it has passed its stick point: friction does not
+     * push. */
     bool
     decide(ContactState               &state,
            const PointInContact       &at,

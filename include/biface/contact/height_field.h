@@ -25,7 +25,8 @@ namespace Biface
   class HeightField : public ImplicitSurface
   {
   public:
-    /** Throws InputError if the points are not those of a grid, see GridData.
+    /** The spline through heights. Throws InputError if the points are not
+     * those of a grid, see GridData.
      * @param points u, v and height in any order. Unit: length.
      * @param across,along,up unit vectors of these coordinates, orthogonal to
      * each other.
@@ -53,7 +54,7 @@ namespace Biface
                    const Search           &search) const override;
 
   private:
-    /** The derivatives of the height at a point of the grid: none, by u, by v,
+    /** The height at a point of the grid, and its derivatives by u, by v, and
      * by both. */
     using Knot = std::array<double, 4>;
 
@@ -62,12 +63,13 @@ namespace Biface
     {
       std::array<unsigned int, 2> begin, end;
       double                      lowest, highest;
-      /** Its halves; 0 for a single cell. */
+      /** The numbers of the boxes of both halves; 0 for a single cell. */
       std::array<unsigned int, 2> parts;
     };
 
-    /** The cubic polynomials of a cell by which its knots count: at the lower
-     * end the value and the derivative, and the same at the upper end.
+    /** The cubic polynomials of a cell by which its knots count: those of the
+     * value and of the derivative at the lower end, then those at the upper
+     * end.
      * @param derivative 0, 1 or 2, by the coordinate. */
     std::array<double, 4>
     basis(const unsigned int direction,
@@ -75,11 +77,11 @@ namespace Biface
           const double       coordinate,
           const unsigned int derivative) const;
 
-    /** The cell of a coordinate. */
+    /** The cell in which a coordinate lies. */
     unsigned int
     find_cell(const unsigned int direction, const double coordinate) const;
 
-    /** The height or its derivative.
+    /** The height of the spline or one of its derivatives.
      * @param order the orders of the derivatives by u and v. */
     double
     height(const dealii::Point<2>            &x,

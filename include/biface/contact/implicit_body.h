@@ -37,8 +37,8 @@ namespace Biface
     virtual double
     length() const = 0;
 
-    /** Searches the closest point of the surface from a point of the surface,
-     * and returns the closest one that any call has found. */
+    /** A function that searches the closest point of the surface from a point
+     * of the surface, and returns the closest one that any call has found. */
     using Search =
       std::function<const dealii::Point<3> &(const dealii::Point<3> &)>;
 

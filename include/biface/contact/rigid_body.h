@@ -26,11 +26,12 @@ namespace Biface
   struct BodyMotion
   {
     std::string name;
-    /** At the factor 1. Unit: length. */
+    /** The translation at the factor 1. Unit: length. */
     dealii::Tensor<1, 3> translation;
-    /** At the factor 1, right-handed, in radians. */
+    /** The angle of the turn at the factor 1, right-handed, in radians. */
     double turn = 0;
-    /** Of any length; if not set, that of the body. */
+    /** The vector along the axis of the turn, of any length; if not set, the
+     * axis is that of the body. */
     std::optional<dealii::Tensor<1, 3>> axis;
     /** The stiffness of a spring against the motion, where a force determines
      * it. Unit: force/length, or force*length for a turn alone. */
@@ -42,8 +43,8 @@ namespace Biface
     static constexpr unsigned int travel_of_foundation =
       dealii::numbers::invalid_unsigned_int;
 
-    /** The way at the factor 1, to which a force refers: the length of the
-     * translation or, without one, the angle. */
+    /** The length of the translation at the factor 1 or, without one, the
+     * angle, to which a force refers. */
     double
     amplitude() const
     {
@@ -112,7 +113,7 @@ namespace Biface
       return result;
     }
 
-    /** The same foundation after a further travel. */
+    /** The body after a further travel. */
     RigidBody
     moved(const double further) const
     {
@@ -121,23 +122,23 @@ namespace Biface
       return result;
     }
 
-    /** The same foundation after further motions: moved sideways by a vector
-     * and turned by an angle in radians, right-handed about its direction at
-     * rest, or another one. The axis of the turn passes through the given point
-     * before the foundation slides, and slides with it. */
+    /** The body after further motions: moved sideways by a vector and turned by
+     * an angle in radians, right-handed about its direction at rest, or another
+     * one. The axis of the turn passes through the given point before the body
+     * slides, and slides with it. */
     RigidBody
     displaced(const dealii::Tensor<1, 3>                &slide,
               const double                               turn,
               const dealii::Point<3>                    &pivot,
               const std::optional<dealii::Tensor<1, 3>> &about = {}) const;
 
-    /** The same foundation after a further turn by an angle in radians,
-     * right-handed about an axis of unit length through the origin. */
+    /** The body after a further turn by an angle in radians, right-handed about
+     * an axis of unit length through the origin. */
     RigidBody
     around(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
-    /** The same body after further motions: their axes slide with the sum of
-     * their translations.
+    /** The body after further motions: their axes slide with the sum of their
+     * translations.
      * @param factor_of gives the factor at a position.
      * @param axis of unit length, of turns without one of their own.
      * @param on_axis a point of all axes; both at the present place. */
@@ -147,8 +148,8 @@ namespace Biface
                   const dealii::Tensor<1, 3>                      &axis,
                   const dealii::Point<3> &on_axis) const;
 
-    /** The same body behind a layer that separates it from the shell: its
-     * clearances are smaller by this distance. */
+    /** The body behind a layer that separates it from the shell: its clearances
+     * are smaller by this distance. */
     RigidBody
     behind(const double distance) const
     {
@@ -168,8 +169,8 @@ namespace Biface
              const double                                     travel,
              const std::function<double(const unsigned int)> &rate_of) const;
 
-    /** The change of velocity() at a fixed point by other rates, as the axes
-     * move along. */
+    /** The change of velocity() at a fixed point as the body moves by other
+     * rates, with which its axes move along. */
     dealii::Tensor<1, 3>
     change_of_velocity(
       const dealii::Point<3>                          &x,
@@ -178,7 +179,7 @@ namespace Biface
       const double                                     other_travel,
       const std::function<double(const unsigned int)> &other_rate_of) const;
 
-    /** The angular velocity of the body, likewise. */
+    /** The angular velocity of the body for the given rates, see velocity(). */
     dealii::Tensor<1, 3>
     angular_velocity(
       const double                                     travel,
@@ -205,7 +206,7 @@ namespace Biface
     std::array<dealii::Tensor<1, 3>, 2>
     tangents(const dealii::Tensor<1, 3> &normal) const;
 
-    /** Their derivatives by the normal. */
+    /** The derivatives of tangents() by the normal. */
     std::array<dealii::Tensor<2, 3>, 2>
     tangent_derivatives(const dealii::Tensor<1, 3> &normal) const;
 
@@ -215,7 +216,7 @@ namespace Biface
       return evaluate(x).clearance;
     }
 
-    /** The remaining travel to a point, see BodyShape. */
+    /** The remaining travel to a point, see BodyShape::travel_to(). */
     double
     travel_to(const dealii::Point<3> &x) const
     {
@@ -230,18 +231,19 @@ namespace Biface
       return present(shape->point);
     }
 
-    /** The displacement of this point. */
+    /** The displacement of apex() from its place at rest. */
     dealii::Tensor<1, 3>
     displacement_of_point() const
     {
       return apex() - shape->point;
     }
 
-    /** The rotation as a vector along its axis, with an angle up to pi. */
+    /** The rotation of the body as a vector along its axis, with an angle up to
+     * pi. */
     dealii::Tensor<1, 3>
     rotation_vector() const;
 
-    /** With its present axis, see BodyShape::cylinder(). */
+    /** The cylinder with its present axis, see BodyShape::cylinder(). */
     std::optional<BodyShape::Cylinder>
     cylinder() const;
 
@@ -263,7 +265,7 @@ namespace Biface
       dealii::Point<3>     pivot;
     };
 
-    /** The same foundation after a further motion. */
+    /** The body after a further motion. */
     RigidBody
     after(Displacement further) const;
 
@@ -272,15 +274,15 @@ namespace Biface
     tangents_of_direction() const;
 
     /** The direction or its opposite, whichever can be rotated to a normal, and
-     * the tangents there. */
+     * the tangents for it as the normal. */
     std::pair<dealii::Tensor<1, 3>, std::array<dealii::Tensor<1, 3>, 2>>
     reference_of_tangents(const dealii::Tensor<1, 3> &normal) const;
 
-    /** A point before this motion. */
+    /** The place of a point of the body before its displacement. */
     dealii::Point<3>
     back(const dealii::Point<3> &x) const;
 
-    /** The velocity of the body by the factor of a motion. */
+    /** The velocity of the body per unit of the rate of a factor. */
     struct Screw
     {
       unsigned int         factor;
@@ -303,10 +305,11 @@ namespace Biface
     std::shared_ptr<const BodyShape> shape;
     double                           travel;
     bool                             travels = true;
-    /** See behind(). */
+    /** The thickness of the layer in front of the body, see behind(). */
     double                      distance = 0;
     std::optional<Displacement> displacement;
-    /** The later ones take along the axes of those before. */
+    /** The motions of the body, of which the later ones take along the axes of
+     * those before. */
     std::vector<Screw> screws;
   };
 } // namespace Biface

@@ -19,7 +19,8 @@ namespace Biface
   {
     dealii::Tensor<1, 3> forward, left, up;
 
-    /** @param direction toward the ground, not along the axle; any length. */
+    /** The axes for a direction toward the ground.
+     * @param direction toward the ground, not along the axle; any length. */
     explicit WheelAxes(const dealii::Tensor<1, 3> &direction);
 
     /** Whether a wheel can roll on the ground in this direction: the sine of
@@ -81,10 +82,10 @@ namespace Biface
    */
   struct Rolling
   {
-    /** @f$\Omega@f$. Unit: radians/time. */
+    /** The angular velocity @f$\Omega@f$ of the wheel. Unit: radians/time. */
     double angular_velocity = 0;
 
-    /** @f$\mathbf v_g(\mathbf x)@f$: that of the ground. */
+    /** The motion @f$\mathbf v_g(\mathbf x)@f$ of the ground. */
     GroundMotion ground{};
 
     /** The velocity of a particle relative to the ground.
@@ -113,7 +114,8 @@ namespace Biface
   class SlipVelocityLaw
   {
   public:
-    /** @param law kept by reference. */
+    /** The law with the limit of a FrictionLaw.
+     * @param law kept by reference. */
     explicit SlipVelocityLaw(const FrictionLaw &law) : law(law)
     {}
 

@@ -21,13 +21,13 @@ namespace Biface
   /** A point of a face where it may touch a rigid body. */
   struct PointInContact
   {
-    /** Its number, see ContactPoints. */
+    /** The number of the point, see ContactPoints. */
     unsigned int point;
-    /** The deformed position of the face. */
+    /** The deformed position of the face at the point. */
     dealii::Point<3> x;
-    /** Kept by reference. */
+    /** The body, kept by reference. */
     const RigidBody &body;
-    /** The body at this position. */
+    /** The geometry of the body at the position. */
     BodyPoint at_body;
 
     /** The particle of a rolling shell that passes the node, if it has a
@@ -35,7 +35,8 @@ namespace Biface
     struct Particle
     {
       Rolling rolling;
-      /** @f$\partial\mathbf x/\partial\varphi@f$. */
+      /** The derivative @f$\partial\mathbf x/\partial\varphi@f$ along the line
+       * of flow. */
       dealii::Tensor<1, 3> slope;
       /** The derivative of the slope by the position of the adjacent node ahead
        * on the line of flow, and minus that by the one behind. */
@@ -74,21 +75,21 @@ namespace Biface
      * state to that of the clearance, which it is in converged states. Unit:
      * force/area. */
     dealii::Tensor<1, 3> value;
-    /** Minus its derivative with respect to the position of the node, with the
-     * multiplier of the state. */
+    /** Minus the derivative of the traction with respect to the position of the
+     * node, with the multiplier of the state. */
     dealii::Tensor<2, 3> stiffness;
-    /** Minus the derivatives with respect to the positions of the adjacent
-     * nodes along the flow, behind and ahead. */
+    /** Minus the derivatives of the traction with respect to the positions of
+     * the adjacent nodes along the flow, behind and ahead. */
     std::array<dealii::Tensor<2, 3>, 2> stiffness_of_neighbors{};
-    /** The derivatives with respect to the velocity of the particle at the node
-     * and to the angular velocity. */
+    /** The derivatives of the traction with respect to the velocity of the
+     * particle at the node and to the angular velocity. */
     dealii::Tensor<2, 3> per_velocity;
     dealii::Tensor<1, 3> per_angular_velocity;
   };
 
 
-  /** How a body holds the nodes in contact sideways. Without friction, it does
-   * not. */
+  /** The law by which a body holds the nodes in contact sideways; this base
+   * class is that without friction. */
   class TangentialLaw
   {
   public:
@@ -101,8 +102,8 @@ namespace Biface
       return false;
     }
 
-    /** Whether they follow from the velocity with which a rolling shell slips,
-     * rather than from displacements. */
+    /** Whether tangential tractions follow from the velocity with which a
+     * rolling shell slips, rather than from displacements. */
     virtual bool
     depends_on_velocity() const
     {
@@ -185,14 +186,14 @@ namespace Biface
       return 0;
     }
 
-    /** The critical velocity of a law that has one, and the law with another
-     * one. */
+    /** The critical velocity of a law that has one. */
     virtual std::optional<double>
     critical_velocity() const
     {
       return {};
     }
 
+    /** The law with another critical velocity; null for a law that has none. */
     virtual std::shared_ptr<const TangentialLaw>
     with_critical_velocity(const double /*velocity*/) const
     {

@@ -28,9 +28,10 @@ namespace Biface
    */
   struct TreadParameters
   {
-    /** Unit: length. There is no tread without. */
+    /** The height of the tread; if it is not set, there is no tread. Unit:
+     * length. */
     std::optional<double> height;
-    /** Unit: force/area. */
+    /** Young's modulus of the rubber. Unit: force/area. */
     double modulus    = 0;
     double void_ratio = 0;
 
@@ -41,15 +42,19 @@ namespace Biface
     void
     check() const;
 
-    /** The stiffnesses. There must be a tread. Unit: pressure/length. */
+    /** The stiffness across the face. There must be a tread. Unit:
+     * pressure/length. */
     double
     normal_stiffness() const;
 
+    /** The stiffness along the face. There must be a tread. Unit:
+     * pressure/length. */
     double
     tangential_stiffness() const;
 
-    /** The same contact or friction where there is a tread: it replaces an
-     * automatic regularization, and is in series with a given one. */
+    /** The parameters of contact or friction with the tread, if there is one:
+     * it replaces an automatic regularization, and is in series with a given
+     * one. */
     ContactCondition::Parameters
     with_tread(ContactCondition::Parameters condition) const;
 

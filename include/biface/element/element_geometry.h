@@ -28,18 +28,19 @@ namespace Biface
   {
     struct Vertex
     {
-      /** @f$N_{q,a}/A_a@f$ for the shape function of this vertex; for its
-       * neighbor along @f$\alpha_a@f$ it is the negative, the others vanish.
-       * Unit: 1/length. */
+      /** The derivatives @f$N_{q,a}/A_a@f$ of the shape function of this
+       * vertex; those for its neighbor along @f$\alpha_a@f$ are the negative,
+       * the others vanish. Unit: 1/length. */
       std::array<double, 2> slope;
 
-      /** See SurfacePoint::connection(). Zero if vectors are interpolated. */
+      /** The matrix of the derivative in frame components, see
+       * SurfacePoint::connection(). Zero if vectors are interpolated. */
       std::array<dealii::Tensor<2, 3>, 2> connection;
 
-      /** What turns the components of the neighbor along @f$\alpha_a@f$ into
-       * those that are subtracted here: the unit tensor if components are
-       * interpolated, those of the same vector in the frame of this vertex
-       * if vectors are. */
+      /** The matrix that turns the components of the neighbor along
+       * @f$\alpha_a@f$ into those that are subtracted at this vertex: the unit
+       * tensor if components are interpolated, those of the same vector in the
+       * frame of this vertex if vectors are. */
       std::array<dealii::Tensor<2, 3>, 2> turn;
 
       ThicknessMetric metric;
@@ -47,20 +48,20 @@ namespace Biface
       /** The thickness h at this vertex. */
       double thickness;
 
-      /** `face_slope[face][a]` is @f$\delta^\pm_{,a}/A_a@f$: the slope of a
-       * face relative to the reference surface. Zero if the thickness is
-       * constant. */
+      /** The slopes of the faces relative to the reference surface,
+       * `face_slope[face][a]` @f$=\delta^\pm_{,a}/A_a@f$. Zero if the thickness
+       * is constant. */
       std::array<std::array<double, 2>, 2> face_slope;
 
-      /** The frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ in columns: the
-       * Cartesian vector of components in the frame. */
+      /** The frame @f$\mathbf e_1,\mathbf e_2,\mathbf e_3@f$ in columns, which
+       * turns components in the frame into a Cartesian vector. */
       dealii::Tensor<2, 3> axes;
     };
 
     std::array<Vertex, 4> vertices;
 
-    /** What turns components at vertex @p s before the interpolation adds them
-     * to components at vertex @p r, see Vertex::turn. */
+    /** The matrix that turns components at vertex @p s before the interpolation
+     * adds them to components at vertex @p r, see Vertex::turn. */
     dealii::Tensor<2, 3>
     turn(const unsigned int r, const unsigned int s) const
     {
@@ -97,8 +98,9 @@ namespace Biface
       return d;
     }
 
-    /** The transpose of derivative(): what is work-conjugate to the components
-     * at the vertex and at its neighbor, from what is to the derivative. */
+    /** The vectors that are work-conjugate to the components at the vertex and
+     * at its neighbor, from the vector @p p that is to the derivative: the
+     * transpose of derivative(). */
     std::array<dealii::Tensor<1, 3>, 2>
     conjugate_of_derivative(const unsigned int          q,
                             const unsigned int          a,
@@ -136,16 +138,18 @@ namespace Biface
     StrainSampling sampling;
     Interpolation  interpolation;
 
-    /** Vertices or mean director. */
+    /** The source of the thickness strain; never by_layers. */
     ThicknessStrain thickness_strain = ThicknessStrain::vertices;
-    /** What MeanDirector needs: @f$\varphi_a@f$. */
+    /** The factors @f$\varphi_a@f$ of MeanDirector. */
     std::array<double, 2> director_factor;
 
-    /** What StrainMeans needs: @f$\varphi_a@f$, */
+    /** The factors @f$\varphi_a@f$ of StrainMeans. */
     std::array<double, 2> mean_factor;
-    /** `[face][a]`, the mean of @f$\zeta_a^\pm/\bar\zeta_a@f$, */
+    /** The means `[face][a]` of @f$\zeta_a^\pm/\bar\zeta_a@f$ over the
+     * vertices, for StrainMeans. */
     std::array<std::array<double, 2>, 2> zeta_ratio;
-    /** and StrainMeans::undeformed(). */
+    /** The tangents and directors of the undeformed shell, see
+     * StrainMeans::undeformed(). */
     MeanVectors undeformed;
   };
 } // namespace Biface

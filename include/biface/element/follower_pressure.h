@@ -51,7 +51,8 @@ namespace Biface
     const Resultants::Face      face;
     const std::array<double, 4> pressure;
     MixedElement::NodalVector   nodal_force;
-    /** Deformed tangents of the face at each vertex. */
+    /** The deformed tangents @f$\mathbf t_a^\pm@f$ of the face at each
+     * vertex. */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 4> tangents;
 
     /** The pressure times the area of the reference surface at a vertex,

@@ -5,7 +5,7 @@
 
 namespace Biface
 {
-  /** What is bilinear in the element. */
+  /** The quantities that are bilinear in the element. */
   enum class Interpolation
   {
     /** The components of the displacements in the frames

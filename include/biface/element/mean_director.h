@@ -44,7 +44,8 @@ namespace Biface
     static constexpr unsigned int       n = 3;
     std::array<dealii::Tensor<1, 3>, n> coefficients;
 
-    /** The values of @f$\xi_1,\xi_2,\xi_1\xi_2@f$ at a vertex. */
+    /** The value of @f$\xi_1,\xi_2,\xi_1\xi_2@f$ (i = 0, 1, 2) at a vertex,
+     * ±1. */
     static constexpr double
     sign(const unsigned int i, const unsigned int vertex)
     {
@@ -61,7 +62,7 @@ namespace Biface
     }
 
 
-    /** Of the undeformed shell. */
+    /** The coefficients of the undeformed shell. */
     static MeanDirector
     undeformed(const ElementGeometry &geometry)
     {
@@ -75,7 +76,8 @@ namespace Biface
     }
 
 
-    /** Its change by displacements with the given gradients at the vertices. */
+    /** The change of the coefficients by displacements with the given gradients
+     * at the vertices. */
     static MeanDirector
     change(const ElementGeometry                     &geometry,
            const std::array<DisplacementGradient, 4> &gradients)
@@ -93,13 +95,14 @@ namespace Biface
 
 
     /** A symmetric bilinear form of the coefficients: half of it is a sum of
-     * the terms above. */
+     * the terms that MeanDirector adds. */
     struct Form
     {
-      /** Of 11, 22, 12 with 12, and of 2 and 1 with 12. */
+      /** The coefficients of the products of the directors 1, 2 and 12 with
+       * themselves, and of 2 and of 1 with 12. */
       double of_1 = 0, of_2 = 0, of_12 = 0, of_2_and_12 = 0, of_1_and_12 = 0;
 
-      /** Each mode of the thickness strain times a number.
+      /** The form of a sum of the modes of the thickness strain times numbers.
        * @param factors by the groups of Modes. */
       Form(const ElementGeometry       &geometry,
            const std::array<double, 4> &factors)
@@ -114,7 +117,7 @@ namespace Biface
         of_2_and_12 = -2. / 3 * phi_1 * phi_2 * factors[2];
       }
 
-      /** The virtual work of resultants.
+      /** The form of the virtual work of resultants.
        * @param H without the weights of modes, which are added here. */
       static Form
       of_resultants(const ElementGeometry &geometry, const Modes::Vector &H)
@@ -125,7 +128,7 @@ namespace Biface
         return Form(geometry, factors);
       }
 
-      /** The strain of one group. */
+      /** The form of the thickness strain of one group. */
       static Form
       of_group(const ElementGeometry &geometry, const unsigned int m)
       {
@@ -146,7 +149,8 @@ namespace Biface
         return y;
       }
 
-      /** The coefficient by which it couples the directors at two vertices. */
+      /** The coefficient by which the form couples the directors at two
+       * vertices. */
       double
       of_vertices(const unsigned int q, const unsigned int r) const
       {
@@ -160,7 +164,7 @@ namespace Biface
     };
 
 
-    /** The mode of the thickness strain in a group. */
+    /** The number of the mode of the thickness strain in a group. */
     static constexpr unsigned int
     mode(const unsigned int group)
     {
@@ -168,7 +172,8 @@ namespace Biface
     }
 
 
-    /** Add half of the forms of the modes, times @p factor, to the strains. */
+    /** Add half of the forms of the modes at @p x and @p y, times @p factor, to
+     * the strains. */
     static void
     add_products(const ElementGeometry &geometry,
                  const MeanDirector    &x,
@@ -186,8 +191,8 @@ namespace Biface
     }
 
 
-    /** What is work-conjugate to @f$\boldsymbol\beta@f$ at a vertex, from what
-     * is to the coefficients: the transpose of change(). */
+    /** The vector that is work-conjugate to @f$\boldsymbol\beta@f$ at a vertex,
+     * if this object is to the coefficients: the transpose of change(). */
     dealii::Tensor<1, 3>
     at_vertex(const ElementGeometry &geometry, const unsigned int q) const
     {

@@ -24,13 +24,12 @@ namespace Biface
   {
     using Vector = dealii::Tensor<1, 3>;
 
-    /** `slope[face][a]` is the coefficient @f$[\mathbf d_a^\pm]_c@f$ of
-     * @f$\xi_c@f$. */
+    /** The coefficients @f$[\mathbf d_a^\pm]_c@f$ of @f$\xi_c@f$ as
+     * `slope[face][a]`. */
     std::array<std::array<Vector, 2>, 2> slope;
-    /** `mean[face][a]` is the mean @f$[\mathbf d_a^\pm]_0@f$. */
+    /** The means @f$[\mathbf d_a^\pm]_0@f$ as `mean[face][a]`. */
     std::array<std::array<Vector, 2>, 2> mean;
-    /** `director[a]` is the coefficient @f$[\mathbf n]_c@f$ of
-     * @f$\xi_c@f$. */
+    /** The coefficients @f$[\mathbf n]_c@f$ of @f$\xi_c@f$ as `director[a]`. */
     std::array<Vector, 2> director;
 
     /** The value of @f$\xi_c@f$ at a vertex, ±1. It is the same at the two

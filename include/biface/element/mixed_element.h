@@ -66,14 +66,14 @@ namespace Biface
       return 6 * vertex + 2 * component + part;
     }
 
-    /** @f$\partial v^\mp/\partial\tilde v@f$: the sign of a face. */
+    /** The sign of a face, @f$\partial v^\mp/\partial\tilde v@f$. */
     static constexpr std::array<double, 2> face_sign{{-1, 1}};
 
-    /** Vertex by vertex, see dof(). Forces are conjugate to the unknowns:
-     * @f$\bar f=f^-+f^+@f$ and @f$\tilde f=f^+-f^-@f$. */
+    /** The unknowns of the nodes, vertex by vertex, see dof(). Forces are
+     * conjugate to them: @f$\bar f=f^-+f^+@f$ and @f$\tilde f=f^+-f^-@f$. */
     using NodalVector = dealii::Tensor<1, n_dofs>;
 
-    /** `K[i][j]`, row by row. */
+    /** A matrix for the unknowns of the nodes, `K[i][j]`, row by row. */
     using NodalMatrix = std::array<std::array<double, n_dofs>, n_dofs>;
 
     /** The displacement of a face at a vertex. */
@@ -152,7 +152,7 @@ namespace Biface
     Modes::Vector
     strain() const;
 
-    /** Their derivative in the direction @p dV,
+    /** The derivative of the strain modes in the direction @p dV,
      * @f$\mathbf B(\mathbf V)\,d\mathbf V@f$. */
     Modes::Vector
     strain_variation(const NodalVector &dV) const;
@@ -174,8 +174,8 @@ namespace Biface
     Modes::Vector
     hourglass_strain(const NodalVector &dV) const;
 
-    /** The internal force: the derivative of the virtual work above with
-     * respect to the nodal displacements. */
+    /** The internal force: the derivative of the virtual work of the resultants
+     * with respect to the nodal displacements. */
     NodalVector
     internal_force(const Modes::Vector &resultants,
                    const Modes::Vector &H_0) const;
@@ -210,14 +210,16 @@ namespace Biface
     const ElementGeometry              &geometry;
     std::array<DisplacementGradient, 4> gradients;
 
-    /** With StrainSampling::means: of the deformed element, and their change
-     * from the undeformed one. */
+    /** The vectors of the deformed element, and their change from the
+     * undeformed one; used with StrainSampling::means. */
     MeanVectors vectors, change;
 
-    /** With ThicknessStrain::mean_director or normal: likewise. */
+    /** The directors of the deformed element, and their change from the
+     * undeformed one; used with ThicknessStrain::mean_director and normal. */
     MeanDirector director, director_change;
 
-    /** With ThicknessStrain::normal. */
+    /** The shear strains at the Gauss points; used with
+     * ThicknessStrain::normal. */
     NormalThickness::Shear shear{};
 
     bool
@@ -242,19 +244,20 @@ namespace Biface
     Modes::Vector
     strain_of_directors() const;
 
-    /** A row for each mode. The columns are sorted part by part, those of a
-     * part vertex by vertex. */
+    /** A row for each strain mode. The columns are sorted part by part, those
+     * of a part vertex by vertex. */
     using StrainMatrix = std::array<std::array<double, n_dofs>, Modes::n>;
 
-    /** @f$\mathbf B = d\mathbf E/d\mathbf V@f$ as sampled at the vertices */
+    /** Compute @f$\mathbf B = d\mathbf E/d\mathbf V@f$ for strains that are
+     * sampled at the vertices. */
     void
     strain_matrix(StrainMatrix &B) const;
 
-    /** What StrainSampling::means adds. */
+    /** Add the terms of StrainSampling::means to a strain matrix. */
     void
     add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
 
-    /** What ThicknessStrain::mean_director adds. */
+    /** Add the terms of ThicknessStrain::mean_director to a strain matrix. */
     void
     add_director_terms(StrainMatrix &B) const;
 
@@ -266,13 +269,13 @@ namespace Biface
     void
     shear_matrix(const StrainMatrix &B, ShearMatrix &G) const;
 
-    /** What ThicknessStrain::normal subtracts from the rows of the thickness
-     * strain. */
+    /** Subtract the terms of ThicknessStrain::normal from the rows of the
+     * thickness strain. */
     void
     subtract_shear(const ShearMatrix &G, StrainMatrix &B) const;
 
-    /** Subtract the second variation of its products, weighted by resultants,
-     * from the rows of the shear strains. */
+    /** Subtract the second variation of the products of NormalThickness,
+     * weighted by resultants, from the rows of the shear strains. */
     void
     subtract_leaning(const ShearMatrix   &G,
                      const Modes::Vector &H,

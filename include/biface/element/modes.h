@@ -29,23 +29,22 @@ namespace Biface
   {
     constexpr unsigned int n = 24;
 
-    /** Index of the twist among the strains, after those of Resultants: a
+    /** The index of the twist among the strains, after those of Resultants: a
      * strain @f$2\varepsilon_{12}^\pm=\pm t@f$ of opposite sign on the two
-     * faces. The resultant is @f$H_t=(H_{12}^+-H_{12}^-)/2@f$, likewise of
-     * opposite sign. */
+     * faces. The resultant is @f$H_t=(H_{12}^+-H_{12}^-)/2@f$. */
     constexpr unsigned int twist = Resultants::n;
 
-    /** The strains kept as coefficients of one bilinear function. */
+    /** The strains that are kept as coefficients of one bilinear function. */
     struct Group
     {
-      /** Whether the function contains @f$\xi_1@f$, @f$\xi_2@f$. */
+      /** Whether the function contains @f$\xi_1@f$ and @f$\xi_2@f$. */
       std::array<bool, 2> varies;
       unsigned int        first_mode;
-      /** The number of strains taken from the vertices; they come first. */
+      /** The number of strains taken from the vertices, which come first. */
       unsigned int sampled;
-      /** The number of all strains. */
+      /** The number of all strains of the group. */
       unsigned int size;
-      /** Indices of the strains, see Resultants. */
+      /** The indices of the strains, see Resultants. */
       std::array<unsigned int, Resultants::n> strains;
 
       /** The mean square of the function over the element. */
@@ -55,8 +54,8 @@ namespace Biface
         return (varies[0] ? 1. / 3 : 1.) * (varies[1] ? 1. / 3 : 1.);
       }
 
-      /** The same for the @p i-th strain, where the twist counts for both
-       * faces. */
+      /** The weight of the @p i-th strain: that of the function, where the
+       * twist counts for both faces. */
       constexpr double
       weight(const unsigned int i) const
       {
@@ -79,7 +78,7 @@ namespace Biface
        {{{true, false}}, 17, 5, 6, {{2, 3, 8, 9, 10, twist}}},
        {{{true, true}}, 23, 1, 1, {{10}}}}};
 
-    /** `mode_of[group][strain]`: the number of the strain mode, or n if the
+    /** The number of the strain mode, `mode_of[group][strain]`, or n if the
      * group does not contain this strain. */
     constexpr std::array<std::array<unsigned int, twist + 1>, 4> mode_of = [] {
       std::array<std::array<unsigned int, twist + 1>, 4> table{};
@@ -98,9 +97,9 @@ namespace Biface
     /** `K[i][j]`, row by row. */
     using Matrix = std::array<std::array<double, n>, n>;
 
-    /** The points @f$\xi_1,\xi_2=\pm1/\sqrt3@f$ of the element, numbered like
-     * the vertices next to them. With the weight 1/4 each they integrate
-     * products of modes exactly. */
+    /** The number of the points @f$\xi_1,\xi_2=\pm1/\sqrt3@f$ of the element,
+     * numbered like the vertices next to them. With the weight 1/4 each they
+     * integrate products of modes exactly. */
     constexpr unsigned int n_gauss_points = 4;
 
     /** The value of the function of a group at a Gauss point. */
@@ -150,7 +149,7 @@ namespace Biface
     }
 
     /** The modes of resultants given at the Gauss points: those for which
-     * @f$\sum_m w_m H_m E_m@f$ is the mean of their products with
+     * @f$\sum_m w_m H_m E_m@f$ is the mean of the products with
      * at_gauss_point().
      * @param with_twist whether the twist is a mode. */
     inline Vector
@@ -229,7 +228,7 @@ namespace Biface
       return at_vertices;
     }
 
-    /** Modes of a quantity that is constant over the element. */
+    /** The modes of a quantity that is constant over the element. */
     inline Vector
     constant(const Resultants::Vector &value)
     {
@@ -239,8 +238,8 @@ namespace Biface
       return modes;
     }
 
-    /** Sum over the modes of @f$w_m\,a_m b_m@f$: the mean over the element of
-     * the scalar product of two interpolated quantities. */
+    /** The sum over the modes of @f$w_m\,a_m b_m@f$: the mean over the element
+     * of the scalar product of two interpolated quantities. */
     inline double
     mean_product(const Vector &a, const Vector &b)
     {
@@ -263,7 +262,8 @@ namespace Biface
   class ModeStiffness
   {
   public:
-    /** @param sampling the set of strain modes. */
+    /** The law of a laminate with the given matrix.
+     * @param sampling the set of strain modes. */
     explicit ModeStiffness(
       const Resultants::Matrix &stiffness,
       const StrainSampling      sampling = StrainSampling::vertices);
@@ -326,12 +326,12 @@ namespace Biface
     }
 
   private:
-    /** By group. */
+    /** The matrices @f$\mathbf D^m@f$ of the groups. */
     std::array<dealii::Tensor<2, Modes::twist + 1>, Modes::groups.size()> D;
 
     bool with_twist;
 
-    /** The rows and columns of the twist, from those of the faces. */
+    /** Set the rows and columns of the twist, from those of the faces. */
     void
     set_twist(dealii::Tensor<2, Modes::twist + 1> &matrix) const;
   };

@@ -15,32 +15,33 @@
 
 namespace Biface
 {
-  /** The internal variables of an element at the last equilibrium, null for
-   * those of the undeformed shell, and the step since then. */
+  /** The internal variables of an element at the last equilibrium, null where
+   * nothing has relaxed, and the step since then. */
   struct HistoryOfPlies
   {
     const double *internal = nullptr;
-    /** By Gauss point. */
+    /** The step since the last equilibrium, by Gauss point. */
     std::array<TimeStep, Modes::n_gauss_points> steps{};
-    /** By ply, instead of that of the steps, unless it is empty. */
+    /** The temperatures of the plies, instead of that of the steps, unless it
+     * is empty. */
     std::vector<double> temperatures{};
   };
 
 
   /** A stress of plies that relaxes, at each Gauss point of an element: the
-   * stresses of a point, that of cords, or the part of a ply in those of the
-   * thickness strains that vary. */
+   * stresses of a point, the stress of cords, or the part of a ply in the
+   * stresses of the thickness strains that vary. */
   struct RelaxingStress
   {
     std::shared_ptr<const Relaxation> relaxation;
     unsigned int                      n_components;
     /** The position of the ply in Laminate::get_plies(). */
     unsigned int ply;
-    /** The thickness of which the stresses do work; 1 if they are resultants.
-     */
+    /** The thickness on which the stresses do work; 1 if they are resultants.
+     * Unit: length. */
     double thickness;
 
-    /** The number of its internal variables at a Gauss point. */
+    /** The number of internal variables of the stress at a Gauss point. */
     unsigned int
     n_internal() const
     {
@@ -84,7 +85,8 @@ namespace Biface
      * weights of their modes: symmetric. Unit: force/length. */
     using Stiffness = Modes::Matrix;
 
-    /** @param sampling the set of strain modes. */
+    /** The plies of a laminate that are not linear.
+     * @param sampling the set of strain modes. */
     explicit NonlinearPlies(
       const Laminate      &laminate,
       const StrainSampling sampling = StrainSampling::vertices);
@@ -96,24 +98,24 @@ namespace Biface
       return !points && cords.empty();
     }
 
-    /** Whether there are PlyPoints. */
+    /** Whether there are PlyPoints, which are the whole law. */
     bool
     is_whole_law() const
     {
       return points != nullptr;
     }
 
-    /** The energy per area.
+    /** The energy of the plies per area. Unit: force/length.
      * @param E the modes of all strains, including initial ones. */
     double
     energy(const Modes::Vector &E, const HistoryOfPlies &history = {}) const;
 
-    /** Its derivative. */
+    /** The derivative of energy() by the strains. Unit: force/length. */
     Modes::Vector
     resultants(const Modes::Vector  &E,
                const HistoryOfPlies &history = {}) const;
 
-    /** The second derivative.
+    /** The second derivative of energy() by the strains.
      * @return whether it is not zero. */
     bool
     stiffness(const Modes::Vector  &E,
@@ -137,21 +139,21 @@ namespace Biface
                const Modes::Vector  &E,
                const HistoryOfPlies &history) const;
 
-    /** The strains at the vertices, where the thickness strain is the one that
-     * belongs to the thickness stress of the element, if they are the whole
-     * law, and what is relaxed at the Gauss point next to each. */
+    /** The strains at the vertices. With PlyPoints, the thickness strain is the
+     * one that belongs to the thickness stress of the element. Relaxed stresses
+     * are those of the Gauss point next to each vertex. */
     std::array<StrainsOfPlies, 4>
     strains_at_vertices(const Modes::Vector  &E,
                         const HistoryOfPlies &history = {}) const;
 
-    /** Those of a Gauss point. */
+    /** The stresses that relax at a Gauss point. */
     const std::vector<RelaxingStress> &
     relaxing_stresses() const
     {
       return relaxing;
     }
 
-    /** Their components. */
+    /** The number of components of all stresses that relax at a Gauss point. */
     unsigned int
     n_relaxing_components() const;
 
@@ -161,7 +163,7 @@ namespace Biface
     n_internal() const;
 
     /** The components of the stresses that relax, without relaxation, at each
-     * Gauss point, and likewise the strains on which they do work.
+     * Gauss point, and the strains on which they do work.
      * @param strains unless it is null. */
     void
     elastic_stresses(const Modes::Vector  &E,
@@ -169,7 +171,8 @@ namespace Biface
                      std::vector<double>  &stresses,
                      std::vector<double>  *strains = nullptr) const;
 
-    /** What the internal variables add to these stresses in a step. */
+    /** The components that the internal variables add to the stresses that
+     * relax in a step, at each Gauss point. */
     std::vector<double>
     added_stresses(const HistoryOfPlies &history) const;
 
@@ -186,17 +189,19 @@ namespace Biface
     using Steps = std::array<std::map<unsigned int, Relaxation::Step>,
                              Modes::n_gauss_points>;
 
-    /** How elastic_stresses() change with strains, and resultants with what is
-     * added to the stresses that relax, about given strains. */
+    /** The changes of elastic_stresses() with the strains, and of resultants
+     * with the stresses that are added by relaxation, about given strains. */
     class Changes
     {
     public:
-      /** @param plies kept by reference. */
+      /** The changes about the strains @p E.
+       * @param plies kept by reference. */
       Changes(const NonlinearPlies &plies,
               const Modes::Vector  &E,
               const HistoryOfPlies &history);
 
-      /** @param added the change of what is added to the stresses. */
+      /** The change of the elastic stresses with the strains.
+       * @param added the change of what is added to the stresses. */
       void
       elastic_stresses(const Modes::Vector       &dE,
                        const std::vector<double> &added,
@@ -205,7 +210,8 @@ namespace Biface
       Modes::Vector
       resultants(const std::vector<double> &added) const;
 
-      /** What other internal variables add in the same step. */
+      /** The components that other internal variables add to the stresses in
+       * the same step. */
       std::vector<double>
       added_stresses(const double *internal) const
       {
@@ -213,7 +219,8 @@ namespace Biface
       }
 
     private:
-      /** What is added to the stresses of PlyPoints. */
+      /** The part of the added components that belongs to the stresses of
+       * PlyPoints. */
       std::vector<PointStrains::Vector>
       added_at_points(const std::vector<double> &added) const;
 
@@ -222,7 +229,8 @@ namespace Biface
       std::optional<PlyPoints::Changes> points;
       /** The moduli of cords, Gauss point by Gauss point. */
       std::vector<double> cords;
-      /** The derivatives of @f$\eta_m@f$, without the first group. */
+      /** The derivatives of @f$\eta_m@f$ by the modes, for all groups but the
+       * first. */
       std::vector<std::array<double, Modes::n>> varying;
     };
 
@@ -230,36 +238,39 @@ namespace Biface
     double
     thickness_of_cords() const;
 
-    /** The sum over the slack ones, at each Gauss point. */
+    /** The sum of the thicknesses of the points of cords that are slack, at
+     * each Gauss point. */
     std::array<double, Modes::n_gauss_points>
     slack_thickness(const Modes::Vector &E) const;
 
   private:
-    /** @f$\eta_m@f$ with its derivatives by the modes. */
+    /** The value of @f$\eta_m@f$ with its derivatives by the modes. */
     struct Variation
     {
       double                       value = 0;
       std::array<double, Modes::n> gradient{};
-      /** By the mode and the constant mode of a strain, and by the latter
-       * twice. */
+      /** The second derivatives, by the mode and the constant mode of a strain,
+       * and by the latter twice. */
       std::array<double, Modes::twist + 1> mixed{}, by_mean{};
     };
     Variation
     variation(const Modes::Vector &E, const unsigned int group) const;
 
-    /** Stresses of the groups by which the thickness strain varies. */
+    /** Stresses, one for each group by which the thickness strain varies. */
     using OfGroups = dealii::Tensor<1, Modes::groups.size() - 1>;
 
-    /** How stresses relax, Gauss point by Gauss point; empty if none does. */
+    /** The relaxed stresses, Gauss point by Gauss point; empty if none
+     * relaxes. */
     struct RelaxedStresses
     {
       std::vector<Relaxed<PointStrains::Vector>> points;
       std::vector<Relaxed<double>>               cords;
-      /** By RelaxingPly. */
+      /** The stresses of varying thickness strains, by RelaxingPly. */
       std::vector<Relaxed<OfGroups>> varying;
     };
 
-    /** The law of @f$\eta_m@f$: linear, with what has relaxed. */
+    /** The linear law of @f$\eta_m@f$: its stiffness, and the stress that
+     * relaxation adds. */
     struct VaryingLaw
     {
       double stiffness, added;
@@ -267,8 +278,8 @@ namespace Biface
     VaryingLaw
     varying_law(const unsigned int group, const RelaxedStresses &relaxed) const;
 
-    /** Add what the thickness strains that vary do, and its derivative unless
-     * null. */
+    /** Add the resultants of the thickness strains that vary, and their
+     * derivative unless it is null. */
     void
     add_varying(const Modes::Vector   &E,
                 const RelaxedStresses &relaxed,
@@ -289,7 +300,7 @@ namespace Biface
     std::vector<double>
     added_stresses(const Steps &steps, const double *internal) const;
 
-    /** @f$D'_{33}@f$ of a group. */
+    /** The modulus @f$D'_{33}@f$ of a group. */
     double
     varying_modulus(const unsigned int group) const;
 
@@ -301,7 +312,7 @@ namespace Biface
              Modes::Vector        &resultants,
              Stiffness            *stiffness) const;
 
-    /** The response of cords at a Gauss point. */
+    /** The response of cords at a Gauss point, with relaxation. */
     CordLaw::Response
     response(const RelaxedStresses    &relaxed,
              const unsigned int        g,
@@ -311,7 +322,7 @@ namespace Biface
     std::shared_ptr<const PlyPoints> points;
     std::vector<CordPoint>           cords;
     std::vector<RelaxingStress>      relaxing;
-    /** The plies that relax, with their parts of the thickness. */
+    /** A ply that relaxes, with its part of the thickness. */
     struct RelaxingPly
     {
       std::shared_ptr<const Relaxation> relaxation;
@@ -319,7 +330,8 @@ namespace Biface
     };
     std::vector<RelaxingPly> relaxing_plies;
     bool                     with_twist;
-    /** By group: @f$w_mD'_{33}@f$, and @f$D'_{3s}/D'_{33}@f$ by strain. */
+    /** The stiffness @f$w_mD'_{33}@f$ by group, and @f$D'_{3s}/D'_{33}@f$ by
+     * group and strain. */
     std::array<double, Modes::groups.size()> varying_stiffness{};
     std::array<dealii::Tensor<1, Modes::twist + 1>, Modes::groups.size()>
       varying_parts;

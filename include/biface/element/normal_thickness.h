@@ -28,11 +28,11 @@ namespace Biface
    */
   namespace NormalThickness
   {
-    /** @f$g_1,g_2@f$ at the Gauss points. */
+    /** The shear strains @f$g_1,g_2@f$ at the Gauss points. */
     using Shear = std::array<std::array<double, 2>, Modes::n_gauss_points>;
 
-    /** Call a function with the direction a, the number of the mode, and the
-     * group of each mode of the transverse shear strains. */
+    /** Call a function for each mode of the transverse shear strains, with the
+     * direction a, the number of the mode, and its group. */
     template <typename Function>
     void
     for_shear_modes(const Function &function)
@@ -45,7 +45,7 @@ namespace Biface
                 function(a, group.first_mode + i, group);
     }
 
-    /** The mode of the thickness strain in a group. */
+    /** The number of the mode of the thickness strain in a group. */
     constexpr unsigned int
     mode(const unsigned int group)
     {

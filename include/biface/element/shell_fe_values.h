@@ -44,8 +44,8 @@ namespace Biface
   class ShellFEValues
   {
   public:
-    /** @f$\delta^-,\delta^+@f$ at each vertex, see Laminate::face_heights().
-     * Unit: length. */
+    /** The heights @f$\delta^-,\delta^+@f$ of the faces at each vertex, see
+     * Laminate::face_heights(). Unit: length. */
     using FaceHeights = std::array<std::array<double, 2>, 4>;
 
     /** @param surface the manifold of all cells. It must outlive this object.
@@ -91,8 +91,8 @@ namespace Biface
       return at_center.JxW(0);
     }
 
-    /** @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center: the area
-     * of the middle surface per unit of the coordinates. */
+    /** The area of the middle surface per unit of the coordinates at the
+     * center, @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$. */
     double
     mu_bar() const
     {

@@ -16,15 +16,15 @@ namespace Biface
    * @f$\bar\zeta_a = 1 + k_a(\delta^-+\delta^+)/2@f$. */
   struct ThicknessMetric
   {
-    /** `zeta[face][a]` */
+    /** The factors @f$\zeta_a^\pm@f$ as `zeta[face][a]`. */
     std::array<std::array<double, 2>, 2> zeta;
-    /** `zeta_bar[a]` */
+    /** The factors @f$\bar\zeta_a@f$ as `zeta_bar[a]`. */
     std::array<double, 2> zeta_bar;
-    /** `tangents[face][a]` is @f$\mathbf t_a^\pm@f$, the derivative of the
-     * position of an undeformed face at constant @f$\alpha_3@f$ by
-     * @f$\alpha_a@f$, divided by @f$A_a\zeta_a^\pm@f$, in the frame at the
-     * point: @f$\mathbf e_a@f$ on the surface itself, close to it where
-     * the positions are interpolated, see Interpolation. */
+    /** The tangents @f$\mathbf t_a^\pm@f$ as `tangents[face][a]`: the
+     * derivative of the position of an undeformed face at constant
+     * @f$\alpha_3@f$ by @f$\alpha_a@f$, divided by @f$A_a\zeta_a^\pm@f$, in the
+     * frame at the point. It is @f$\mathbf e_a@f$ on the surface itself, close
+     * to it where the positions are interpolated, see Interpolation. */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> tangents;
 
     ThicknessMetric() = default;
@@ -67,16 +67,17 @@ namespace Biface
   struct DisplacementGradient
   {
     /**
-     * `g[face][a]` is @f$\mathbf g_a^\pm=\mathbf v^\pm_{,a}/A_a@f$, the
-     * derivative of the displacement vector of a face, as in the paper. Where
-     * the thickness varies, a face is not parallel to the reference surface,
-     * and the derivative at constant @f$\alpha_3@f$ enters the strains:
+     * The derivatives @f$\mathbf g_a^\pm=\mathbf v^\pm_{,a}/A_a@f$ of the
+     * displacement vector of a face, as `g[face][a]`. Where the thickness
+     * varies, a face is not parallel to the reference surface, and the
+     * derivative at constant @f$\alpha_3@f$ enters the strains:
      * @f$\mathbf v^\pm_{,a}/A_a - (\delta^\pm_{,a}/A_a)\boldsymbol\beta@f$,
      * since the displacement is linear over the thickness.
      */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> g;
 
-    /** @f$\boldsymbol\beta = (\mathbf v^+-\mathbf v^-)/h@f$ */
+    /** The derivative over the thickness,
+     * @f$\boldsymbol\beta = (\mathbf v^+-\mathbf v^-)/h@f$. */
     dealii::Tensor<1, 3> beta;
 
     DisplacementGradient &
@@ -181,10 +182,12 @@ namespace Biface
    */
   struct GeometricCoupling
   {
-    /** `gg[face]`: of @f$\mathbf g_1\mathbf g_1@f$,
-     * @f$\mathbf g_2\mathbf g_2@f$, @f$\mathbf g_1\mathbf g_2@f$ */
+    /** The coefficients of @f$\mathbf g_1\mathbf g_1@f$,
+     * @f$\mathbf g_2\mathbf g_2@f$ and @f$\mathbf g_1\mathbf g_2@f$, as
+     * `gg[face]`. */
     std::array<std::array<double, 3>, 2> gg;
-    /** `gb[face][a]`: of @f$\mathbf g_a\boldsymbol\beta@f$ */
+    /** The coefficients of @f$\mathbf g_a\boldsymbol\beta@f$, as
+     * `gb[face][a]`. */
     std::array<std::array<double, 2>, 2> gb;
     /** The coefficient of @f$\boldsymbol\beta\boldsymbol\beta@f$. */
     double bb;

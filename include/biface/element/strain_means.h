@@ -67,8 +67,8 @@ namespace Biface
     }
 
 
-    /** Their change by displacements with the given gradients at the
-     * vertices. */
+    /** The change of the vectors by displacements with the given gradients at
+     * the vertices. */
     inline MeanVectors
     change(const ElementGeometry                     &geometry,
            const std::array<DisplacementGradient, 4> &gradients)
@@ -97,8 +97,8 @@ namespace Biface
     }
 
 
-    /** The transpose of change(): what is work-conjugate to the gradients at
-     * a vertex, from what is to the vectors. */
+    /** The vectors that are work-conjugate to the gradients at a vertex, from
+     * those that are to the vectors: the transpose of change(). */
     inline DisplacementGradient
     conjugate_at_vertex(const ElementGeometry &geometry,
                         const MeanVectors     &conjugate,
@@ -121,8 +121,8 @@ namespace Biface
     }
 
 
-    /** Add the symmetric bilinear form of the products above, times @p factor,
-     * to the strain modes. */
+    /** Add the symmetric bilinear form of the products of StrainMeans, times
+     * @p factor, to the strain modes. */
     inline void
     add_products(const ElementGeometry &geometry,
                  const MeanVectors     &x,
@@ -152,18 +152,22 @@ namespace Biface
     }
 
 
-    /** The second variation of the products above, weighted by resultants:
-     * the numbers by which they couple the vectors. */
+    /** The second variation of the products of StrainMeans, weighted by
+     * resultants: the coefficients by which they couple the vectors. */
     struct Coupling
     {
-      /** `slope[face][a]`: of @f$[\mathbf d_a]_c[\mathbf d_a]_c@f$ */
+      /** The coefficients of @f$[\mathbf d_a]_c[\mathbf d_a]_c@f$, as
+       * `slope[face][a]`. */
       std::array<std::array<double, 2>, 2> slope;
-      /** `director[face][a]`: of @f$[\mathbf d_a]_c[\mathbf n]_c@f$ */
+      /** The coefficients of @f$[\mathbf d_a]_c[\mathbf n]_c@f$, as
+       * `director[face][a]`. */
       std::array<std::array<double, 2>, 2> director;
-      /** `twist[face][a]`: of @f$[\mathbf d_a]_c[\mathbf d_c]_0@f$ */
+      /** The coefficients of @f$[\mathbf d_a]_c[\mathbf d_c]_0@f$, as
+       * `twist[face][a]`. */
       std::array<std::array<double, 2>, 2> twist;
 
-      /** @param H without the weights of modes, which are added here. */
+      /** The coupling by the resultants @p H.
+       * @param H without the weights of modes, which are added here. */
       Coupling(const ElementGeometry &geometry, const Modes::Vector &H)
       {
         using namespace Resultants;
@@ -181,7 +185,8 @@ namespace Biface
             }
       }
 
-      /** The coupling applied to vectors: what is work-conjugate to them. */
+      /** The vectors that are work-conjugate to @p x: the coupling applied to
+       * them. */
       MeanVectors
       apply(const MeanVectors &x) const
       {
@@ -215,15 +220,16 @@ namespace Biface
       static constexpr unsigned int n_columns = 12;
       using Matrix = std::array<std::array<double, n_columns>, 3>;
 
-      /** `tangent[face][a]` */
+      /** The matrices of the means of the tangents, as `tangent[face][a]`. */
       alignas(64) std::array<std::array<Matrix, 2>, 2> tangent;
-      /** `tilt[face][a][q]` */
+      /** The factors of @p director where the thickness varies, as
+       * `tilt[face][a][q]`. */
       std::array<std::array<std::array<double, 4>, 2>, 2> tilt;
       Matrix                                              director;
       /** Whether any `tilt` is not zero. */
       bool tapered = false;
 
-      /** MeanVectors::sign() of a column. */
+      /** The value of MeanVectors::sign() at the vertex of a column. */
       static constexpr double
       sign(const unsigned int a, const unsigned int column)
       {

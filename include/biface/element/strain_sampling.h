@@ -5,13 +5,14 @@
 
 namespace Biface
 {
-  /** Where the element takes its strains from. */
+  /** The points from which the element takes its strains. */
   enum class StrainSampling
   {
-    /** From the four vertices, as in @cite GrigolyukKulikovPlotnikova2004. */
+    /** Strains from the four vertices, as in
+     * @cite GrigolyukKulikovPlotnikova2004. */
     vertices,
-    /** From the vertices, with the quadratic terms of the constant modes as
-     * means over the element, and with two modes for the twist: see
+    /** Strains from the vertices, with the quadratic terms of the constant
+     * modes as means over the element, and with two modes for the twist: see
      * StrainMeans. */
     means
   };

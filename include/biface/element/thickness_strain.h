@@ -5,20 +5,22 @@
 
 namespace Biface
 {
-  /** Where the element takes its thickness strain from. */
+  /** The source from which the element takes its thickness strain. */
   enum class ThicknessStrain
   {
-    /** From the vertices if the wall is a single layer, from the distance of
-     * the faces along their normal otherwise. */
+    /** The strain from the vertices if the wall is a single layer, otherwise
+     * from the distance of the faces along their normal. */
     by_layers,
-    /** From the directors at the four vertices, as in
+    /** The strain from the directors at the four vertices, as in
      * @cite GrigolyukKulikovPlotnikova2004. */
     vertices,
-    /** From the director interpolated between them, see MeanDirector. */
+    /** The strain from the director interpolated between the vertices, see
+     * MeanDirector. */
     mean_director,
-    /** From the part of that which is normal to the faces, see
-     * NormalThickness. Where it varies over the element, tangential strains
-     * follow it, see ModeStiffness::release_thickness_strain(). */
+    /** The strain from the part of the interpolated director that is normal to
+     * the faces, see NormalThickness. Where it varies over the element,
+     * tangential strains follow it, see
+     * ModeStiffness::release_thickness_strain(). */
     normal
   };
 } // namespace Biface

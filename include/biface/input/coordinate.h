@@ -31,15 +31,16 @@ namespace Biface
                const std::string &item,
                const std::string &allowed);
 
-    /** Whether it depends on `end`. */
+    /** Whether the coordinate depends on `end`. */
     bool
     uses_end() const
     {
       return formula_of_end.has_value();
     }
 
-    /** The value, in the unit of parameter files. Throws InputError if it
-     * depends on @p end, which is infinite for a coordinate without one. */
+    /** The value of the coordinate, in the unit of parameter files. Throws
+     * InputError if it depends on @p end, which is infinite for a coordinate
+     * without one. */
     double
     value(const double end) const;
 

@@ -9,11 +9,13 @@
 
 namespace Biface
 {
-  /** A function of one argument that a formula may call, and of variables that
-   * need not be written. Variables of functions only start with '_'. */
+  /** A function of one argument that a formula may call. It may also depend on
+   * variables that need not be written; those of functions only start with
+   * '_'. */
   struct FormulaFunction
   {
-    /** @param values those of the variables, in their order. */
+    /** The pointer to a function that computes the value.
+     * @param values those of the variables, in their order. */
     using Value = double (*)(const double               argument,
                              const std::vector<double> &values);
 
@@ -48,11 +50,12 @@ namespace Biface
             const std::string              &text,
             const std::vector<std::string> &variables);
 
-    /** The same for variables that are not known yet, see bind(). Throws
+    /** A formula of variables that are not known yet, see bind(). Throws
      * InputError if the text is not a formula for any variables. */
     Formula(const std::string &entry, const std::string &text);
 
-    /** The same if it may call @p function. */
+    /** A formula of variables that are not known yet, which may call
+     * @p function. */
     Formula(const std::string     &entry,
             const std::string     &text,
             const FormulaFunction &function);
@@ -81,15 +84,16 @@ namespace Biface
     double
     operator()(const std::vector<double> &values) const;
 
-    /** The same without an exception: the value may be infinite or not a
-     * number. */
+    /** The value of the formula for values of the variables, without an
+     * exception: it may be infinite or not a number. */
     double
     unchecked(const std::vector<double> &values) const;
 
   private:
     struct Parser;
 
-    /** @param allowed the allowed values of the entry, for error messages.
+    /** Compile the formula.
+     * @param allowed the allowed values of the entry, for error messages.
      * @param function one that the formula may call, or null. */
     void
     compile(const std::string     &allowed,
@@ -105,9 +109,9 @@ namespace Biface
   };
 
 
-  /** Parse a formula of the position on the undeformed reference surface, of
-   * `x, y, z, alpha_1, alpha_2`, the coordinates in the units of parameter
-   * files. Throws InputError like Formula. */
+  /** Parse a formula of the position on the undeformed reference surface, with
+   * the variables `x, y, z, alpha_1, alpha_2`, the coordinates in the units of
+   * parameter files. Throws InputError like Formula. */
   Formula
   parse_position_formula(const std::string &entry, const std::string &text);
 } // namespace Biface

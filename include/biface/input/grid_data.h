@@ -14,8 +14,8 @@ namespace Biface
   /** Numbers at the points of a rectangular grid. */
   struct GridData
   {
-    /** Throws InputError if the points are not those of a grid of at least two
-     * rows in both directions.
+    /** Sort points into a grid. Throws InputError if they are not those of a
+     * grid of at least two rows in both directions.
      * @param points both coordinates and the number, in any order.
      * @param columns the names of the coordinates and of the number, for error
      * messages.
@@ -24,10 +24,10 @@ namespace Biface
              const std::array<std::string, 3> &columns,
              const std::string                &name);
 
-    /** The coordinates in each direction, in ascending order. */
+    /** The coordinates of the rows in each direction, in ascending order. */
     std::array<std::vector<double>, 2> rows;
-    /** The number at row i of the first coordinate and row j of the second is
-     * at i times the number of the latter plus j. */
+    /** The numbers at the points: that at row i of the first coordinate and row
+     * j of the second is at i times the number of rows of the second plus j. */
     std::vector<double> values;
   };
 } // namespace Biface

@@ -15,7 +15,7 @@ namespace Biface
     std::string file_name;
   };
 
-  /** Read a list, 'name: file' separated by commas; files are not opened.
+  /** Read a list 'name: file', separated by commas; files are not opened.
    * Throws InputError where the list or a name cannot be used.
    * @param taken the names of variables that are not free. */
   std::vector<NamedFile>
@@ -23,7 +23,7 @@ namespace Biface
                     const std::string              &text,
                     const std::vector<std::string> &taken);
 
-  /** The list that parse_named_files() takes for these files. */
+  /** The text from which parse_named_files() reads these files. */
   std::string
   print_named_files(const std::vector<NamedFile> &files);
 } // namespace Biface

@@ -15,14 +15,15 @@ namespace Biface
   /** A line of a parameter file. */
   struct ParameterLine
   {
-    /** Its section, as "Section/Subsection/". */
+    /** The section of the line, as "Section/Subsection/". */
     std::string section;
-    /** `set`, `subsection`, `end`, `include`, or anything else. */
+    /** The first word of the line: `set`, `subsection`, `end`, `include`, or
+     * anything else. */
     std::string keyword;
     /** The texts before and after the first '='. */
     std::string name;
     std::string value;
-    /** The number of open sections after it. */
+    /** The number of open sections after the line. */
     unsigned int depth = 0;
   };
 
@@ -74,8 +75,8 @@ namespace Biface
   std::string
   parameter_place(const std::string &source, const unsigned int line);
 
-  /** The same for the line that sets an entry; the source alone if there is
-   * none. */
+  /** The position of the line that sets an entry, as the start of a message;
+   * the source alone if there is none. */
   std::string
   parameter_place(const std::string &source,
                   const std::string &text,
@@ -107,8 +108,8 @@ namespace Biface
   class DeclaredEntries
   {
   public:
-    /** Not explicit: the object, which is kept by reference, stands for its
-     * entries. */
+    /** The entries of a handler, which is kept by reference. Not explicit: the
+     * object stands for its entries. */
     DeclaredEntries(const dealii::ParameterHandler &prm);
 
     /** The value of an entry "Section/Entry"; nothing if it does not exist. */

@@ -76,13 +76,13 @@ namespace Biface
   std::string
   vector_to_string(const dealii::Tensor<1, 3> &vector);
 
-  /** The same for a coordinate in a message: 0 if it is only round-off of
-   * numbers of size @p scale. */
+  /** A coordinate in a message, like number_to_string(), but 0 if it is only
+   * round-off of numbers of size @p scale. */
   std::string
   coordinate_to_string(const double value, const double scale);
 
-  /** Larger numbers are refused, whatever their unit: products of a few of them
-   * would overflow. */
+  /** The limit beyond which numbers are refused, whatever their unit: products
+   * of a few of them would overflow. */
   constexpr double maximum_number = 1e100;
 
   /** The message on numbers beyond maximum_number. */
@@ -148,10 +148,11 @@ namespace Biface
                    const std::string &text,
                    const std::string &allowed);
 
-  /** Numbers by name. */
+  /** A list of numbers with names. */
   using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-  /** Read such a list of "name: number". */
+  /** Read a list of "name: number" with different names, see
+   * split_named_list(). */
   NamedNumbers
   parse_named_numbers(const std::string &entry,
                       const std::string &text,

@@ -27,7 +27,7 @@ namespace Biface
   /** A line of a text. */
   struct NumberedLine
   {
-    /** The name of the text and the number of the line. */
+    /** The name of the text and the number of the line, for error messages. */
     std::string place;
     std::string text;
   };
@@ -72,7 +72,7 @@ namespace Biface
   /** A file of pairs of numbers named by an entry. */
   struct PairsFile
   {
-    /** Empty for none. */
+    /** The name of the file; empty for none. */
     std::string                   name;
     std::vector<dealii::Point<2>> pairs;
 
@@ -92,7 +92,7 @@ namespace Biface
   std::string
   parse_file_name(const std::string &entry, const std::string &text);
 
-  /** The text that parse_file_name() converts to a name. */
+  /** The text from which parse_file_name() reads the name. */
   std::string
   print_file_name(const std::string &name);
 } // namespace Biface

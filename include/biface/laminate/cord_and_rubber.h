@@ -14,57 +14,61 @@
 
 namespace Biface
 {
-  /** A ply of parallel cords in rubber, by what its maker knows. */
+  /** A ply of parallel cords in rubber, described by the data of its
+   * constituents. */
   struct CordAndRubber
   {
-    /** How the moduli across the cords follow from those of the
+    /** The way to the moduli across the cords from those of the
      * constituents. */
     enum class Homogenization
     {
       /** The equations of Halpin and Tsai, @cite HalpinKardos1976. */
       halpin_tsai,
-      /** Inextensible cords in incompressible rubber,
+      /** The limit of inextensible cords in incompressible rubber,
        * @cite AkasakaHirano1972. */
       akasaka_hirano
     };
 
-    /** How the thickness of the ply follows the distance of the cords. */
+    /** The dependence of the thickness of the ply on the distance of the
+     * cords. */
     enum class Thickness
     {
-      /** Rubber keeps its volume: the product of both is constant. */
+      /** Rubber keeps its volume: the product of thickness and distance is
+       * constant. */
       constant_volume,
       /** The thickness of the ply is that given, everywhere. */
       as_given
     };
 
-    /** Young's moduli. Unit: force/area. */
+    /** Young's moduli of cords and rubber. Unit: force/area. */
     double E_cord = 0, E_rubber = 0;
-    /** The stretch and the force of a cord, instead of E_cord; see ForceCurve.
-     */
+    /** The stretch and the force of a cord, given instead of @p E_cord, see
+     * ForceCurve. */
     PairsFile curve;
     double    nu_cord = 0.3, nu_rubber = 0.49;
     /** The diameter of a cord, taken as a full circle. Unit: length. */
     double cord_diameter = 0;
-    /** Distance between the centers of neighboring cords, across them, at the
-     * crown. Unit: length. */
+    /** The distance between the centers of neighboring cords, across them, at
+     * the crown. Unit: length. */
     double         cord_pitch     = 0;
     Homogenization homogenization = Homogenization::halpin_tsai;
     Thickness      thickness      = Thickness::constant_volume;
 
-    /** @param name of the material. */
+    /** Declare the entries.
+     * @param name of the material. */
     void
     add_parameters(dealii::ParameterHandler &prm, const std::string &name);
 
-    /** Throws InputError, naming the material @p name, if a number is not
-     * admissible. */
+    /** Check the numbers. Throws InputError that names the material @p name. */
     void
     check(const std::string &name) const;
 
-    /** Null for none. Throws InputError if it cannot be used. */
+    /** The curve of a cord; null for none. Throws InputError if it cannot be
+     * used. */
     std::shared_ptr<const ForceCurve>
     force_curve() const;
 
-    /** Young's modulus of the cords, with a curve that at the stretch 1. Unit:
+    /** Young's modulus of the cords; with a curve, that at the stretch 1. Unit:
      * force/area. */
     double
     cord_modulus() const;

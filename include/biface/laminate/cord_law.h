@@ -29,15 +29,16 @@ namespace Biface
       double energy, stress, modulus;
     };
 
-    /** Energy and stress are those since the undeformed state. */
+    /** The response at a strain along the cords; energy and stress are those
+     * since the undeformed state. */
     virtual Response
     response(const double strain) const = 0;
 
-    /** Whether the strain is below that from which on cords are softer. */
+    /** Whether a strain is below the one from which on cords are softer. */
     virtual bool
     is_slack(const double strain) const = 0;
 
-    /** The lowest modulus there may be. */
+    /** The lowest modulus that any strain can have. */
     virtual double
     lowest_modulus() const = 0;
   };
@@ -56,7 +57,8 @@ namespace Biface
   class SlackCordLaw : public CordLaw
   {
   public:
-    /** @param loss @f$\kappa@f$. Unit: force/area.
+    /** The law for the loss of modulus in compression.
+     * @param loss @f$\kappa@f$. Unit: force/area.
      * @param onset @f$e_c\ge0@f$
      * @param initial_strain the strain that causes the initial stress of the
      * ply. */
@@ -130,18 +132,19 @@ namespace Biface
    * thickness. */
   struct CordPoint
   {
-    /** @f$e=\mathbf A\cdot\mathbf E@f$ with the tangential strains of both
+    /** The vector @f$\mathbf A@f$ in the strain along the cords
+     * @f$e=\mathbf A\cdot\mathbf E@f$, with the tangential strains of both
      * faces, in the order of Resultants. */
     dealii::Tensor<1, Resultants::n_tangential> direction;
     /** The part of the thickness of the ply that the point stands for. Unit:
      * length. */
     double                         thickness;
     std::shared_ptr<const CordLaw> law;
-    /** The height above the inner face. */
+    /** The height above the inner face. Unit: length. */
     double height;
-    /** The position of its ply in Laminate::get_plies(). */
+    /** The position of the ply in Laminate::get_plies(). */
     unsigned int ply;
-    /** Of their stress; null for none. */
+    /** The relaxation of the stress of the cords; null for none. */
     std::shared_ptr<const Relaxation> relaxation;
   };
 } // namespace Biface

@@ -11,11 +11,12 @@ namespace Biface
    * positive. Unit: force/area. */
   struct Strengths
   {
-    /** Along the fibers, in tension and in compression. */
+    /** The strengths along the fibers, in tension and in compression. */
     double X_t = 0, X_c = 0;
-    /** Across the fibers in the ply. */
+    /** The strengths across the fibers in the ply, in tension and in
+     * compression. */
     double Y_t = 0, Y_c = 0;
-    /** In-plane shear. */
+    /** The strength in in-plane shear. */
     double S = 0;
   };
 

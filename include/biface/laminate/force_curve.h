@@ -19,8 +19,9 @@ namespace Biface
   class ForceCurve
   {
   public:
-    /** Throws InputError, naming the file, unless it has at least four rows of
-     * stretch and force, both increasing, from stretch 1 and force 0 on. */
+    /** The curve of a table. Throws InputError that names the file unless it
+     * has at least four rows of stretch and force, both increasing, from
+     * stretch 1 and force 0 on. */
     explicit ForceCurve(const PairsFile &file);
 
     struct Value
@@ -28,11 +29,12 @@ namespace Biface
       /** The integral of the force from stretch 1 on. Unit: force. */
       double energy;
       double force;
-      /** By the stretch. Unit: force. */
+      /** The derivative of the force by the stretch. Unit: force. */
       double slope;
     };
 
-    /** @param stretch at least 1. */
+    /** The force at a stretch.
+     * @param stretch at least 1. */
     Value
     at(const double stretch) const;
 
@@ -50,7 +52,7 @@ namespace Biface
     class Interpolation;
 
     std::vector<double> stretches;
-    /** At the rows. */
+    /** The energies at the rows. Unit: force. */
     std::vector<double>                  energies;
     std::shared_ptr<const Interpolation> cubic;
   };

@@ -33,7 +33,8 @@ namespace Biface
   class InterlaminarShear
   {
   public:
-    /** @param layers inner layer first; copied.
+    /** The distributions of the stresses in a wall.
+     * @param layers inner layer first; copied.
      * @param wall with the plies of all of them. */
     InterlaminarShear(const std::vector<TransverseShear> &layers,
                       const TransverseShear              &wall);
@@ -55,12 +56,13 @@ namespace Biface
   private:
     std::vector<TransverseShear> layers;
 
-    /** `gradients[c][2 k + i][face]`: the gradients along @f$\alpha_c@f$ of the
-     * strains 11, 22, 2*12 of the faces for a unit shear force of the layer k
-     * along @f$\alpha_c@f$, i = 0, or across. */
+    /** The gradients along @f$\alpha_c@f$ of the strains 11, 22, 2*12 of the
+     * faces for a unit shear force of the layer k along @f$\alpha_c@f$, i = 0,
+     * or across, as `gradients[c][2 k + i][face]`. */
     std::array<std::vector<std::vector<dealii::Tensor<1, 3>>>, 2> gradients;
 
-    /** The integrals of @f$\mathbf F@f$ of the wall over each layer. */
+    /** The integrals of TransverseShear::distribution() of the wall over each
+     * layer. */
     std::vector<dealii::Tensor<2, 2>> parts_of_wall;
   };
 } // namespace Biface

@@ -50,55 +50,58 @@ namespace Biface
   /** A ply at one position of the shell. */
   struct Ply
   {
-    /** Stiffness in the axes of the ply, where it is not linear the initial
-     * one. Unit: force/area. */
+    /** The stiffness in the axes of the ply; where it is not linear, the
+     * initial one. Unit: force/area. */
     dealii::SymmetricTensor<4, 3> stiffness;
-    /** Unit: length. */
+    /** The thickness of the ply. Unit: length. */
     double thickness;
-    /** From @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$, radians. */
+    /** The angle of axis 1 of the ply from @f$\mathbf e_1@f$ toward
+     * @f$\mathbf e_2@f$, in radians. */
     double angle;
-    /** Initial stress in the axes of the ply. Unit: force/area. */
+    /** The initial stress in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> initial_stress;
-    /** Its position in the layup, starting from 0 at the inner face. */
+    /** The position of the ply in the layup, from 0 at the inner face. */
     unsigned int number = 0;
-    /** Distance of the cords, 0 if they are not described. Unit: length. */
+    /** The distance of the cords, 0 if they are not described. Unit: length. */
     double cord_pitch = 0;
-    /** What its cords, along axis 1, add to the law of the material; null for
-     * nothing. */
+    /** The law that the cords, along axis 1, add to the law of the material;
+     * null for none. */
     std::shared_ptr<const CordLaw> cords = {};
     /** The law of the material, which is isotropic, without cords; null for the
      * linear one with the stiffness. */
     std::shared_ptr<const MaterialLaw> rubber = {};
-    /** Of its stresses; null for none. */
+    /** The relaxation of the stresses; null for none. */
     std::shared_ptr<const Relaxation> relaxation = {};
-    /** Unit: mass/volume. */
+    /** The density. Unit: mass/volume. */
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
     double loss_factor = 0;
-    /** Where it starts and ends in the ply of the layup, as fractions of the
-     * thickness of that, if it is only the part that belongs to a layer. */
+    /** The start and the end of the part that belongs to a layer, as fractions
+     * of the thickness of the ply of the layup. */
     double begin = 0, end = 1;
   };
 
 
-  /** Strains of the faces at a place, with what the stresses of the plies there
-   * have relaxed. */
+  /** The strains of the faces at a place, with what the stresses of the plies
+   * there have relaxed. */
   struct StrainsOfPlies
   {
     StrainsOfPlies() = default;
 
-    /** Where nothing relaxes. */
+    /** Strains at a place where nothing relaxes. */
     StrainsOfPlies(const Resultants::Vector &E) : E(E)
     {}
 
     Resultants::Vector E;
-    /** Of Laminate::ply_points(), empty if none relaxes. */
+    /** The relaxation of the stresses at Laminate::ply_points(); empty if none
+     * relaxes. */
     std::vector<Relaxed<PointStrains::Vector>> points;
-    /** Of Laminate::cord_points(), likewise. */
+    /** The relaxation of the stresses of Laminate::cord_points(); empty if none
+     * relaxes. */
     std::vector<Relaxed<double>> cords;
   };
 
-  /** The mean of those at the vertices of a cell. */
+  /** The mean of the strains at the vertices of a cell. */
   StrainsOfPlies
   mean(const std::array<StrainsOfPlies, 4> &at_vertices);
 
@@ -110,7 +113,8 @@ namespace Biface
   class Laminate
   {
   public:
-    /** @param reference_height the height of the reference surface above the
+    /** Integrate the plies over the thickness.
+     * @param reference_height the height of the reference surface above the
      * inner face. Unit: length.
      * @param curvature of the reference surface, see ThicknessFunctions; zero
      * for the integrals of a plate.
@@ -186,7 +190,8 @@ namespace Biface
       return D;
     }
 
-    /** The same where all cords are slack that can be. */
+    /** The stiffness where all cords are slack that can be. Unit:
+     * force/length. */
     Resultants::Matrix
     stiffness_of_slack_cords() const;
 
@@ -272,8 +277,8 @@ namespace Biface
     void
     set_points();
 
-    /** The coefficients of a point at a height, without its thickness and
-     * law. */
+    /** The coefficients of a point at the height @p z, without its thickness
+     * and law. */
     PlyPoints::Point
     point(const unsigned int ply, const double z) const;
 
@@ -287,18 +292,18 @@ namespace Biface
                  const unsigned int    ply,
                  const double          z) const;
 
-    /** The heights of both sides. */
+    /** The heights of both sides of a ply above the inner face. */
     std::pair<double, double>
     sides_of_ply(const unsigned int ply) const;
 
-    /** What the stress at a height has relaxed, from the points of the ply
-     * there. */
+    /** The relaxation of the stress of a ply at a height, from its points. */
     Relaxed<PointStrains::Vector>
     relaxed(const StrainsOfPlies &strains,
             const unsigned int    ply,
             const double          z) const;
 
-    /** Likewise that of the cords. */
+    /** The relaxation of the stress of the cords of a ply at a height, from
+     * their points. */
     Relaxed<double>
     relaxed_cords(const StrainsOfPlies &strains,
                   const unsigned int    ply,
@@ -317,7 +322,8 @@ namespace Biface
                       const double              z) const;
 
     std::vector<Ply> plies;
-    /** Stiffness of the plies in the frame of the shell. */
+    /** The stiffnesses of the plies in the frame of the shell. Unit:
+     * force/area. */
     std::vector<dealii::SymmetricTensor<4, 3>> rotated;
     ThicknessLaw                               law;
     ThicknessFunctions                         functions;

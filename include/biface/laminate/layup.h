@@ -25,42 +25,45 @@ namespace Biface
   /** A ply of a layup, whose thickness and angle depend on @f$\alpha_1@f$. */
   struct PlyDescription
   {
-    /** The text of the user. */
+    /** The text of the user from which the ply comes. */
     std::string text;
-    /** Name of the material. */
+    /** The name of the material. */
     std::string material;
-    /** Whether its axis L is that of fibers, rather than any direction of an
-     * isotropic material. */
+    /** Whether axis L of the ply is that of fibers, rather than any direction
+     * of an isotropic material. */
     bool has_fibers = false;
-    /** If given for the material. */
+    /** The strengths, if given for the material. */
     std::optional<Strengths> strengths;
-    /** Unit: mass/volume. */
+    /** The density. Unit: mass/volume. */
     double density = 0;
-    /** See Ply. */
+    /** The tangent of the angle by which strains lag behind stresses, see
+     * Ply. */
     double loss_factor = 0;
-    /** Of heat; 0 if it is not given. Unit: power/(length * temperature). */
+    /** The conductivity of heat; 0 if it is not given. Unit: power/(length *
+     * temperature). */
     double conductivity = 0;
-    /** Thickness (length) and angle (radians) as functions of @f$\alpha_1@f$ in
-     * the user's unit. */
+    /** The thickness (length) and the angle (radians) as functions of
+     * @f$\alpha_1@f$ in the user's unit. */
     std::function<double(const double)> thickness, angle;
-    /** Distance of the cords by @f$\alpha_1@f$; empty if they are not
-     * described. Unit: length. */
+    /** The distance of the cords as a function of @f$\alpha_1@f$; empty if they
+     * are not described. Unit: length. */
     std::function<double(const double)> cord_pitch;
-    /** The laws by @f$\alpha_1@f$ and the initial stress in the axes of the
-     * ply. */
+    /** The laws as a function of @f$\alpha_1@f$ and of the initial stress in
+     * the axes of the ply. */
     std::function<PlyLaws(const double, const dealii::SymmetricTensor<2, 3> &)>
       laws;
-    /** Whether it has cords that can go slack. */
+    /** Whether the ply has cords that can go slack. */
     bool has_slack_cords = false;
-    /** See MaterialParameters. */
+    /** Whether the stresses relax, see MaterialParameters::relaxes(). */
     bool relaxes = false;
-    /** See MaterialParameters. */
+    /** Whether a law is one for large strains, see
+     * MaterialParameters::is_hyperelastic(). */
     bool is_hyperelastic = false;
-    /** The part of the meridian it covers, in the user's unit. */
+    /** The part of the meridian that the ply covers, in the user's unit. */
     double begin = -std::numeric_limits<double>::infinity();
     double end   = std::numeric_limits<double>::infinity();
-    /** Initial stress in the ply's own axes, by @f$\alpha_1@f$; empty for none.
-     * Unit: force/area. */
+    /** The initial stress in the axes of the ply as a function of
+     * @f$\alpha_1@f$; empty for none. Unit: force/area. */
     std::function<dealii::SymmetricTensor<2, 3>(const double)> initial_stress;
   };
 
@@ -68,34 +71,35 @@ namespace Biface
   /** A ply as the user describes it; see parse_ply_formula(). */
   struct PlyParameters
   {
-    /** All of it, as written. */
+    /** The whole text of the ply, as written. */
     std::string text;
     std::string material;
-    /** Unit: length. */
+    /** The formula of the thickness. Unit: length. */
     Formula thickness;
-    /** Unit: degrees. */
+    /** The formula of the angle. Unit: degrees. */
     Formula angle;
-    /** Begin and end of the part of the meridian it covers, if not all. */
+    /** The begin and the end of the part of the meridian that the ply covers,
+     * if not all. */
     std::optional<std::pair<Coordinate, Coordinate>> range;
   };
 
   /** Read plies, 'material: thickness @@ angle from A to B' separated by
    * commas. An angle '+-A' is a ply at A and one at -A, '-+A' the other way
-   * round; 'N x (...)' repeats the plies in parentheses. Throws InputError
-   * where they are malformed. */
+   * round; 'N x (...)' repeats the plies in parentheses. Throws InputError if
+   * they are malformed. */
   std::vector<PlyParameters>
   parse_plies(const std::string &entry, const std::string &text);
 
 
-  /** The list that parse_plies() takes of the plies in the text of a CSV file:
-   * 'material, thickness, angle, from, to', the last two where there are any.
-   * Throws InputError where a line is malformed.
+  /** The list, as parse_plies() reads it, of the plies in the text of a CSV
+   * file: 'material, thickness, angle, from, to', the last two where there are
+   * any. Throws InputError if a line is malformed.
    * @param name that of the file. */
   std::string
   plies_of_csv(const std::string &text, const std::string &name);
 
 
-  /** A position in the thickness. */
+  /** A position in the thickness of the wall. */
   struct ThicknessPosition
   {
     enum class Kind
@@ -104,7 +108,7 @@ namespace Biface
       fraction,
       /** The outer side of a ply, counted from 1 at the inner face. */
       ply,
-      /** The distance from the inner face. */
+      /** The distance from the inner face. Unit: length. */
       distance
     };
     Kind   kind  = Kind::fraction;
@@ -112,17 +116,17 @@ namespace Biface
   };
 
   /** Read 'inner', 'middle', 'outer', 'ply N' or a distance. Throws InputError
-   * where it is none of these. */
+   * if it is none of these. */
   ThicknessPosition
   parse_thickness_position(const std::string &entry, const std::string &text);
 
 
-  /** Stresses of plies, inner ply first: sigma_L, sigma_T, tau_LT; see
-   * parse_ply_formula(). */
+  /** The initial stresses of plies, inner ply first: sigma_L, sigma_T, tau_LT;
+   * see parse_ply_formula(). */
   using PlyStresses = std::vector<std::array<Formula, 3>>;
 
   /** Read triples of formulas without blanks, separated by commas. Throws
-   * InputError where they are malformed. */
+   * InputError if they are malformed. */
   PlyStresses
   parse_ply_stresses(const std::string &entry, const std::string &text);
 
@@ -130,9 +134,10 @@ namespace Biface
   /** One of the initial resultants, as a function of the position. */
   struct InitialResultant
   {
-    /** In the order of Resultants. */
+    /** The component, in the order of Resultants. */
     unsigned int index;
-    /** See parse_position_formula(). Unit: force/length. */
+    /** The formula of the value, see parse_position_formula(). Unit:
+     * force/length. */
     Formula value;
   };
 
@@ -146,12 +151,12 @@ namespace Biface
    * plies in which displacements are linear in the height. */
   struct LayerDivision
   {
-    /** In how many layers each ply is divided, where they are that many. */
+    /** The number of layers of each ply, if each is divided into as many. */
     std::optional<unsigned int> per_ply;
 
-    /** The number of plies in each layer otherwise, inner layer first;
-     * fractions of plies are fractions of their thickness. Empty for a single
-     * layer of all plies. */
+    /** The number of plies in each layer, inner layer first, unless @p per_ply
+     * is set; fractions of plies are fractions of their thickness. Empty for a
+     * single layer of all plies. */
     std::vector<double> n_plies;
 
     /** The sides of the layers, as numbers of plies below them: from 0 to
@@ -170,9 +175,10 @@ namespace Biface
    * ThicknessFunctions. */
   enum class ThicknessIntegrals
   {
-    /** Those of a plate. */
+    /** The integrals of a plate. */
     plate,
-    /** Those of a shell: they depend on the height. */
+    /** The integrals of a shell, whose lengths and areas depend on the
+     * height. */
     shell
   };
 
@@ -191,17 +197,19 @@ namespace Biface
         parse_plies("Laminate/Plies",
                     "cord: 1.2 @ 52, cord: 1.2 @ -52, "
                     "cord: 1.2 @ 52, cord: 1.2 @ -52");
-      /** Empty once the plies are those of the file, see plies_of_csv(). */
+      /** The file of the plies; empty once the plies are those of the file, see
+       * plies_of_csv(). */
       std::string            plies_file;
       std::vector<TableFile> tables;
       AngleReference         angle_reference = AngleReference::meridian;
-      /** One item for each ply, or empty. */
+      /** The initial stresses of each of the plies, or empty. */
       PlyStresses initial_stresses;
-      /** Added to the resultants of the initial stresses. */
+      /** The resultants that are added to those of the initial stresses. */
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
       TransverseShearLaw            shear_law;
-      /** See TransverseShearLaw; by the number of layers if there is none. */
+      /** The entry TransverseShearLaw::gradient_factor; if not set, it follows
+       * from the number of layers. */
       std::optional<double> gradient_factor;
       ThicknessIntegrals    integrals = ThicknessIntegrals::plate;
       ThicknessPosition     reference;
@@ -213,7 +221,7 @@ namespace Biface
         return layers.sides(plies.size()).size() - 1;
       }
 
-      /** With the gradient factor. */
+      /** The shear law with the gradient factor. */
       TransverseShearLaw
       shear_law_of_layers() const
       {
@@ -226,8 +234,8 @@ namespace Biface
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /** Throws InputError where plies name a material that is not in
-       * @p materials, or a formula a variable that there is not. */
+      /** Check the entries. Throws InputError if plies name a material that is
+       * not in @p materials, or a formula a variable that there is not. */
       void
       check(const std::vector<MaterialParameters> &materials,
             const PlyVariables                    &variables) const;
@@ -237,8 +245,8 @@ namespace Biface
       check_layers() const;
     };
 
-    /** Throws InputError like Parameters::check(), if a table cannot be
-     * interpolated, or if a ply covers nothing. */
+    /** Create the plies. Throws InputError like Parameters::check(), if a table
+     * cannot be interpolated, or if a ply covers nothing. */
     Layup(const Parameters                      &parameters,
           const std::vector<MaterialParameters> &materials,
           const SurfaceOfPlies                  &surface = SurfaceOfPlies());
@@ -254,15 +262,16 @@ namespace Biface
     Laminate
     laminate(const double alpha_1, const double within) const;
 
-    /** The same for positions at which no ply ends. */
+    /** The laminate at a position at which no ply ends, see laminate(alpha_1,
+     * within). */
     Laminate
     laminate(const double alpha_1) const
     {
       return laminate(alpha_1, alpha_1);
     }
 
-    /** The parts of this laminate in the layers of the wall, inner layer first;
-     * empty where no ply of a layer covers the position. */
+    /** The parts of the laminate at a position in the layers of the wall, inner
+     * layer first; empty where no ply of a layer covers the position. */
     std::vector<std::optional<Laminate>>
     layers(const double alpha_1, const double within) const;
 
@@ -306,7 +315,8 @@ namespace Biface
       along_normal = value;
     }
 
-    /** Initial resultants beside those of Laminate::initial_resultants(). */
+    /** The initial resultants beside those of
+     * Laminate::initial_resultants(). */
     const std::vector<InitialResultant> &
     get_initial_resultants() const
     {
@@ -319,11 +329,13 @@ namespace Biface
     plies_at(const double alpha_1, const double within) const;
 
     std::vector<PlyDescription> plies;
-    /** See LayerDivision::sides(). */
+    /** The sides of the layers as numbers of plies below them, see
+     * LayerDivision::sides(). */
     std::vector<double> sides_of_layers;
     ThicknessLaw        law;
     TransverseShearLaw  shear_law;
-    /** See SurfaceOfPlies; empty for the integrals of a plate. */
+    /** The curvatures of the surface, see SurfaceOfPlies; empty for the
+     * integrals of a plate. */
     std::function<std::array<double, 2>(const double)> curvature;
     ThicknessPosition                                  reference;
     std::vector<InitialResultant>                      initial_resultants;

@@ -22,7 +22,7 @@ namespace Biface
     double nu_12, nu_13, nu_23;
 
     /**
-     * Transversely isotropic about axis 1, as
+     * A transversely isotropic material about axis 1, with
      * @f$E_L, E_T, G_{LT}, G_{TT}, \nu_{LT}, \nu_{TT}@f$. @f$G_{TT}@f$ is
      * independent, since measured constants rarely satisfy
      * @f$G_{TT} = E_T/2(1+\nu_{TT})@f$ exactly.
@@ -58,7 +58,8 @@ namespace Biface
   rotate_about_normal(const dealii::SymmetricTensor<4, 3> &stiffness,
                       const double                         angle);
 
-  /** The same for a stress. */
+  /** The stress in the frame of the shell of a ply whose axis 1 is rotated by
+   * @p angle (radians) from @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$. */
   dealii::SymmetricTensor<2, 3>
   rotate_about_normal(const dealii::SymmetricTensor<2, 3> &stress,
                       const double                         angle);

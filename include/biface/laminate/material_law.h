@@ -19,22 +19,22 @@ namespace Biface
   namespace PointStrains
   {
     constexpr unsigned int n = 6;
-    /** Index of 33. */
+    /** The index of the strain 33. */
     constexpr unsigned int thickness = 5;
-    /** Index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
+    /** The index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
     constexpr unsigned int
     transverse(const unsigned int a)
     {
       return 3 + a;
     }
-    /** The components of a tensor. */
+    /** The components of a tensor that each strain stands for. */
     constexpr unsigned int pairs[n][2] = {
       {0, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}, {2, 2}};
 
     using Vector = dealii::Tensor<1, n>;
     using Matrix = dealii::Tensor<2, n>;
 
-    /** Where a law has no strain or stress. */
+    /** The value where a law has no strain or stress. */
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
     inline dealii::SymmetricTensor<2, 3>
@@ -89,11 +89,11 @@ namespace Biface
     virtual ThicknessStress
     thickness_stress(const Vector &strain) const = 0;
 
-    /** A strain 33 with about no stress 33, by the other strains. */
+    /** A strain 33 with about no stress 33, for the other strains. */
     virtual double
     free_thickness_strain(const Vector &strain) const = 0;
 
-    /** The limit above which the strain 33 must lie, by the other strains. */
+    /** The limit above which the strain 33 must lie, for the other strains. */
     virtual double
     lowest_thickness_strain(const Vector &strain) const = 0;
 
@@ -107,7 +107,7 @@ namespace Biface
       return stress;
     }
 
-    /** The moduli without strain. */
+    /** The moduli at zero strain, as a tensor. */
     dealii::SymmetricTensor<4, 3>
     initial_stiffness() const;
   };
@@ -118,7 +118,8 @@ namespace Biface
   class LinearLaw : public MaterialLaw
   {
   public:
-    /** @param stiffness in the frame of the shell. Unit: force/area.
+    /** The law with a stiffness.
+     * @param stiffness in the frame of the shell. Unit: force/area.
      * @param along_normal whether the strain 33 of the law is that of the
      * distance along the normal, without the shear that makes the director
      * lean, see NormalThickness. */
@@ -143,7 +144,8 @@ namespace Biface
     lowest_thickness_strain(const Vector &strain) const override;
 
   private:
-    /** The strains of the law. */
+    /** The strains to which the stiffness of the law refers, without the lean
+     * of the director. */
     Vector
     strain_of_law(const Vector &strain) const;
 

@@ -23,7 +23,7 @@ namespace Biface
   /** The laws of a ply at one position, see Ply. */
   struct PlyLaws
   {
-    /** Unit: force/area. */
+    /** The stiffness in the axes of the ply. Unit: force/area. */
     dealii::SymmetricTensor<4, 3>      stiffness;
     std::shared_ptr<const CordLaw>     cords;
     std::shared_ptr<const MaterialLaw> rubber;
@@ -46,7 +46,7 @@ namespace Biface
       Ogden
     };
 
-    /** The law of what is between the cords of a ply. */
+    /** The law of the material between the cords of a ply. */
     enum class Matrix
     {
       linear,
@@ -69,16 +69,17 @@ namespace Biface
     /** A formula of @f$E_L@f$ for Young's modulus along the cords where they
      * are compressed. */
     std::string E_L_compression = "E_L";
-    /** From which compressive strain on; a formula of @f$E_L,G_{LT}@f$. */
+    /** The compressive strain from which on the modulus in compression applies;
+     * a formula of @f$E_L,G_{LT}@f$. */
     std::string compression_onset = "by matrix";
     Strengths   strengths;
-    /** Unit: mass/volume. */
+    /** The density. Unit: mass/volume. */
     double density = 0;
     /** The tangent of the angle by which strains lag behind stresses. */
     double loss_factor = 0;
-    /** Unit: power/(length * temperature). */
+    /** The conductivity of heat. Unit: power/(length * temperature). */
     double thermal_conductivity = 0;
-    /** See Relaxation::Term. */
+    /** The times and parts of the terms of relaxation, see Relaxation::Term. */
     std::vector<double> relaxation_times, relaxation_moduli;
     Relaxation::Shift   shift;
 
@@ -94,7 +95,7 @@ namespace Biface
     bool
     is_hyperelastic() const;
 
-    /** Whether its stresses relax. */
+    /** Whether the stresses of the material relax. */
     bool
     relaxes() const
     {
@@ -149,7 +150,7 @@ namespace Biface
     elastic_laws(const double                         cord_fraction,
                  const dealii::SymmetricTensor<2, 3> &initial_stress) const;
 
-    /** Null for none. */
+    /** The relaxation; null for none. */
     std::shared_ptr<const Relaxation>
     relaxation() const;
 
@@ -162,12 +163,13 @@ namespace Biface
     std::shared_ptr<const MaterialLaw>
     rubber(const double shear_modulus) const;
 
-    /** Throws InputError where constants are given that the type does not
-     * use. */
+    /** Refuse constants that the type of the material does not use. Throws
+     * InputError. */
     void
     check_unused() const;
 
-    /** By the bulk modulus or Poisson's ratio. */
+    /** The bulk modulus, which may be given by Poisson's ratio. Unit:
+     * force/area. */
     double
     bulk_modulus(const double shear_modulus) const;
 
@@ -175,7 +177,7 @@ namespace Biface
     double
     modulus_in_compression(const double E_L) const;
 
-    /** See compression_onset. */
+    /** The compressive strain of compression_onset. */
     double
     onset(const double E_L, const double G_LT) const;
   };

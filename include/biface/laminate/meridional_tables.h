@@ -23,20 +23,20 @@ namespace Biface
     PairsFile   file;
   };
 
-  /** Read a list, 'name: file' separated by commas; files are not opened.
-   * Throws InputError where the list or a name cannot be used. */
+  /** Read a list 'name: file', separated by commas; files are not opened.
+   * Throws InputError if the list or a name cannot be used. */
   std::vector<TableFile>
   parse_tables(const std::string &entry, const std::string &text);
 
-  /** The list that parse_tables() takes for these tables. */
+  /** The text from which parse_tables() reads these tables. */
   std::string
   print_tables(const std::vector<TableFile> &tables);
 
 
-  /** Read a formula of a ply: of `alpha_1`, on a surface of revolution its
-   * `end` and the radius `r`, the `beta_c` of a surface that has a
-   * SurfaceOfPlies::crown_cord_angle, tables, and the function lift(). The
-   * variables are not known yet. Throws InputError like Formula. */
+  /** Read a formula of a ply, whose variables are not known yet: `alpha_1`, on
+   * a surface of revolution its `end` and the radius `r`, the `beta_c` of a
+   * surface that has a SurfaceOfPlies::crown_cord_angle, tables, and the
+   * function lift(). Throws InputError like Formula. */
   Formula
   parse_ply_formula(const std::string &entry, const std::string &text);
 
@@ -49,8 +49,8 @@ namespace Biface
     /** Whether the surface has a crown cord angle. */
     bool crown_cord_angle = false;
 
-    /** Let a formula know them and the tables. Throws InputError, see
-     * Formula::bind(). */
+    /** Let a formula know these variables and the tables. Throws InputError,
+     * see Formula::bind(). */
     void
     bind(Formula &formula, const std::vector<TableFile> &tables) const;
   };
@@ -63,13 +63,14 @@ namespace Biface
   class MeridionalTables
   {
   public:
-    /** Throws InputError where a table cannot be interpolated. */
+    /** The tables on a surface. Throws InputError if one cannot be
+     * interpolated. */
     MeridionalTables(const std::vector<TableFile> &tables,
                      const SurfaceOfPlies         &surface,
                      const AngleReference          angle_reference);
 
     /**
-     * A formula of a ply, by parse_ply_formula(), as a function of
+     * The formula of a ply, see parse_ply_formula(), as a function of
      * @f$\alpha_1@f$. It does not need the tables any longer.
      */
     std::function<double(const double)>

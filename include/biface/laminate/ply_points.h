@@ -33,36 +33,41 @@ namespace Biface
   class PlyPoints
   {
   public:
-    /** A height within a ply. */
+    /** A point of the integration, at a height within a ply. */
     struct Point
     {
-      /** The part of the thickness that it stands for. Unit: length. */
+      /** The part of the thickness that the point stands for. Unit: length. */
       double thickness;
-      /** @f$m_k@f$ */
+      /** The area @f$m_k@f$ relative to that of the middle surface. */
       double area;
-      /** `tangential[ab][p]`: the part of the strain of the face p. */
+      /** The parts of the tangential strains of the faces in that of the point,
+       * as `tangential[ab][face]`. */
       std::array<std::array<double, 2>, 3> tangential;
-      /** `shear[p][a][c]`: the part of the strain c3 of the face p in a3. */
+      /** The part of the strain c3 of the face p in the strain a3 of the point,
+       * as `shear[p][a][c]`. */
       std::array<dealii::Tensor<2, 2>, 2> shear;
       std::shared_ptr<const MaterialLaw>  law;
-      /** Of its stresses; null for none. */
+      /** The relaxation of the stresses at the point; null for none. */
       std::shared_ptr<const Relaxation> relaxation;
-      /** The height above the inner face. */
+      /** The height above the inner face. Unit: length. */
       double height;
-      /** The position of its ply in Laminate::get_plies(). */
+      /** The position of the ply in Laminate::get_plies(). */
       unsigned int ply;
 
-      /** The strains without the thickness strain. */
+      /** The strains at the point for those of the faces, without the thickness
+       * strain. */
       PointStrains::Vector
       strain(const Resultants::Vector &E) const;
 
-      /** Add those of its stresses, but for the thickness stress. */
+      /** Add the resultants of the stresses at the point, but for the thickness
+       * stress. */
       void
       add_resultants(const PointStrains::Vector &stress,
                      Resultants::Vector         &resultants) const;
     };
 
-    /** @param points all of a laminate.
+    /** The points of a laminate.
+     * @param points all of a laminate.
      * @param thickness h. Unit: length.
      * @param remainder a stiffness to be added, symmetric. Unit:
      * force/length.
@@ -78,8 +83,8 @@ namespace Biface
      * thickness stress. */
     using Places = dealii::ArrayView<const Resultants::Vector>;
 
-    /** How the stresses of the points relax, place by place; empty if none
-     * does. */
+    /** The relaxation of the stresses of the points, place by place; empty if
+     * none relaxes. */
     using RelaxedPoints =
       dealii::ArrayView<const Relaxed<PointStrains::Vector>>;
 
@@ -94,8 +99,8 @@ namespace Biface
     ThicknessState
     thickness_state(const Places &places, const RelaxedPoints &relaxed) const;
 
-    /** The thickness strain @f$E_{33}@f$ of a place, by its other strains, with
-     * a thickness stress. */
+    /** The thickness strain @f$E_{33}@f$ of a place with a given thickness
+     * stress, by its other strains. */
     double
     thickness_strain(const Resultants::Vector &E,
                      const RelaxedPoints      &relaxed,
@@ -109,9 +114,9 @@ namespace Biface
            const ThicknessState     &state,
            const unsigned int        number) const;
 
-    /** The resultants of a place, and how they change: at constant thickness
-     * stress by the matrix C, and with that by the vector f. The thickness
-     * stress changes by the mean of @f$\mathbf f\cdot d\mathbf E@f$ over the
+    /** The resultants of a place, and their derivatives: by the matrix C at
+     * constant thickness stress, and by the vector f with the thickness stress,
+     * which changes by the mean of @f$\mathbf f\cdot d\mathbf E@f$ over the
      * mean of the compliance. */
     struct Response
     {
@@ -120,7 +125,8 @@ namespace Biface
       double             compliance;
     };
 
-    /** @param with_changes whether to set more than H. */
+    /** Compute the response of a place.
+     * @param with_changes whether to set more than H. */
     void
     respond(const Resultants::Vector &E,
             const RelaxedPoints      &relaxed,
@@ -129,19 +135,21 @@ namespace Biface
             const bool                with_changes,
             Response                 &response) const;
 
-    /** How the elastic stresses of the points change with the strains, and the
-     * resultants with what is added to the stresses: the derivatives of the
-     * strains of all points by those of the faces, and their transpose. */
+    /** The changes of the elastic stresses of the points with the strains, and
+     * of the resultants with added stresses: the derivatives of the strains of
+     * all points by those of the faces, and their transpose. */
     class Changes
     {
     public:
-      /** @param plies kept by reference. */
+      /** The changes about a state.
+       * @param plies kept by reference. */
       Changes(const PlyPoints      &plies,
               const Places         &places,
               const RelaxedPoints  &relaxed,
               const ThicknessState &state);
 
-      /** @param strains their changes, by place.
+      /** The changes of the elastic stresses.
+       * @param strains their changes, by place.
        * @param added that of what is added to the stresses of all points, place
        * by place, which changes their thickness strains.
        * @param stresses those of all points, likewise, without relaxation. */
@@ -150,7 +158,8 @@ namespace Biface
                        const std::vector<PointStrains::Vector> &added,
                        std::vector<PointStrains::Vector>       &stresses) const;
 
-      /** @param added to the stresses of all points, place by place.
+      /** The changes of the resultants.
+       * @param added to the stresses of all points, place by place.
        * @param resultants of each place. */
       void
       resultants(const std::vector<PointStrains::Vector>     &added,
@@ -158,11 +167,12 @@ namespace Biface
 
     private:
       const PlyPoints &plies;
-      /** Of the elastic law, and how much of them is left in the step, place
-       * by place. */
+      /** The moduli of the elastic law, and the factor of them that is left in
+       * the step, place by place. */
       std::vector<PointStrains::Matrix> moduli;
       std::vector<double>               factors;
-      /** The derivative of the thickness strain by the shear strains. */
+      /** The derivatives of the thickness strain by the shear strains, place by
+       * place. */
       std::vector<std::array<double, 2>> lean;
       double                             compliance = 0;
 
@@ -200,7 +210,7 @@ namespace Biface
     }
 
   private:
-    /** @f$E_{33}@f$ with the director's leaning. */
+    /** The thickness strain @f$E_{33}@f$ of a director that leans. */
     double
     director_strain(const Resultants::Vector &E) const;
 
@@ -211,7 +221,8 @@ namespace Biface
   };
 
 
-  /** The strain 33 at which a law has a thickness stress; nan if there is none.
+  /** The strain 33 at which a law has a given thickness stress; nan if there is
+   * none.
    * @param strain the other strains. */
   double
   thickness_strain(const MaterialLaw                   &law,

@@ -17,8 +17,8 @@ namespace Biface
     dealii::Tensor<1, 3> direction;
   };
 
-  /** The principal axes, by Jacobi's rotations. As those of deal.II, whose
-   * names in its library are those of one compiler only. */
+  /** The principal axes of a tensor, by Jacobi's rotations, as in deal.II,
+   * whose functions in its library have the names of one compiler only. */
   std::array<PrincipalAxis, 3>
   principal_axes(const dealii::SymmetricTensor<2, 3> &tensor);
 } // namespace Biface

@@ -36,13 +36,13 @@ namespace Biface
   public:
     struct Term
     {
-      /** @f$\tau_i@f$ at the reference temperature. Unit: time. */
+      /** The time @f$\tau_i@f$ at the reference temperature. Unit: time. */
       double time;
-      /** @f$g_i@f$ */
+      /** The part @f$g_i@f$ of the instantaneous moduli. */
       double part;
     };
 
-    /** How the temperature changes the times, by
+    /** The dependence of the times on the temperature, by
      * @f$\log_{10}a=-C_1(T-T_r)/(C_2+T-T_r)@f$ (Williams, Landel, Ferry) or
      * @f$\ln a=C(1/T-1/T_r)@f$ with absolute temperatures (Arrhenius). */
     struct Shift
@@ -56,10 +56,10 @@ namespace Biface
       Kind   kind      = Kind::none;
       double reference = 0;
       double C_1 = 17.44, C_2 = 51.6;
-      /** Unit: temperature. */
+      /** The constant @f$C@f$ of Arrhenius. Unit: temperature. */
       double activation = 0;
 
-      /** @f$a@f$; nan where a law has none. */
+      /** The factor @f$a@f$ of the times; nan where a law has none. */
       double
       factor(const double temperature) const;
     };
@@ -74,13 +74,13 @@ namespace Biface
       return terms.size();
     }
 
-    /** In a step the stress is @p factor times that of the elastic law plus
-     * what the internal stresses add. */
+    /** The law of a step: the stress is @p factor times that of the elastic law
+     * plus the remaining internal stresses. */
     struct Step
     {
       double factor;
-      /** Of each internal stress, how much remains, and how much of the change
-       * of the elastic stress is added. */
+      /** The parts of each internal stress that remain, and the parts of the
+       * change of the elastic stress that are added to each. */
       std::vector<double> remains, grows;
     };
     Step
@@ -121,34 +121,36 @@ namespace Biface
   class RelaxationAroundLine
   {
   public:
-    /** @param steps to each point from the one before it, the last one for the
+    /** The relaxation along a closed line.
+     * @param steps to each point from the one before it, the last one for the
      * first point. */
     RelaxationAroundLine(const Relaxation            &relaxation,
                          const std::vector<TimeStep> &steps);
 
-    /** @param elastic the components of @f$\mathbf S_0@f$, point by point.
+    /** The internal stresses of all points.
+     * @param elastic the components of @f$\mathbf S_0@f$, point by point.
      * @return the numbers of InternalStresses, point by point. */
     std::vector<double>
     internal_stresses(const std::vector<double> &elastic) const;
 
   private:
-    /** Of a term, the factors of the recursion at each point. */
+    /** The factors of the recursion of a term at each point. */
     struct Factors
     {
       double              part;
       std::vector<double> remains, of_point, of_last;
-      /** What the first turn is divided by; 0 if it takes so little time that
-       * the mean relaxes. */
+      /** The divisor of what the first turn adds; 0 if a turn takes so little
+       * time that the mean relaxes. */
       double turn;
     };
     std::vector<Factors> terms;
-    /** The part of a turn from the point before to each. */
+    /** The part of a turn from the point before to each point. */
     std::vector<double> parts;
   };
 
 
-  /** The stress of a point where it relaxes, a factor of that of the elastic
-   * law, plus a constant. */
+  /** The stress of a point that relaxes: a factor times the stress of the
+   * elastic law, plus a constant. */
   template <typename Stress>
   struct Relaxed
   {

@@ -30,7 +30,7 @@ namespace Biface
       outer = 1
     };
 
-    /** Index of a tangential strain; @p ab is 0, 1, 2 for 11, 22, 12. */
+    /** The index of a tangential strain; @p ab is 0, 1, 2 for 11, 22, 12. */
     constexpr unsigned int
     tangential(const unsigned int ab, const unsigned int face)
     {
@@ -44,14 +44,14 @@ namespace Biface
      * @p ab. */
     constexpr unsigned int tangential_pairs[3][2] = {{0, 0}, {1, 1}, {0, 1}};
 
-    /** Index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
+    /** The index of a transverse shear strain; @p a is 0, 1 for 13, 23. */
     constexpr unsigned int
     transverse(const unsigned int a, const unsigned int face)
     {
       return 6 + 2 * a + face;
     }
 
-    /** Index of the thickness strain @f$E_{33}@f$. */
+    /** The index of the thickness strain @f$E_{33}@f$. */
     constexpr unsigned int thickness = 10;
 
     using Vector = dealii::Tensor<1, n>;

@@ -10,8 +10,8 @@
 
 namespace Biface
 {
-  /** What all laws of isotropic hyperelastic materials share: the strains at
-   * which the volume does not change, or vanishes. */
+  /** The common part of all laws of isotropic hyperelastic materials: the
+   * strains at which the volume does not change, or vanishes. */
   class Rubber : public MaterialLaw
   {
   public:
@@ -106,7 +106,8 @@ namespace Biface
   class PolynomialRubber : public RubberOfInvariants
   {
   public:
-    /** @param c @f$c_{10},c_{20},c_{30}@f$. Unit: force/area.
+    /** Rubber with given constants.
+     * @param c @f$c_{10},c_{20},c_{30}@f$. Unit: force/area.
      * @param c_01 Unit: force/area.
      * @param K the bulk modulus. Unit: force/area. */
     PolynomialRubber(const std::array<double, 3> &c,
@@ -141,12 +142,13 @@ namespace Biface
   public:
     struct Term
     {
-      /** Unit: force/area. */
+      /** The coefficient @f$\mu_i@f$. Unit: force/area. */
       double mu;
       double alpha;
     };
 
-    /** @param K the bulk modulus. Unit: force/area. */
+    /** Rubber with given terms.
+     * @param K the bulk modulus. Unit: force/area. */
     OgdenRubber(const std::vector<Term> &terms, const double K);
 
     double

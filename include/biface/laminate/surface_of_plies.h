@@ -10,11 +10,11 @@
 
 namespace Biface
 {
-  /** What plies know of the surface on which they lie: functions of
-   * @f$\alpha_1@f$, which is in the unit of parameter files. */
+  /** The surface as plies know it, by functions of @f$\alpha_1@f$, which is in
+   * the unit of parameter files. */
   struct SurfaceOfPlies
   {
-    /** Distance from the axis of revolution; empty if there is none. Unit:
+    /** The distance from the axis of revolution; empty if there is none. Unit:
      * length. */
     std::function<double(const double)> radius;
 
@@ -22,25 +22,27 @@ namespace Biface
      * 1/length. */
     std::function<std::array<double, 2>(const double)> curvature;
 
-    /** @f$\alpha_1@f$ of the crown, where the radius is largest. */
+    /** The coordinate @f$\alpha_1@f$ of the crown, where the radius is
+     * largest. */
     double crown = 0;
 
-    /** For a surface that is in equilibrium with the tension of its cords:
-     * their angle from the circumference at the crown, in degrees. */
+    /** The angle of the cords from the circumference at the crown, in degrees,
+     * of a surface that is in equilibrium with their tension; none for other
+     * surfaces. */
     std::optional<double> crown_cord_angle;
 
-    /** `end` in entries, infinite if the surface has no end. */
+    /** The value of `end` in entries, infinite if the surface has no end. */
     double end = std::numeric_limits<double>::infinity();
   };
 
 
-  /** The angles of plies in entries are counted from one of the coordinate
-   * lines. */
+  /** The coordinate line from which the angles of plies in entries are
+   * counted. */
   enum class AngleReference
   {
-    /** From @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$. */
+    /** Angles are counted from @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$. */
     meridian,
-    /** From @f$\mathbf e_2@f$ toward @f$\mathbf e_1@f$. */
+    /** Angles are counted from @f$\mathbf e_2@f$ toward @f$\mathbf e_1@f$. */
     circumference
   };
 

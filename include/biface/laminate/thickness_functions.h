@@ -26,7 +26,8 @@ namespace Biface
   class ThicknessFunctions
   {
   public:
-    /** @param thickness h. Unit: length.
+    /** The functions of a wall.
+     * @param thickness h. Unit: length.
      * @param reference_height the height @f$z_0@f$ of the reference surface.
      * @param curvature of the reference surface, zero for the functions of a
      * plate. Unit: 1/length. */
@@ -44,7 +45,7 @@ namespace Biface
         }
     }
 
-    /** @f$N^p@f$ */
+    /** The shape function @f$N^p@f$ of a face at the height @p z. */
     double
     shape(const unsigned int p, const double z) const
     {
@@ -62,7 +63,8 @@ namespace Biface
       return shape(p, z) * (ab < 2 ? ratio(ab) : (ratio(0) + ratio(1)) / 2);
     }
 
-    /** @f$\mu/\bar\mu@f$ */
+    /** The area @f$\mu/\bar\mu@f$ at the height @p z relative to that of the
+     * middle surface. */
     double
     area(const double z) const
     {
@@ -94,7 +96,7 @@ namespace Biface
       return 1 + curvature[a] * (z - reference_height);
     }
 
-    /** `at_faces[a][p]` is @f$\zeta_a^p@f$. */
+    /** The lengths @f$\zeta_a^p@f$ at the faces, as `at_faces[a][p]`. */
     std::array<std::array<double, 2>, 2> at_faces;
     double                               mean_area = 1;
   };
@@ -123,7 +125,7 @@ namespace Biface
       });
     }
 
-    /** Those of a plate of thickness @p h. */
+    /** The moments of a plate of thickness @p h. */
     FaceMoments(const double z_0, const double z_1, const double h)
       : FaceMoments(ThicknessFunctions(h, 0, {{0, 0}}), z_0, z_1)
     {}
@@ -137,13 +139,14 @@ namespace Biface
     template <typename T>
     using ByFace = std::array<T, 2>;
 
-    /** `first[ab][p]` is @f$\int w_{ab}^p\,dz@f$, `stressed[ab][p]` the same
-     * with the areas, @f$\int w_{ab}^p\mu/\bar\mu\,dz@f$. */
+    /** The integrals @f$\int w_{ab}^p\,dz@f$ as `first[ab][p]`, and with the
+     * areas, @f$\int w_{ab}^p\mu/\bar\mu\,dz@f$, as `stressed[ab][p]`. */
     std::array<ByFace<double>, 3> first{}, stressed{};
-    /** `second[ab][cd][p][q]` is
-     * @f$\int w_{ab}^p w_{cd}^q\mu/\bar\mu\,dz@f$. */
+    /** The integrals @f$\int w_{ab}^p w_{cd}^q\mu/\bar\mu\,dz@f$ as
+     * `second[ab][cd][p][q]`. */
     std::array<std::array<ByFace<ByFace<double>>, 3>, 3> second{};
-    /** @f$\int\mu/\bar\mu\,dz@f$ and @f$\int\bar\mu/\mu\,dz@f$ */
+    /** The integrals @f$\int\mu/\bar\mu\,dz@f$ and
+     * @f$\int\bar\mu/\mu\,dz@f$. */
     double area = 0, inverse_area = 0;
 
     StrainMoments(const ThicknessFunctions &w,

@@ -5,12 +5,12 @@
 
 namespace Biface
 {
-  /** What happens between two equilibria beside the change of strains. */
+  /** The time between two equilibria, and the temperature. */
   struct TimeStep
   {
-    /** Unit: time. */
+    /** The duration. Unit: time. */
     double duration = 0;
-    /** In the middle of it. Unit: that of Relaxation. */
+    /** The temperature in the middle of the step. Unit: that of Relaxation. */
     double temperature = 0;
   };
 } // namespace Biface

@@ -14,7 +14,7 @@
 
 namespace Biface
 {
-  /** How the transverse shear strains of the faces determine stresses. */
+  /** The way from the transverse shear strains of the faces to stresses. */
   struct TransverseShearLaw
   {
     enum class Kind
@@ -23,29 +23,29 @@ namespace Biface
        * follows from it: the law of @cite GrigolyukKulikovPlotnikova2004, which
        * is too stiff. */
       constant_strain,
-      /** The same, with the stiffness multiplied by a factor. */
+      /** The stress in each ply follows from a strain that is linear between
+       * the faces, with the stiffness multiplied by a factor. */
       factor,
-      /** The stress is that in equilibrium with bending, see TransverseShear.
-       */
+      /** The stress is in equilibrium with bending, see TransverseShear. */
       equilibrium
     };
 
     Kind kind = Kind::constant_strain;
-    /** Above 0 and at most 1. */
+    /** The factor of the stiffness, above 0 and at most 1. */
     double factor = 1;
-    /** At least 1: multiplies the stiffness against a difference of the strains
-     * of both faces that has no shear force, which is that against a gradient
-     * of the thickness strain. */
+    /** The factor, at least 1, of the stiffness against a difference of the
+     * strains of both faces that has no shear force, which is that against a
+     * gradient of the thickness strain. */
     double gradient_factor = 1;
   };
 
   /** Read 'constant strain', 'equilibrium' or a factor, a number or a formula
-   * such as 5/6. Throws InputError where it is none of these. */
+   * such as 5/6. Throws InputError if it is none of these. */
   TransverseShearLaw
   parse_transverse_shear(const std::string &entry, const std::string &text);
 
   /** Read TransverseShearLaw::gradient_factor, or nothing from 'by layers'.
-   * Throws InputError where it is neither this nor a number from 1 to 1000. */
+   * Throws InputError if it is neither this nor a number from 1 to 1000. */
   std::optional<double>
   parse_gradient_factor(const std::string &entry, const std::string &text);
 
@@ -55,9 +55,10 @@ namespace Biface
   /** The wall of which some plies are a layer. */
   struct WallOfLayer
   {
-    /** With all plies; null if there are no others. */
+    /** The transverse shear of all plies of the wall; null if there are no
+     * others. */
     std::shared_ptr<const TransverseShear> shear;
-    /** The number of plies below the layer, and their thickness. */
+    /** The number of plies below the layer, and their thickness (length). */
     unsigned int n_below      = 0;
     double       height_below = 0;
   };
@@ -86,13 +87,15 @@ namespace Biface
 
     struct Ply
     {
-      /** The heights of its sides. */
+      /** The heights of both sides of the ply. */
       double begin, end;
-      /** @f$q_{abcd}@f$ by the pairs 11, 22, 12. */
+      /** The stiffness @f$q_{abcd}@f$ in plane stress, by the pairs 11, 22, 12.
+       * Unit: force/area. */
       dealii::Tensor<2, 3> plane_stress;
-      /** @f$b_{a3c3}@f$ */
+      /** The stiffness @f$b_{a3c3}@f$ in transverse shear. Unit: force/area. */
       dealii::Tensor<2, 2> shear;
-      /** @f$\mathbf F@f$ at its inner side. */
+      /** The distribution @f$\mathbf F@f$ at the inner side of the ply. Unit:
+       * 1/length. */
       dealii::Tensor<2, 2> F;
     };
 
@@ -120,15 +123,16 @@ namespace Biface
       return thickness;
     }
 
-    /** That of the wall of which the plies are a layer, or else of the plies.
-     */
+    /** The transverse shear of the wall of which the plies are a layer, or else
+     * of the plies. */
     const TransverseShear &
     of_wall() const
     {
       return wall.shear ? *wall.shear : *this;
     }
 
-    /** @f$D_{a3c3}^{pq}@f$ for the faces p and q. Unit: force/length. */
+    /** The stiffness @f$D_{a3c3}^{pq}@f$ for the faces p and q. Unit:
+     * force/length. */
     dealii::Tensor<2, 2>
     stiffness(const unsigned int p, const unsigned int q) const
     {
@@ -163,13 +167,13 @@ namespace Biface
       return distribution(ply, z) * shear_force(strains);
     }
 
-    /** @f$\mathbf F@f$, of the wall if the plies are a layer of it. Unit:
-     * 1/length. */
+    /** The distribution @f$\mathbf F@f$ at the height @p z in a ply, that of
+     * the wall if the plies are a layer of it. Unit: 1/length. */
     dealii::Tensor<2, 2>
     distribution(const unsigned int ply, const double z) const;
 
   private:
-    /** Set gradient and @p F of the plies. */
+    /** Set @p gradient, and @p F of the plies. */
     void
     set_distribution();
 
@@ -183,8 +187,8 @@ namespace Biface
     void
     set_equilibrium_stiffness();
 
-    /** The factor of @f$\mathbf F@f$ in the stresses of the law
-     * `equilibrium`. */
+    /** The factor of @f$\mathbf F@f$ in the stresses of the law `equilibrium`.
+     * Unit: force/length. */
     dealii::Tensor<1, 2>
     amplitude(const FaceStrains &strains) const;
 
@@ -193,18 +197,20 @@ namespace Biface
     std::vector<Ply>   plies;
     double             thickness;
 
-    /** `gradient[c][p]`: the gradients along @f$\alpha_c@f$ of the tangential
-     * strains 11, 22, 2*12 of the face p for a unit shear force
-     * @f$Q_c@f$. */
+    /** The gradients along @f$\alpha_c@f$ of the tangential strains 11, 22,
+     * 2*12 of the face p for a unit shear force @f$Q_c@f$, as
+     * `gradient[c][p]`. */
     std::array<std::array<dealii::Tensor<1, 3>, 2>, 2> gradient;
 
     std::array<std::array<dealii::Tensor<2, 2>, 2>, 2> D;
 
-    /** Of a layer of a wall: from the strains of the faces to amplitude(). */
+    /** The matrices from the strains of the faces of a layer of a wall to
+     * amplitude(). */
     std::array<dealii::Tensor<2, 2>, 2> to_amplitude;
 
-    /** Where the stiffness of constant strain vanishes: a strain proportional
-     * to @f$s-\mathbf s_0@f$, with @f$s@f$ from -1 to 1, has no shear force. */
+    /** The matrix @f$\mathbf s_0@f$ for which a strain proportional to
+     * @f$s-\mathbf s_0@f$, with @f$s@f$ from -1 to 1 over the thickness, has no
+     * shear force in the law of constant strain. */
     dealii::Tensor<2, 2> s_0;
   };
 } // namespace Biface

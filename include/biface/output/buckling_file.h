@@ -15,7 +15,8 @@ namespace Biface
   class BucklingFile : public StepTable
   {
   public:
-    /** @param stages those of the run, to see whether the file would be
+    /** The table, which has a line per buckling load.
+     * @param stages those of the run, to see whether the file would be
      * empty. */
     BucklingFile(const std::vector<Stage> &stages,
                  ResultsDirectory         &directory,

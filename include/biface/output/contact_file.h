@@ -14,7 +14,8 @@ namespace Biface
   public:
     ContactFile(ResultsDirectory &directory, const ShellEquations &equations);
 
-    /** Also those of other bodies, which have their names. */
+    /** A regular expression for the names of the files, also of those for other
+     * bodies than the foundation, which contain their names. */
     std::string
     names_of_files() const override
     {

@@ -17,11 +17,12 @@ namespace Biface
   /** The maximum of a failure index over the shell. */
   struct FailureMaximum
   {
-    /** See FailureCriterion. */
+    /** The name of the criterion, see FailureCriterion. */
     std::string name;
-    /** NaN if no ply has strengths. */
+    /** The largest failure index; NaN if no ply has strengths. */
     double index = std::numeric_limits<double>::quiet_NaN();
-    /** @f$\alpha_1,\alpha_2@f$ of its place in the user's unit. */
+    /** The coordinates @f$\alpha_1,\alpha_2@f$ of the place of the maximum in
+     * the user's unit. */
     std::array<double, 2> alpha{};
     /** The number of the ply, from 1 at the inner face. */
     unsigned int ply = 0;

@@ -15,8 +15,8 @@
 
 namespace Biface
 {
-  /** The ratio of the force per undeformed area along the fibers and the second
-   * Piola-Kirchhoff stress at a strain along them: the stretch; 1 in a linear
+  /** The force per undeformed area along the fibers divided by the second
+   * Piola-Kirchhoff stress, at a strain along them: the stretch; 1 in a linear
    * law, which is one for small strains. */
   double
   force_per_stress(const Ply &ply, const double strain);
@@ -40,21 +40,21 @@ namespace Biface
       : of_cords(layup.has_cords()), any(layup.has_fibers())
     {}
 
-    /** Whether there are any. */
+    /** Whether there are any tension members. */
     bool
     exist() const
     {
       return any;
     }
 
-    /** The name of their tension in files. */
+    /** The name of the tension in files. */
     std::string
     name() const
     {
       return of_cords ? "cord_tension" : "fiber_tension";
     }
 
-    /** The tension of a cord (force), or that of the fibers per width
+    /** The tension in a ply: of a cord (force), or of the fibers per width
      * (force/length); NaN for a ply that has none. See fiber_tension(). */
     double
     tension(const Layup          &layup,
@@ -72,16 +72,17 @@ namespace Biface
   struct MaximumTension
   {
     double value = std::numeric_limits<double>::quiet_NaN();
-    /** @f$\alpha_1,\alpha_2@f$ of the middle of the cell in the user's
-     * unit. */
+    /** The coordinates @f$\alpha_1,\alpha_2@f$ of the middle of the cell in the
+     * user's unit. */
     std::array<double, 2> alpha{};
     /** The number of the ply, from 1 at the inner face. */
     unsigned int ply = 0;
   };
 
-  /** If the tension at several places differs by round-off only, the first of
-   * them in the order of the cells is given, on any number of ranks. NaN
-   * without tension members. Must be called on all ranks. */
+  /** Find the maximum tension. If the tension at several places differs by
+   * round-off only, the first of them in the order of the cells is given, on
+   * any number of ranks. NaN without tension members. Must be called on all
+   * ranks. */
   MaximumTension
   find_maximum_tension(const ShellEquations &equations, const State &state);
 } // namespace Biface

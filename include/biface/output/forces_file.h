@@ -24,7 +24,8 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError if the parameters are invalid. */
+    /** The table for a center of moments. Throws InputError if that is
+     * invalid. */
     ForcesFile(const Parameters     &parameters,
                ResultsDirectory     &directory,
                const ShellEquations &equations);

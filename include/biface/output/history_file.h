@@ -17,26 +17,28 @@ namespace Biface
   /** Columns of history.csv whose values are computed together. */
   struct HistoryGroup
   {
-    /** What they are computed from. */
+    /** The step from which the values are computed. */
     struct Step
     {
       const StepReport     &report;
       const State          &state;
       const ShellEquations &equations;
-      /** Null if its volume is not of interest. */
+      /** The cavity; null if its volume is not of interest. */
       const Cavity *cavity;
-      /** See find_failure_maxima(). */
+      /** The maxima of the requested failure indices, see
+       * find_failure_maxima(). */
       const std::vector<FailureMaximum> &failure_maxima;
     };
 
     std::vector<std::string> columns;
 
-    /** One for each column; empty fields are not set. Must be called on all
-     * ranks. */
+    /** A function that computes the values of a step, one for each column;
+     * empty fields are not set. Must be called on all ranks. */
     std::function<std::vector<std::optional<double>>(const Step &)> values;
   };
 
-  /** The columns of history.csv after the step and the name of the stage.
+  /** The groups of columns of history.csv that follow the step and the name of
+   * the stage.
    * @param with_volume whether that of the cavity is one of them. */
   std::vector<HistoryGroup>
   history_groups(const FailureCriteria &criteria,
@@ -55,7 +57,7 @@ namespace Biface
                 ResultsDirectory      &directory,
                 const ShellEquations  &equations);
 
-    /** The names of the columns, separated by commas. */
+    /** The names of all columns, separated by commas. */
     static std::string
     header(const FailureCriteria &criteria,
            const ShellEquations  &equations,
@@ -64,7 +66,7 @@ namespace Biface
     std::vector<std::string>
     warnings() const override;
 
-    /** The maxima of the last step written. */
+    /** The maxima of the failure indices in the last step written. */
     const std::vector<FailureMaximum> &
     get_failure_maxima() const
     {

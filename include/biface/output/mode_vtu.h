@@ -61,7 +61,8 @@ namespace Biface
   class ModeVtu : public ShapesVtu
   {
   public:
-    /** @param stages those of the run, to see whether there are any modes. */
+    /** The series, which is written if a stage asks for modes.
+     * @param stages those of the run, to see whether there are any modes. */
     ModeVtu(const ShellVtu::Parameters &parameters,
             const std::vector<Stage>   &stages,
             ResultsDirectory           &directory,
@@ -83,7 +84,8 @@ namespace Biface
   class BucklingVtu : public ShapesVtu
   {
   public:
-    /** @param stages those of the run, to see whether there are any. */
+    /** The series, which is written if a stage asks for buckling loads.
+     * @param stages those of the run, to see whether there are any. */
     BucklingVtu(const ShellVtu::Parameters &parameters,
                 const std::vector<Stage>   &stages,
                 ResultsDirectory           &directory,

@@ -29,7 +29,7 @@ namespace Biface
               ResultsDirectory      &directory,
               const ShellEquations  &equations);
 
-    /** False if no point is named. */
+    /** Whether a point is named. */
     bool
     is_wanted() const override;
 

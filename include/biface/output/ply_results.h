@@ -23,11 +23,12 @@ namespace Biface
   /** A failure criterion. */
   struct FailureCriterion
   {
-    /** Its name, as in the parameter file. */
+    /** The name of the criterion, as in the parameter file. */
     std::string name;
-    /** The name of its index in files. */
+    /** The name of the failure index in files. */
     std::string column;
-    /** The index for stresses in the axes of the ply. */
+    /** The function that computes the failure index for stresses in the axes of
+     * the ply. */
     double (*index)(const dealii::SymmetricTensor<2, 3> &stress,
                     const Strengths                     &strengths);
   };
@@ -42,7 +43,7 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** The requested ones, in the order of the files. */
+    /** The requested criteria, in the order of the files. */
     std::vector<FailureCriterion>
     requested() const;
 
@@ -58,12 +59,12 @@ namespace Biface
   struct PlyState
   {
     dealii::SymmetricTensor<2, 3> strain;
-    /** Second Piola-Kirchhoff. Unit: force/area. */
+    /** The second Piola-Kirchhoff stress. Unit: force/area. */
     dealii::SymmetricTensor<2, 3> stress;
-    /** In equilibrium with bending, see EquilibriumShear; nan where a law is
-     * not linear. Unit: force/area. */
+    /** The transverse shear stresses in equilibrium with bending, see
+     * EquilibriumShear; NaN where a law is not linear. Unit: force/area. */
     dealii::Tensor<1, 2> interlaminar;
-    /** See Laminate::is_slack(). */
+    /** Whether the cords are slack, see Laminate::is_slack(). */
     bool slack;
 
     /**
@@ -90,9 +91,10 @@ namespace Biface
    * force/area. */
   struct FaceStress
   {
-    /** Second Piola-Kirchhoff. */
+    /** The second Piola-Kirchhoff stress. */
     dealii::SymmetricTensor<2, 3> stress;
-    /** That of Cauchy where a law is one for large strains. */
+    /** The Cauchy stress where a law is one for large strains, otherwise the
+     * second Piola-Kirchhoff stress. */
     dealii::SymmetricTensor<2, 3> true_stress;
 
     static constexpr std::array<const char *, 4> names{
@@ -105,8 +107,8 @@ namespace Biface
                const Resultants::Face face,
                const StrainsOfPlies  &E);
 
-    /** Those of names; the last one is the equivalent stress of
-     * @p true_stress. */
+    /** The components in the order of the names; the last one is the equivalent
+     * stress of @p true_stress. */
     std::array<double, 4>
     values() const;
   };
@@ -123,7 +125,8 @@ namespace Biface
       : equations(equations), state(state)
     {}
 
-    /** Within a ply at a vertex. Unit: force/area.
+    /** The transverse shear stresses within a ply at a vertex of a cell. Unit:
+     * force/area.
      * @param layer the position of the layer in ShellMesh::cells.
      * @param ply,fraction see PlyState. */
     dealii::Tensor<1, 2>
@@ -136,10 +139,12 @@ namespace Biface
     const ShellEquations &equations;
     const State          &state;
 
-    /** By the strips of the walls and their lines. */
+    /** The distributions of shear over walls of several layers, by strip of
+     * cells and mesh line. */
     std::map<std::pair<unsigned int, unsigned int>, InterlaminarShear> of_walls;
 
-    /** The strains of the layers of the wall at hand. */
+    /** The wall whose strains are at hand, and the strains of its layers at
+     * their vertices. */
     std::optional<unsigned int>                wall;
     std::vector<std::array<StrainsOfPlies, 4>> strains;
   };

@@ -17,15 +17,15 @@ namespace Biface
    * the coordinate lines. */
   struct PointDisplacement
   {
-    /** Of the inner and the outer face, then of those between layers, from the
-     * inside out: Cartesian components, and those in the frame of the node.
-     * Unit: length. */
+    /** The displacements of the inner and the outer face, then of those between
+     * layers, from the inside out: Cartesian components, and those in the frame
+     * of the node. Unit: length. */
     std::vector<dealii::Tensor<1, 3>> global, local;
   };
 
 
-  /** The displacements at a named point, on all ranks. Must be called on all
-   * ranks. */
+  /** The displacements at a named point, the same on all ranks. Must be called
+   * on all ranks. */
   PointDisplacement
   displacement_at(const NamedPoint &point,
                   const LA::Vector &displacement,
@@ -39,7 +39,7 @@ namespace Biface
   public:
     ProbesFile(ResultsDirectory &directory, const ShellEquations &equations);
 
-    /** False if no point is named. */
+    /** Whether a point is named. */
     bool
     is_wanted() const override;
 

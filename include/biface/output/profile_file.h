@@ -17,7 +17,8 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** The coordinate of the line; the nearest grid line is used. */
+      /** The coordinate @f$\alpha_2@f$ of the line, in the user's unit; the
+       * nearest grid line is used. */
       double alpha_2 = 0;
 
       void
@@ -32,7 +33,7 @@ namespace Biface
     void
     write(const StepReport &report, const State &state) override;
 
-    /** The coordinate @f$\alpha_2@f$ of the line. */
+    /** The coordinate @f$\alpha_2@f$ of the nearest grid line. */
     double
     find_line() const;
 
@@ -55,8 +56,8 @@ namespace Biface
     std::vector<double>
     stresses(const State &state) const;
 
-    /** The height of the middle of the plies with fibers, of all plies if there
-     * are none, above the reference surface. Unit: length. */
+    /** The height above the reference surface of the middle of the plies with
+     * fibers, of all plies if there are none. Unit: length. */
     double
     carcass_height(const Node &node) const;
 

@@ -24,8 +24,8 @@ namespace Biface
   class ResultsDirectory
   {
   public:
-    /** Create the directory if it does not exist. Throws InputError if that
-     * fails, or if another run writes there. */
+    /** Create the directory if it does not exist, and lock it. Throws
+     * InputError if that fails, or if another run writes there. */
     ResultsDirectory(const std::string &name,
                      const MPI_Comm     communicator,
                      const Units       &units = {});
@@ -67,7 +67,7 @@ namespace Biface
     sync();
 
     const MPI_Comm communicator;
-    /** Of the results. */
+    /** The names of the units of the results. */
     const Units units;
 
   private:
@@ -97,8 +97,9 @@ namespace Biface
 
     virtual ~ResultFile() = default;
 
-    /** Such as "history.csv", or "contact-*.csv" with a star instead of the
-     * number of the step. Checkpoints identify the file by it. */
+    /** The name of the file, such as "history.csv", or of a series, such as
+     * "contact-*.csv" with a star instead of the number of the step.
+     * Checkpoints identify the file by it. */
     const std::string name;
 
     /** The name and the purpose of the file, for the user. */
@@ -108,7 +109,7 @@ namespace Biface
       return name;
     }
 
-    /** Whether it is requested and there is something to write. */
+    /** Whether the file is requested and there is something to write. */
     virtual bool
     is_wanted() const
     {
@@ -198,7 +199,9 @@ namespace Biface
   class StepTable : public ResultFile
   {
   public:
-    /** @param header the names of the columns, separated by commas.
+    /** A table in which each step has the same number of lines, or says how
+     * many.
+     * @param header the names of the columns, separated by commas.
      * @param lines_per_step 0 if the second column says how many.
      * @param wanted see is_wanted(). */
     StepTable(const std::string    &name,
@@ -227,12 +230,13 @@ namespace Biface
     void
     cut_back() override;
 
-    /** @param lines complete lines, including line ends. */
+    /** Append the lines of a step.
+     * @param lines complete lines, including line ends. */
     void
     append(const std::string &lines) const;
 
   private:
-    /** The number of lines of a step, by one of them. */
+    /** The number of lines of a step, which one of its lines tells. */
     unsigned int
     n_lines_of(const std::string &line) const;
 

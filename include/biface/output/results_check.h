@@ -24,7 +24,7 @@ namespace Biface
   class ResultsCheck
   {
   public:
-    /** Both are kept by reference. */
+    /** A check of the steps of one run. The arguments are kept by reference. */
     ResultsCheck(const ShellEquations     &equations,
                  const ContactInteraction &contact);
 
@@ -50,8 +50,8 @@ namespace Biface
     summary() const;
 
   private:
-    /** Where the penetration is largest beside the thickness; of a tread, the
-     * compression beside its height. */
+    /** The place where the penetration is largest beside the thickness or, of a
+     * tread, the compression beside its height. */
     struct Penetration
     {
       double depth     = 0;
@@ -68,7 +68,7 @@ namespace Biface
     struct Balance
     {
       double loads = 0, largest_reaction = 0, interpolation = 0;
-      /** What is left of forces and moments, beside the largest of them. */
+      /** The remainder of forces and moments, beside the largest of them. */
       double error = 0;
       /** The sum of the magnitudes of all internal forces on nodes, which is
        * the scale of their round-off. */
@@ -79,7 +79,7 @@ namespace Biface
     {
       bool   in_contact = false;
       double pressure = 0, force = 0, footprint_area = 0;
-      /** Grid lines of each coordinate with nodes in contact. */
+      /** The number of grid lines of each coordinate with nodes in contact. */
       std::array<unsigned int, 2> n_lines{};
       Penetration                 penetration;
       Balance                     balance;
@@ -100,7 +100,7 @@ namespace Biface
     /** The stages in which each of the warnings was given. */
     std::set<unsigned int> warned_of_penetration, warned_of_interpolation,
       warned_of_strains;
-    /** Whether the cells were looked at; they do not change. */
+    /** Whether the cells have been looked at; they do not change. */
     bool checked_cells = false;
   };
 } // namespace Biface

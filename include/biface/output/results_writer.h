@@ -102,9 +102,9 @@ namespace Biface
 
   private:
     ResultsDirectory &directory;
-    /** In the order of list(). */
+    /** The files, in the order of list(). */
     std::vector<std::unique_ptr<ResultFile>> files;
-    /** One of them. */
+    /** The file history.csv, one of the files. */
     const HistoryFile *history;
   };
 } // namespace Biface

@@ -25,7 +25,7 @@ namespace Biface
     /** SAE J670e: forward, to the right, down; the slip angle is positive if
      * the wheel moves to the right of its plane. */
     SAE,
-    /** Those of ISO, but slip angle and inclination angle have the sign of
+    /** The axes of ISO, but slip angle and inclination angle have the sign of
      * the lateral force that they cause @cite Besselink2000. */
     adapted_ISO
   };

@@ -29,30 +29,31 @@ namespace Biface
   class ScalarResults
   {
   public:
-    /** What is known besides the results of every run. */
+    /** What a run computes besides the results of every run. */
     struct Known
     {
-      /** The volume of the cavity. */
+      /** Whether the volume of the cavity is computed. */
       bool volume = false;
-      /** The number of modes, and that of buckling shapes. */
+      /** The numbers of modes of vibration and of buckling shapes. */
       unsigned int n_modes = 0, n_buckling = 0;
 
-      /** What is known at the ends of all of some stages.
+      /** The results that are known at the end of each of some stages.
        * @param cavity null if its volume is not of interest. */
       static Known
       at_ends(const Cavity *cavity, const std::vector<Stage> &stages);
     };
 
-    /** Which columns of history.csv count. */
+    /** Which columns of history.csv can be named. */
     enum class Columns
     {
       all,
-      /** The differentiable ones: neither works, which are sums over all steps,
-       * nor counts, nor positions. */
+      /** The differentiable columns: neither works, which are sums over all
+       * steps, nor counts, nor positions. */
       differentiable
     };
 
-    /** Throws InputError if there is no such number.
+    /** Find the results by their names. Throws InputError if there is no such
+     * result.
      * @param entry the entry that lists the names, for error messages. */
     ScalarResults(const std::string              &entry,
                   const std::vector<std::string> &names,
@@ -68,28 +69,28 @@ namespace Biface
       return names;
     }
 
-    /** Whether there is a frequency among them. */
+    /** Whether a frequency is among the results. */
     bool
     have_frequency() const
     {
       return have(Source::Kind::frequency);
     }
 
-    /** Whether there is a buckling factor among them. */
+    /** Whether a buckling factor is among the results. */
     bool
     have_buckling() const
     {
       return have(Source::Kind::buckling);
     }
 
-    /** Whether there is a force of a body among them. */
+    /** Whether a force of a body is among the results. */
     bool
     have_force() const
     {
       return have(Source::Kind::force);
     }
 
-    /** The values of a step. Must be called on all ranks.
+    /** The values of the results in a step. Must be called on all ranks.
      * @param cavity null if its volume is not of interest. */
     std::vector<double>
     evaluate(const ShellEquations &equations,
@@ -98,7 +99,7 @@ namespace Biface
              const State          &state) const;
 
   private:
-    /** Where a number is found. */
+    /** The place where a result is found. */
     struct Source
     {
       enum class Kind
@@ -114,21 +115,22 @@ namespace Biface
       /** The number of the group of columns of history.csv, of the point, the
        * body or the shape. */
       unsigned int position = 0;
-      /** Position in the group, or among the components of the last columns of
-       * probes.csv or forces.csv. */
+      /** The position in the group, or among the components of the last columns
+       * of probes.csv or forces.csv. */
       unsigned int component = 0;
-      /** The share of the inner face. */
+      /** The weight of the inner face in a displacement: 0 or 1 for one of the
+       * faces, 0.5 for the middle surface. */
       double inner = 0.5;
     };
 
     bool
     have(const Source::Kind kind) const;
 
-    /** Whether a column of history.csv counts. */
+    /** Whether a column of history.csv can be named. */
     bool
     counts(const std::string &column) const;
 
-    /** The source of a name; none if there is no such number. */
+    /** The source of a result; none if there is no result of this name. */
     std::optional<Source>
     find(const std::string    &name,
          const ShellEquations &equations,

@@ -18,7 +18,7 @@ namespace Biface
   class SummaryTable
   {
   public:
-    /** Must be called on all ranks. */
+    /** Add the line of a step. Must be called on all ranks. */
     void
     add(const StepReport                  &report,
         const State                       &state,
@@ -26,10 +26,10 @@ namespace Biface
         const std::vector<FailureMaximum> &failure_maxima);
 
     /**
-     * Print the load factor and the pressure if not zero, the contact zone of
-     * steps with contact, the maxima of failure indices, and for each named
-     * point the component of the displacement that is largest at the end, for
-     * as many points as fit. Nothing without steps.
+     * Print the table: the load factor and the pressure if not zero, the
+     * contact zone of steps with contact, the maxima of failure indices, and
+     * for each named point the component of the displacement that is largest at
+     * the end, for as many points as fit. Nothing without steps.
      * @param points the named points of the mesh.
      */
     void

@@ -24,7 +24,7 @@ namespace Biface
     of_fields(const std::vector<std::string> &fields) const;
 
   private:
-    /** Those of length, force and time, or none. */
+    /** The names of the units of length, force and time, or none. */
     std::vector<std::string> names;
   };
 } // namespace Biface

@@ -146,7 +146,8 @@ namespace Biface
     file_name(const unsigned int step) const;
 
     const std::string series;
-    /** What this rank writes for the last step, unless it is written. */
+    /** The part of the file of the last step that this rank writes, until it is
+     * written. */
     std::future<std::string> text;
   };
 } // namespace Biface

@@ -34,7 +34,7 @@ namespace Biface
   class DesignVariable
   {
   public:
-    /** Throws InputError if the text is something else.
+    /** Parse the text of a design variable. Throws InputError if it is not one.
      * @param entry the entry that contains the text, for error messages. */
     DesignVariable(const std::string &entry, const std::string &text);
 
@@ -54,12 +54,12 @@ namespace Biface
       return factor;
     }
 
-    /** Throws InputError if a number does not exist in a parameter file. */
+    /** Check that the numbers exist in a parameter file. Throws InputError. */
     void
     check(const DeclaredEntries &declared) const;
 
-    /** The value in a parameter file; 1 for a factor. Throws InputError if
-     * there is no such number, or if its numbers differ.
+    /** The value of the variable in a parameter file; 1 for a factor. Throws
+     * InputError if there is no such number, or if its numbers differ.
      * @param declared the entries of the file and their values. */
     double
     value(const DeclaredEntries &declared) const;
@@ -69,13 +69,14 @@ namespace Biface
     struct Number
     {
       std::string entry;
-      /** From 1; 0 if it is the only one. */
+      /** The position in the value, from 1; 0 if it is the only number. */
       unsigned int position = 0;
-      /** Whether it has the opposite sign of the variable. */
+      /** Whether the number has the opposite sign of the variable. */
       bool negative = false;
     };
 
-    /** A description of the k-th number of a value. Throws InputError. */
+    /** Parse the description of the k-th number of a value. Throws
+     * InputError. */
     Number
     parse_number_name(const std::string &item) const;
 

@@ -16,24 +16,24 @@ namespace Biface
    * the memory within a third, the time within its order of magnitude. */
   struct ExpectedCost
   {
-    /** Of all ranks, in bytes. */
+    /** The memory of all ranks, in bytes. */
     double memory = 0;
-    /** Of all stages. */
+    /** The time of all stages, in seconds. */
     double seconds = 0;
 
     ExpectedCost(const Parameters &parameters,
                  const ChartGrid  &grid,
                  const MPI_Comm    communicator);
 
-    /** "about 0.4 GiB of memory and a time of seconds". */
+    /** A text such as "about 0.4 GiB of memory and a time of seconds". */
     std::string
     text() const;
   };
 
 
-  /** Refuse what cannot fit into the memory, before the system ends the
-   * program: that of the machines, or what the ranks may have of it. Throws
-   * InputError. Must be called on all ranks. */
+  /** Refuse an analysis that cannot fit into the memory of the machines, or
+   * into what the ranks may have of it, before the system ends the program.
+   * Throws InputError. Must be called on all ranks. */
   void
   check_memory(const Parameters &parameters,
                const ChartGrid  &grid,

@@ -107,7 +107,7 @@ namespace Biface
     PairsByEntry
     named_pairs() const;
 
-    /** The names of these files. */
+    /** The names of the files of pairs that entries name. */
     std::vector<std::string>
     input_files() const;
 
@@ -190,10 +190,11 @@ namespace Biface
   };
 
 
-  /** A setting from the command line. */
+  /** A setting of an entry from the command line or a study. */
   struct Override
   {
-    /** @param setting "Section/Entry=value", from the option `--set`. */
+    /** The setting of an option `--set`.
+     * @param setting "Section/Entry=value", from the option `--set`. */
     Override(const std::string &setting)
       : setting(setting), source("--set " + setting)
     {}
@@ -201,7 +202,8 @@ namespace Biface
     Override(const char *setting) : Override(std::string(setting))
     {}
 
-    /** @param source its name in error messages. */
+    /** The setting from another source than the command line.
+     * @param source its name in error messages. */
     Override(const std::string &setting, const std::string &source)
       : setting(setting), source(source)
     {}
@@ -233,8 +235,9 @@ namespace Biface
                    Parameters                  &parameters,
                    dealii::ParameterHandler    &prm);
 
-  /** The same, including Parameters::check() and the files named by entries,
-   * which the first rank reads for all: everything an analysis needs. */
+  /** Parse a parameter file, which the first rank reads for all, check all
+   * parameters, see Parameters::check(), and read the files named by entries:
+   * everything an analysis needs. */
   std::vector<std::string>
   read_parameters(const std::string           &file_name,
                   const std::vector<Override> &overrides,

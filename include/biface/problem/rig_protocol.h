@@ -29,16 +29,16 @@ namespace Biface
     /** How slip angles and slip ratios are combined. */
     enum class Slip
     {
-      /** One of the two is zero. */
+      /** Either the slip angle or the slip ratio is zero. */
       pure,
-      /** Every slip angle with every slip ratio. */
+      /** Every slip angle occurs with every slip ratio. */
       combined
     };
 
     /** The number of the stage from whose end the test starts; 0 for the last
      * one. There the tire is inflated and does not roll. */
     unsigned int start_from = 0;
-    /** Empty for that at the start. */
+    /** The pressures of the test; empty for the pressure at its start. */
     std::vector<double> pressures;
     std::vector<double> loads;
     std::vector<double> inclination_angles{0.};

@@ -16,10 +16,12 @@ namespace Biface
   struct Parameters;
 
 
-  /** What SensitivityAnalysis computes. */
+  /** What SensitivityAnalysis computes, and the perturbed parameters that it
+   * needs. */
   struct SensitivityParameters
   {
-    /** See parse_design_variables(). */
+    /** The entries by which derivatives are taken, see
+     * parse_design_variables(). */
     std::string              entries;
     std::vector<std::string> outputs;
     /** The numbers of the stages at whose ends derivatives are computed; empty
@@ -43,14 +45,15 @@ namespace Biface
     {
       std::string name;
       double      value;
-      /** The difference of the values, and the parameters below and above. */
+      /** The difference of the two values, and the parameters with the lower
+       * and the higher one. */
       double                                           step;
       std::array<std::shared_ptr<const Parameters>, 2> parameters;
       /** The parts of the mesh that may differ. */
       MeshChange mesh_change;
     };
 
-    /** One for each of the entries, see read_parameters(). */
+    /** The changes, one for each of the entries, see read_parameters(). */
     std::vector<Change> changes;
 
     void

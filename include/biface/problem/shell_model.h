@@ -35,7 +35,8 @@ namespace Biface
    * and its gas. */
   struct ShellModel
   {
-    /** Throws InputError if the parameters are inconsistent.
+    /** Set up the contact, the loads and the equations of a mesh. Throws
+     * InputError if the parameters are inconsistent.
      * @param mesh that of the parameters, which other models may share. */
     ShellModel(const Parameters                &parameters,
                std::shared_ptr<const ShellMesh> mesh);
@@ -45,8 +46,8 @@ namespace Biface
     /** The space that the gas fills; null if it cannot be sealed in. */
     const std::unique_ptr<const Cavity> cavity;
     ShellEquations                      equations;
-    /** Of the plies of a rolling wheel; null if it cannot roll, or if none
-     * loses energy. */
+    /** The heat of the plies of a rolling wheel; null if it cannot roll, or if
+     * none loses energy. */
     const std::unique_ptr<const RollingHeat> heat;
   };
 } // namespace Biface

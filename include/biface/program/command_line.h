@@ -10,7 +10,7 @@
 
 namespace Biface
 {
-  /** The command line. */
+  /** The content of the command line. */
   struct CommandLine
   {
     enum class Action
@@ -44,7 +44,7 @@ namespace Biface
     /** Whether to print parameters as JSON. */
     bool json = false;
 
-    /** Throws InputError if the command line is invalid.
+    /** Parse the command line. Throws InputError if it is invalid.
      * @param arguments without the name of the program. */
     explicit CommandLine(std::vector<std::string> arguments);
 

@@ -24,11 +24,11 @@ namespace Biface
    * doc/restart.md. */
   struct RunRecord
   {
-    /** The version of the program that wrote it. */
+    /** The version of the program that wrote the checkpoint. */
     std::string version;
     /** All parameters of the run, as the text of a parameter file. */
     std::string parameters;
-    /** Its stages. */
+    /** The stages of the run. */
     std::vector<Stage> stages;
     /** The pairs in other files that were read, by entry. */
     std::map<std::string, std::vector<dealii::Point<2>>> files;
@@ -37,13 +37,13 @@ namespace Biface
      * SensitivityParameters. */
     std::vector<double> differences;
 
-    /** The numbers of a RestorePoint. */
+    /** The numbers of a RestorePoint; its fields are in tables. */
     struct Point
     {
       Progress progress;
-      /** See TermState, by the names of the terms. */
+      /** The numbers of TermState, by the names of the terms. */
       std::map<std::string, std::vector<double>> of_terms;
-      /** See ContactState. */
+      /** The number of points in contact per cell, see ContactState. */
       unsigned int contacts_per_cell = 0;
 
       template <class Archive>
@@ -58,7 +58,7 @@ namespace Biface
     struct Points
     {
       Point last;
-      /** At the ends of stages, see StageEnds. */
+      /** The points at the ends of stages, see StageEnds. */
       std::map<unsigned int, Point> ends;
 
       template <class Archive>
@@ -70,14 +70,14 @@ namespace Biface
     };
 
     Points run;
-    /** The points of PerturbedPoints. */
+    /** The numbers of the perturbed runs, see PerturbedPoints. */
     std::vector<Points>                             perturbed;
     std::set<unsigned int>                          lost_stages;
     std::set<std::pair<unsigned int, unsigned int>> unsettled;
     ResultsWriter::Written                          written;
     /** The points of a tire test, so far. */
     RigTable::Points rig_points;
-    /** The table at the end of the run, so far. */
+    /** The lines so far of the table at the end of the run. */
     SummaryTable summary;
 
     template <class Archive>
@@ -120,7 +120,8 @@ namespace Biface
      */
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 
-    /** A sentence if the latest checkpoint could not be used. */
+    /** A sentence that says why the latest checkpoint could not be used; empty
+     * if it could. */
     const std::string &
     get_warning() const
     {
@@ -138,23 +139,24 @@ namespace Biface
       return record;
     }
 
-    /** The run, on the same shell. */
+    /** The restore points of the run, on the same shell. */
     RestorePoints
     run(const ShellMesh &mesh) const;
 
-    /** The runs with changed entries. */
+    /** The restore points of the runs with changed entries. */
     PerturbedPoints
     perturbed(const ShellMesh &mesh) const;
 
   private:
-    /** What was written after a step.
+    /** The state and progress that were written after a step.
      * @param prefix of the names of its tables. */
     RestorePoint
     read_point(const std::string      &prefix,
                const RunRecord::Point &numbers,
                const ShellMesh        &mesh) const;
 
-    /** @param prefix see read_point(). */
+    /** The restore points of one run.
+     * @param prefix see read_point(). */
     RestorePoints
     read_points(const std::string       &prefix,
                 const RunRecord::Points &numbers,

@@ -61,7 +61,8 @@ namespace Biface
         return tables.count(table) > 0;
       }
 
-      /** The rows of the given numbers, in their order, row after row. */
+      /** The rows of a table with the given numbers, in their order, row after
+       * row. */
       std::vector<double>
       rows(const std::string                &table,
            const std::vector<std::uint64_t> &numbers) const;

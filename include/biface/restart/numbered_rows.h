@@ -20,12 +20,12 @@ namespace Biface
    */
   struct NumberedRows
   {
-    /** Length of a row, and the number of rows on all ranks. */
+    /** The length of a row, and the number of rows on all ranks. */
     unsigned int  width  = 0;
     std::uint64_t n_rows = 0;
 
     std::vector<std::uint64_t> numbers;
-    /** Row after row. */
+    /** The values of the rows of this rank, row after row. */
     std::vector<double> values;
   };
 
@@ -38,14 +38,15 @@ namespace Biface
   NumberedRows
   rows_of(const std::vector<Modes::Vector> &modes, const ShellMesh &mesh);
 
-  /** A row of one number per node, or one of as many per cell as there are
-   * points in contact, see ContactPoints::per_cell(). */
+  /** A row of one number (1 for active points) per node, or one of as many per
+   * cell as there are points in contact, see ContactPoints::per_cell(). */
   NumberedRows
   rows_of(const ActiveSet   &active,
           const ShellMesh   &mesh,
           const unsigned int per_cell);
 
-  /** Likewise of three components each. */
+  /** A row of three components per node, or one of three for each of the points
+   * in contact per cell, see ContactPoints::per_cell(). */
   NumberedRows
   rows_of(const std::vector<dealii::Tensor<1, 3>> &values,
           const ShellMesh                         &mesh,
@@ -56,11 +57,12 @@ namespace Biface
   NumberedRows
   rows_of_nodes(const dealii::Table<2, double> &table, const ShellMesh &mesh);
 
-  /** Likewise for each locally owned cell. */
+  /** The rows of a table with one row for each locally owned cell; their width
+   * is 0 if the table is empty. Must be called on all ranks. */
   NumberedRows
   rows_of_cells(const dealii::Table<2, double> &table, const ShellMesh &mesh);
 
-  /** The rows needed by the functions below. */
+  /** The numbers of the nodes that this rank owns. */
   std::vector<std::uint64_t>
   numbers_of_owned_nodes(const ShellMesh &mesh);
 
@@ -74,19 +76,20 @@ namespace Biface
   LA::Vector
   vector_from(const std::vector<double> &values, const ShellMesh &mesh);
 
-  /** From rows of cells. */
+  /** The modes of the cells of this rank, from their rows. */
   std::vector<Modes::Vector>
   modes_from(const std::vector<double> &values);
 
-  /** From rows of nodes. */
+  /** The active set of the points of this rank, from rows of nodes or of
+   * cells. */
   ActiveSet
   active_from(const std::vector<double> &values);
 
-  /** From rows of nodes. */
+  /** The vectors at the points of this rank, from rows of nodes or of cells. */
   std::vector<dealii::Tensor<1, 3>>
   vectors_from(const std::vector<double> &values);
 
-  /** From any rows, of which there are @p n. */
+  /** A table from rows, of which there are @p n. */
   dealii::Table<2, double>
   table_from(const std::vector<double> &values, const std::size_t n);
 } // namespace Biface

@@ -55,7 +55,7 @@ namespace Biface
     static constexpr unsigned int longest = 4;
 
     const MPI_Comm communicator;
-    /** Latest first. */
+    /** The recorded sets, latest first. */
     std::deque<ActiveSet> sets;
     ActiveSet             toggling;
   };

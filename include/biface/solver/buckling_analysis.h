@@ -23,12 +23,12 @@ namespace Biface
   /** A shape in which the shell buckles. */
   struct BucklingMode
   {
-    /** s: 0 for the resultants and loads before, 1 for those of the
-     * equilibrium. */
+    /** The position s on the line of loads: 0 for the resultants and loads
+     * before, 1 for those of the equilibrium. */
     double position = 0;
 
-    /** With the entries of all nodes of this rank; the largest displacement of
-     * a face is 1. */
+    /** The displacements @f$\boldsymbol\varphi@f$, with the entries of all
+     * nodes of this rank; the largest displacement of a face is 1. */
     LA::Vector shape;
 
     /** The left eigenvector @f$\mathbf y@f$ with
@@ -37,9 +37,9 @@ namespace Biface
      * does not exist. */
     Eigenpair left;
 
-    /** The work of the change of the loads on the shape, relative to that on a
-     * motion of all nodes by the largest displacement: 0 at a bifurcation, but
-     * not at a limit point. */
+    /** The work of the change of the loads on the shape, relative to its work
+     * on a motion of all nodes by the largest displacement: 0 at a bifurcation,
+     * but not at a limit point. */
     double load_work = 0;
 
     /** The wave numbers of the shape, if the shell is a full turn. */
@@ -56,7 +56,7 @@ namespace Biface
     /** The rigid motions that nothing holds, which the shapes do not contain:
      * see HeldTangent::free_motions(). */
     std::vector<std::string> free_motions;
-    /** In ascending order of the position. */
+    /** The modes in ascending order of their positions. */
     std::vector<BucklingMode> modes;
   };
 
@@ -119,9 +119,10 @@ namespace Biface
             const bool         with_left = false);
 
     /**
-     * The positions up to terms of second order, from the right and left
-     * eigenvectors of a slightly different shell, see rayleigh_quotients(); NaN
-     * without a left one. The last assembly of the equations is lost.
+     * The positions s of buckling modes up to terms of second order, from the
+     * right and left eigenvectors of a slightly different shell, see
+     * rayleigh_quotients(); NaN without a left one. The last assembly of the
+     * equations is lost.
      *
      * @param before, now see compute().
      * @param modes of the neighbor, whose degrees of freedom are the same.
@@ -153,10 +154,10 @@ namespace Biface
     /** The shape of a critical point. */
     struct CriticalMode
     {
-      /** Without a position. */
+      /** The shape of the critical point; its position is not set. */
       BucklingMode mode;
-      /** Whether the tangent is singular there as its symmetric part is, up to
-       * 1 % of the loads. If not, the loads have no potential. */
+      /** Whether the tangent is singular at the point as its symmetric part is,
+       * up to 1 % of the loads. If not, the loads have no potential. */
       bool is_of_tangent = true;
     };
 
@@ -178,16 +179,17 @@ namespace Biface
     void
     assemble(const Equilibrium &before, const Equilibrium &now, Pencil &pencil);
 
-    /** The tangent of one equilibrium, and whether it is symmetric. */
+    /** Compute the tangent of one equilibrium. */
     bool
     assemble(const Equilibrium &now, LA::SparseMatrix &K);
 
-    /** The stiffness in a shape that stresses and loads have taken away, where
-     * they leave none, relative to the square of its norm. */
+    /** The stiffness in a shape of the shell without stresses and loads, which
+     * these have taken away at a critical point, relative to the square of the
+     * norm of the shape. */
     double
     softening(const Equilibrium &now, const LA::Vector &shape);
 
-    /** A mode with all but its position. */
+    /** The mode of an eigenvector, with all but its position. */
     BucklingMode
     finish(const LA::Vector &vector, const LA::Vector &loads) const;
 
@@ -196,40 +198,42 @@ namespace Biface
     LinearSolverResult
     factorize(Pencil &pencil, const double shift);
 
-    /** Solve such a system without the part of low rank and free motions that
-     * interpolation resists. */
+    /** Solve a system with the shifted matrix, without its part of low rank and
+     * without Deflation, on vectors that are orthogonal to the null space. */
     LinearSolverResult
     solve_pinned(const Pencil      &pencil,
                  LA::Vector        &x,
                  const LA::Vector  &b,
                  const LinearSystem system);
 
-    /** Solve such a system, or the transposed one. */
+    /** Solve a system with @f$\mathbf K_0-\sigma\mathbf G@f$, or with its
+     * transpose, on the vectors to which Deflation restricts it. */
     bool
     solve(const Pencil      &pencil,
           LA::Vector        &x,
           const LA::Vector  &b,
           const LinearSystem system = LinearSystem::original);
 
-    /** An estimate of the lowest position; not set if there is none. */
+    /** An estimate of the lowest position s; not set if there is none. */
     std::optional<double>
     estimate_lowest(Pencil &pencil, BucklingModes &result);
 
-    /** The next positions above the shift, with right or left eigenvectors. */
+    /** The next positions s above the shift, with right or left
+     * eigenvectors. */
     Eigenpairs
     find_above_shift(Pencil            &pencil,
                      const unsigned int n,
                      const LinearSystem system = LinearSystem::original);
 
-    /** The left eigenvectors for right ones, with the factors at hand.
+    /** The left eigenvectors of the pairs @p right, with the factors at hand.
      * @param n the number of eigenvalues among which they are sought. */
     std::vector<Eigenpair>
     find_left(Pencil                       &pencil,
               const std::vector<Eigenpair> &right,
               const unsigned int            n);
 
-    /** Keep the pairs with a real positive value, in whose shapes the loads
-     * soften the shell. */
+    /** Keep the pairs with a real positive eigenvalue, in whose shapes the
+     * loads soften the shell. */
     void
     keep_buckling(const Pencil &pencil, std::vector<Eigenpair> &pairs) const;
 
@@ -241,7 +245,7 @@ namespace Biface
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;
     HeldTangent          tangent;
-    /** Arbitrary displacements. */
+    /** Arbitrary displacements, the start of the iterations for eigenvalues. */
     const LA::Vector        start;
     std::vector<LA::Vector> fields;
   };

@@ -45,7 +45,7 @@ namespace Biface
   class CondensedContact
   {
   public:
-    /** No factors, and no points. The objects are kept by reference. */
+    /** Start without factors and points. The objects are kept by reference. */
     CondensedContact(const EquationSystem     &equations,
                      const ContactInteraction &contact,
                      LinearSolver             &solver);
@@ -55,7 +55,7 @@ namespace Biface
     void
     restart(const State &state);
 
-    /** Whether points are not too many to be added. */
+    /** Whether there is room for more points: for not more than 64 in all. */
     bool
     has_room_for(const std::vector<ContactPoint> &added) const
     {
@@ -102,7 +102,8 @@ namespace Biface
       std::vector<std::pair<unsigned int, double>> gradient;
       double                                       clearance = 0;
       double                                       stiffness = 0;
-      /** @f$\mathbf K^{-1}@f$ times the forces. */
+      /** The displacements @f$\mathbf K^{-1}@f$ times the forces of a unit
+       * multiplier at the point (locally owned entries). */
       LA::Vector answer;
     };
 
@@ -116,7 +117,8 @@ namespace Biface
         const std::vector<ContactPoint> &added,
         LA::Vector                      *system = nullptr);
 
-    /** Those of the points that touch.
+    /** The points that touch, as a flag for each point, by the primal-dual
+     * active set method; none if it does not converge.
      * @param clearances those that the shell would have without them. */
     std::optional<std::vector<char>>
     touching(const std::vector<double> &clearances) const;
@@ -126,7 +128,8 @@ namespace Biface
     static double
     motion(const Point &point, const LA::Vector &displacement);
 
-    /** @f$\mathbf C+\mathbf I/\varepsilon@f$ of some of the points. */
+    /** The matrix @f$\mathbf C+\mathbf I/\varepsilon@f$ of some of the
+     * points. */
     dealii::FullMatrix<double>
     compliance_of(const std::vector<unsigned int> &selected) const;
 
@@ -135,14 +138,14 @@ namespace Biface
     LinearSolver                   &solver;
     const std::vector<ContactPoint> all_points;
 
-    /** That of the factors, if there are any. */
+    /** The active set in the matrix of the factors, if there are any. */
     std::optional<ActiveSet> base;
-    /** Corrections share them. */
+    /** The points added since restart(), shared with corrections. */
     std::vector<std::shared_ptr<const Point>> points;
     std::map<ContactPoint, unsigned int>      positions;
-    /** The matrix C, row by row. */
+    /** The matrix C, row by row, for all points. */
     std::vector<std::vector<double>> compliance;
-    /** The points that are in contact at present. */
+    /** The positions of the points in contact at present. */
     std::vector<unsigned int> in_contact;
   };
 } // namespace Biface

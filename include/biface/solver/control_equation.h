@@ -15,7 +15,7 @@ namespace Biface
   /** The load parameters @f$\mu_i@f$, on which the loads of a step depend. */
   using LoadParameters = std::vector<double>;
 
-  /** Add a multiple of changes of the same number of parameters. */
+  /** Add a multiple of changes to the same number of load parameters. */
   inline void
   add(LoadParameters       &parameters,
       const double          factor,
@@ -51,23 +51,24 @@ namespace Biface
       const ContactInteraction &contact;
       const State              &state;
       const Loads              &loads;
-      /** Change of the displacements since the start of the step. */
+      /** The change of the displacements since the start of the step. */
       const LA::Vector &total;
       /** The number of negative pivots of the tangent, if the linear solver
        * counts them. */
       std::optional<unsigned int> n_negative_pivots;
     };
 
-    /** All @f$d\mu_i@f$ of this iteration; not finite if the equations do not
-     * depend on the loads.
+    /** The changes @f$d\mu_i@f$ of all load parameters in this iteration; not
+     * finite if the equations do not depend on the loads.
      * @param dV_q one for each parameter. */
     virtual LoadParameters
     parameter_changes(const Iteration               &iteration,
                       const LA::Vector              &dV_R,
                       const std::vector<LA::Vector> &dV_q) const = 0;
 
-    /** The same for equations that are slightly different at @p iteration, as
-     * their linearization at @p about says, to which the directions belong. */
+    /** The changes @f$d\mu_i@f$ for equations that are slightly different at
+     * @p iteration, as their linearization at @p about says, to which the
+     * directions belong. */
     virtual LoadParameters
     parameter_changes_about(const Iteration & /*about*/,
                             const Iteration               &iteration,
@@ -111,7 +112,8 @@ namespace Biface
     explicit ControlEquation(const LoadRates &rates) : ControlEquations({rates})
     {}
 
-    /** See parameter_changes(). */
+    /** The change @f$d\mu@f$ of the load parameter in this iteration, see
+     * parameter_changes(). */
     virtual double
     parameter_change(const Iteration  &iteration,
                      const LA::Vector &dV_R,

@@ -12,7 +12,7 @@ namespace Biface
   {
     /** The iteration neither converged nor diverged. */
     too_many_iterations,
-    /** It diverged or became NaN. */
+    /** The iteration diverged or became NaN. */
     divergence,
     /** The active set is cycling. */
     contact_cycle,
@@ -28,6 +28,7 @@ namespace Biface
   };
 
 
+  /** A failure of a step. */
   struct Failure
   {
     FailureCause cause = FailureCause::too_many_iterations;
@@ -36,8 +37,8 @@ namespace Biface
   };
 
 
-  /** Possible remedies, as part of a sentence that names entries of the
-   * parameter file.
+  /** Possible remedies for a failure, as part of a sentence that names entries
+   * of the parameter file.
    * @param in_contact whether the stage has contact. */
   std::string
   advice(const FailureCause cause, const bool in_contact);

@@ -44,13 +44,13 @@ namespace Biface
 
     ~HeldTangent();
 
-    /** The tangent of the shell without the bodies, or with them if it rolls
-     * with friction. The last assembly of the equations is lost. */
+    /** Compute the tangent of the shell without the bodies, or with them if it
+     * rolls with friction. The last assembly of the equations is lost. */
     void
     assemble(const State &state, const Loads &loads, LA::SparseMatrix &K);
 
-    /** Add what holds the nodes in contact, if there are bodies, and if
-     * assemble() has not. */
+    /** Add the stiffness that holds the nodes in contact, if there are bodies,
+     * and if assemble() has not. */
     void
     hold(const State &state, const Loads &loads, LA::SparseMatrix &K);
 
@@ -60,7 +60,7 @@ namespace Biface
     free_motions(const State &state, const Loads &loads);
 
     /** The motions among free_motions() that loads and reactions do not resist,
-     * either, as a rotation of an unloaded shell.
+     * either, such as a rotation of an unloaded shell.
      * @param K the tangent of the equilibrium. */
     std::vector<RigidMotion>
     neutral_motions(const State            &state,
@@ -71,12 +71,12 @@ namespace Biface
     static Loads
     without_bodies(const Loads &loads);
 
-    /** Whether what assemble() gave for these loads is symmetric, see
-     * ShellEquations::is_symmetric(). */
+    /** Whether the tangent that assemble() gave for these loads is symmetric,
+     * see ShellEquations::is_symmetric(). */
     bool
     is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const;
 
-    /** Whether loads alone can make it unsymmetric, see
+    /** Whether loads alone can make the tangent unsymmetric, see
      * ShellEquations::is_symmetric_but_for_loads(). */
     bool
     is_symmetric_but_for_loads(const Loads &loads) const;
@@ -89,7 +89,7 @@ namespace Biface
     ShellEquations           &equations;
     const ContactInteraction &contact;
     dealii::TimerOutput      &timer;
-    /** Kept for its pattern. */
+    /** The matrix of stiffness_of_contact(), kept for its pattern. */
     std::unique_ptr<TangentMatrix> of_contact;
   };
 

@@ -26,10 +26,11 @@ namespace Biface
   class LowRankStiffness
   {
   public:
-    /** The rank 0. */
+    /** A part of rank 0. */
     LowRankStiffness() = default;
 
-    /** @param state, loads an equilibrium; its foundation does not matter. */
+    /** The part at an equilibrium.
+     * @param state, loads an equilibrium; its foundation does not matter. */
     LowRankStiffness(const EquationSystem &equations,
                      const State          &state,
                      const Loads          &loads);
@@ -44,13 +45,13 @@ namespace Biface
     bool
     is_symmetric() const;
 
-    /** Add a multiple of the product with @p x. */
+    /** Add a multiple of the product of the part with @p x. */
     void
     vmult_add(LA::Vector       &product,
               const LA::Vector &x,
               const double      factor = 1) const;
 
-    /** Likewise with the transposed part. */
+    /** Add a multiple of the product of the transposed part with @p x. */
     void
     Tvmult_add(LA::Vector       &product,
                const LA::Vector &x,
@@ -79,22 +80,25 @@ namespace Biface
     void
     correct(LA::Vector &x, const LA::Vector *supports = nullptr) const;
 
-    /** The number of negative eigenvalues of the sum from those of the matrix,
-     * which is symmetric; none if the part is not, or is not prepared. */
+    /** The number of negative eigenvalues of the sum from the number of those
+     * of the matrix, which is symmetric; none if the part is not, or is not
+     * prepared. */
     std::optional<unsigned int>
     n_negative(const unsigned int of_matrix) const;
 
   private:
     struct Part
     {
-      /** The columns of @f$\mathbf F@f$ and @f$\mathbf G@f$. */
+      /** A column of @f$\mathbf F@f$ and of @f$\mathbf G@f$. */
       LA::Vector forces, gradient;
-      /** The latter with its entries at supports. */
+      /** The gradient with its entries at supports. */
       LA::Vector gradient_with_supports;
-      /** @f$\mathbf K^{-1}@f$ times the forces, see prepare(). */
+      /** The displacements @f$\mathbf K^{-1}@f$ times the forces, see
+       * prepare(). */
       LA::Vector solution;
 
-      /** The factor d in @f$\mathbf f=d\,\mathbf g@f$, if they are parallel. */
+      /** The factor d in @f$\mathbf f=d\,\mathbf g@f$ of forces and gradient,
+       * if they are parallel. */
       double
       proportion() const
       {

@@ -27,13 +27,13 @@ namespace Biface
    * \Re(\boldsymbol\varphi\,e^{i\omega t})@f$. */
   struct VibrationMode
   {
-    /** @f$\omega@f$, whose real part is not negative. Imaginary for modes in
-     * which the shell does not return, complex for those that grow or decay
-     * while they oscillate. */
+    /** The frequency @f$\omega@f$, whose real part is not negative: imaginary
+     * for modes in which the shell does not return, complex for those that grow
+     * or decay while they oscillate. Unit: 1/time. */
     std::complex<double> omega;
 
-    /** @f$\boldsymbol\varphi@f$, or its real part, with the entries of all
-     * nodes of this rank; the largest displacement of a face is 1. */
+    /** The shape @f$\boldsymbol\varphi@f$, or its real part, with the entries
+     * of all nodes of this rank; the largest displacement of a face is 1. */
     LA::Vector shape;
 
     /** The imaginary part of @f$\boldsymbol\varphi@f$, a quarter of a period
@@ -48,7 +48,8 @@ namespace Biface
      * it was not wanted or does not exist. */
     Eigenpair left;
 
-    /** @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$. Unit: mass. */
+    /** The modal mass @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$.
+     * Unit: mass. */
     double mass = 0;
 
     /** The participation factors of the translations along x, y and z,
@@ -61,21 +62,21 @@ namespace Biface
      * WaveNumbers::travel is in the direction in which the wheel turns. */
     std::optional<WaveNumbers> waves;
 
-    /** @f$\omega^2@f$ */
+    /** The square @f$\omega^2@f$, an eigenvalue of a standing shell. */
     std::complex<double>
     square() const
     {
       return omega * omega;
     }
 
-    /** @f$\Re\omega/2\pi@f$. Unit: 1/time. */
+    /** The frequency @f$\Re\omega/2\pi@f$. Unit: 1/time. */
     double
     frequency() const;
 
-    /** The rate at which the amplitude grows, @f$-\Im\omega@f$: zero in a
-     * stable equilibrium with a symmetric tangent. Of a complex pair, one mode
-     * grows and the other decays; of a standing shell with imaginary
-     * @f$\omega@f$, the rate of the one that grows. Unit: 1/time. */
+    /** The rate @f$-\Im\omega@f$ at which the amplitude grows: zero in a stable
+     * equilibrium with a symmetric tangent. Of a complex pair, one mode grows
+     * and the other decays; of a standing shell with imaginary @f$\omega@f$,
+     * the rate of the mode that grows. Unit: 1/time. */
     double
     growth_rate() const;
 
@@ -87,8 +88,8 @@ namespace Biface
     }
   };
 
-  /** @f$\omega@f$ of a mode by @f$\omega^2@f$: with a real part that is not
-   * negative, or if there is none, that of the mode that grows. */
+  /** The frequency @f$\omega@f$ from @f$\omega^2@f$: with a real part that is
+   * not negative, or if there is none, that of the mode that grows. */
   std::complex<double>
   omega_of(const std::complex<double> &square);
 
@@ -99,8 +100,8 @@ namespace Biface
     bool success = false;
     /** The reason of a failure, as part of a sentence. */
     std::string message;
-    /** In ascending order of @f$\Re\omega^2@f$, or of @f$|\omega|@f$ if the
-     * shell rolls or spins. */
+    /** The modes in ascending order of @f$\Re\omega^2@f$, or of @f$|\omega|@f$
+     * if the shell rolls or spins. */
     std::vector<VibrationMode> modes;
     /** The rigid motions that nothing resists, whose frequency is zero: see
      * HeldTangent::neutral_motions(). */
@@ -175,8 +176,8 @@ namespace Biface
     LinearSolverResult
     factorize(Problem &problem) const;
 
-    /** The eigenpairs closest to the shift with the factors at hand, or those
-     * of the transposed problem.
+    /** The eigenpairs closest to the shift, of the problem or of the transposed
+     * one, with the factors at hand.
      * @param linear the last result of the linear solver. */
     Eigenpairs
     nearest(const Problem      &problem,
@@ -188,21 +189,25 @@ namespace Biface
     Eigenpairs
     lowest(Problem &problem, const unsigned int n) const;
 
-    /** An estimate of the largest eigenvalue. */
+    /** An estimate of the largest eigenvalue @f$\omega^2@f$ of the modes, from
+     * the diagonals of @p K and of the mass matrix. */
     double
     largest_eigenvalue(const LA::SparseMatrix &K) const;
 
-    /** Whether an eigenvalue is smaller than the round-off of @p K. */
+    /** Whether an eigenvalue is smaller than the round-off of @p K in its
+     * vector. */
     bool
     is_zero(const LA::SparseMatrix     &K,
             const std::complex<double> &eigenvalue,
             const LA::Vector           &vector) const;
 
-    /** @param pair with @f$\omega@f$ for the eigenvalue. */
+    /** The mode of an eigenpair, in which the value is @f$\omega@f$.
+     * @param pair with @f$\omega@f$ for the eigenvalue. */
     VibrationMode
     finish(const Eigenpair &pair, const Loads &loads) const;
 
-    /** The left eigenvectors for right ones, with the factors at hand. */
+    /** The left eigenvectors of the pairs @p right, with the factors at
+     * hand. */
     std::vector<Eigenpair>
     find_left(const Problem                &problem,
               const std::vector<Eigenpair> &right) const;
@@ -214,12 +219,14 @@ namespace Biface
     HeldTangent               tangent;
     const MassMatrix          mass;
 
-    /** The inertia of the six rigid motions, then of arbitrary displacements,
-     * each for a unit of @f$\mathbf r^T\mathbf M\mathbf r@f$. */
+    /** The fields by which settle() chooses modes: the inertia
+     * @f$\mathbf M\mathbf r@f$ of the six rigid motions, then of arbitrary
+     * displacements, each for a unit of @f$\mathbf r^T\mathbf M\mathbf r@f$. */
     std::vector<LA::Vector> fields;
-    /** The inertia of the translations. */
+    /** The inertia @f$\mathbf M\mathbf r@f$ of the translations along x, y and
+     * z. */
     std::vector<LA::Vector> translations;
-    /** Arbitrary displacements. */
+    /** Arbitrary displacements, the start of the iterations for eigenvalues. */
     LA::Vector start;
   };
 

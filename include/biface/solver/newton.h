@@ -36,18 +36,19 @@ namespace Biface
   {
     bool         converged  = false;
     unsigned int iterations = 0;
-    /** The reason if it did not converge. */
+    /** The reason of a failure, if the iteration did not converge. */
     Failure failure;
-    /** Whether it was stopped on request. */
+    /** Whether the iteration was stopped on request. */
     bool stopped = false;
-    /** Relative residuals before each iteration and after the last. */
+    /** The relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
     /** The number of negative pivots of the last tangent that was factorized,
      * with the gas, if it was symmetric and the linear solver counts them: the
      * number of unstable directions of this equilibrium, or of an iterate close
      * to it. */
     std::optional<unsigned int> n_negative_pivots;
-    /** See LinearSolverResult. */
+    /** Whether the negative pivots are those of the tangent, see
+     * LinearSolverResult::pivots_are_exact. */
     bool pivots_are_exact = false;
 
     std::optional<unsigned int>
@@ -63,7 +64,7 @@ namespace Biface
       pivots_are_exact  = true;
     }
 
-    /** Whether another attempt may help. */
+    /** Whether it has failed, so that another attempt may help. */
     bool
     failed() const
     {
@@ -102,8 +103,8 @@ namespace Biface
       check() const;
     };
 
-    /** Whether to stop; called on all ranks, which must obtain the same
-     * answer. */
+    /** A function that says whether to stop; called on all ranks, which must
+     * obtain the same answer. */
     using Stop = std::function<bool()>;
 
     /** The objects are kept by reference.
@@ -153,13 +154,14 @@ namespace Biface
     void
     assemble(Iterate &iterate);
 
-    /** Without friction, choose the active set of the first iteration by the
-     * linearized equations, among the points in which the set of the initial
-     * guess differs from that of the last step; see CondensedContact. */
+    /** Choose the active set of the first iteration, if there is no friction,
+     * by the linearized equations, among the points in which the set of the
+     * initial guess differs from that of the last step; see
+     * CondensedContact. */
     void
     choose_active_set(Iterate &iterate);
 
-    /** Compute a tangent that was left out. */
+    /** Compute the tangent that assemble() left out. */
     void
     complete(Iterate &iterate);
 

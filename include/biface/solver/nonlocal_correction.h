@@ -23,18 +23,20 @@ namespace Biface
   class NonlocalCorrection
   {
   public:
-    /** Solves a system with the tangent. */
+    /** A function that solves a system with the tangent. */
     using Solve =
       std::function<LinearSolverResult(LA::Vector &x, const LA::Vector &b)>;
 
-    /** @param equations kept by reference.
+    /** Prepare for the state of the last assembly.
+     * @param equations kept by reference.
      * @param tolerance the residual relative to the right hand side. */
     NonlocalCorrection(const EquationSystem &equations,
                        const State          &state,
                        const Solve          &solve,
                        const double          tolerance);
 
-    /** @param x the solution with @f$\mathbf K@f$, with the displacements that
+    /** Correct the solution of a system.
+     * @param x the solution with @f$\mathbf K@f$, with the displacements that
      * supports prescribe.
      * @param b the right hand side.
      * @return the failure, if any. Must be called on all ranks. */

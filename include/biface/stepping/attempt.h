@@ -24,12 +24,12 @@ namespace Biface
     /** How often rolling and the conduction of heat were computed in turn, see
      * RollingHeat::Iteration. */
     unsigned int n_heat_rounds = 0;
-    /** Whether it has left the path for another branch. */
+    /** Whether the attempt has left the path for another branch. */
     bool to_branch = false;
   };
 
 
-  /** Where Newton's method starts. */
+  /** The state and load parameters from which Newton's method starts. */
   struct InitialGuess
   {
     State          state;
@@ -50,7 +50,7 @@ namespace Biface
                const NewtonIteration                       iteration,
                const std::shared_ptr<const TangentialLaw> &law);
 
-  /** Likewise with the law of the stage. */
+  /** Attempt a step by Newton's method with the tangential law of the stage. */
   inline Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,

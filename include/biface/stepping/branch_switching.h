@@ -11,7 +11,7 @@
 
 namespace Biface
 {
-  /** Attempt a step to the other branch at a bifurcation, where the last step
+  /** Attempt a step to the other branch at the bifurcation where the last step
    * ended, see Progress::branch.
    * @param trial the next step; that to the branch if it is found.
    * @return none if the branch is not found. */

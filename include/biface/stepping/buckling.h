@@ -25,9 +25,9 @@ namespace Biface
   /** The prediction of buckling at the end of a stage. */
   struct Buckling
   {
-    /** In ascending order of the factor. */
+    /** The modes in ascending order of their factors. */
     std::vector<BucklingMode> modes;
-    /** For each of the modes. */
+    /** The critical loads of each of the modes. */
     std::vector<CriticalLoads> loads;
   };
 
@@ -38,7 +38,7 @@ namespace Biface
   change_of(const LoadLevel &before, const LoadLevel &after);
 
 
-  /** An equilibrium before that at the end of a stage. Kept by reference. */
+  /** An equilibrium before the end of a stage, kept by reference. */
   struct EarlierEquilibrium
   {
     const State     &state;
@@ -54,8 +54,9 @@ namespace Biface
   };
 
 
-  /** The equilibrium before the last step or, in linear strain theory, that at
-   * the start of the stage, whose tangent is that of the stage.
+  /** The equilibrium from which buckling at the end of a stage is predicted:
+   * that before the last step or, in linear strain theory, that at the start of
+   * the stage, whose tangent is the tangent of the stage.
    * @param now the end of the stage.
    * @param start the loads at the start of the stage.
    * @param before_step the equilibrium before the last step.

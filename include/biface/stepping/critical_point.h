@@ -18,11 +18,11 @@ namespace Biface
   struct CriticalPoint
   {
     unsigned int n_negative_before = 0, n_negative_after = 0;
-    /** Whether the step ends at the point, by bisection. */
+    /** Whether the step ends at the point, which bisection has found. */
     bool located = false;
     /** The loads at the end of the step. */
     CriticalLoads loads;
-    /** The shape at the end of the step. */
+    /** The critical shape at the end of the step. */
     BucklingMode mode;
 
     /** Whether the loads work on the critical shape: the path turns back in the
@@ -44,8 +44,8 @@ namespace Biface
   };
 
 
-  /** The part of a shape in the displacements remains as it is at the start of
-   * the iteration, which therefore stays on a branch. */
+  /** The equation that the part of a shape in the displacements remains as it
+   * is at the start of the iteration, which therefore stays on a branch. */
   class ShapeEquation : public ControlEquation
   {
   public:

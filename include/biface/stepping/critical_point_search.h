@@ -73,9 +73,9 @@ namespace Biface
              const bool         located);
 
   private:
-    /** Whether those after an attempt are to be counted for the symmetric part
-     * of a tangent that loads make unsymmetric, which Newton's method does not
-     * do. */
+    /** Whether the negative pivots after an attempt are to be counted for the
+     * symmetric part of a tangent that loads make unsymmetric, which Newton's
+     * method does not do. */
     bool
     counts_symmetric_part(const StageRun &run, const Attempt &attempt) const;
 

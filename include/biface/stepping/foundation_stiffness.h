@@ -12,12 +12,13 @@
 
 namespace Biface
 {
-  /** What the foundation exerts on the shell where it stands. */
+  /** The force and moment that the foundation exerts on the shell, and the
+   * level of loads at which it does. */
   struct FoundationReaction
   {
     LoadLevel            level;
     dealii::Tensor<1, 3> force;
-    /** About the origin. */
+    /** The moment about the origin. Unit: force times length. */
     dealii::Tensor<1, 3> moment;
 
     template <class Archive>
@@ -46,13 +47,14 @@ namespace Biface
     Motion motion = Motion::approach;
     /** A unit vector along the motion, or along the axis of the turn. */
     dealii::Tensor<1, 3> direction;
-    /** How far the foundation moves along it. Unit: length, or degrees. */
+    /** The distance or angle by which the foundation moves. Unit: length, or
+     * degrees. */
     double amount = 0;
-    /** Per unit of the motion. */
+    /** The change of force and moment per unit of the motion. */
     dealii::Tensor<1, 3> force, moment;
 
-    /** The component along the motion: of the force or, for a turn, of the
-     * moment. */
+    /** The component of the stiffness along the motion: that of the force or,
+     * for a turn, of the moment. */
     double
     along() const
     {
@@ -64,11 +66,11 @@ namespace Biface
   /** The stiffness of a step of a stage. */
   struct StepStiffness
   {
-    /** At the start of the stage. */
+    /** The reaction of the foundation at the start of the stage. */
     FoundationReaction loaded;
-    /** From the start of the stage to the end of the step. */
+    /** The stiffness from the start of the stage to the end of the step. */
     FoundationStiffness secant;
-    /** From the start of the step to its end. */
+    /** The stiffness from the start of the step to its end. */
     FoundationStiffness tangent;
   };
 

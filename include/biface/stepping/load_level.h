@@ -24,7 +24,8 @@ namespace Biface
 
     /** The travel since the foundation first touched the shell. */
     Value<double> travel{};
-    /** See RigidBody::displaced(); the turn is in degrees. */
+    /** The slide and the turn of the foundation, see RigidBody::displaced();
+     * the turn is in degrees. */
     Value<dealii::Tensor<1, 3>> slide{};
     Value<double>               turn{};
     /** The angle by which the wheel has turned on the foundation, in degrees,
@@ -78,8 +79,8 @@ namespace Biface
   }
 
 
-  /** The same loads with at least @p n factors: those of loads that had none of
-   * their own are the common one. */
+  /** A level with at least @p n factors: loads that had no factor of their own
+   * take the common one. */
   template <class Level>
   Level
   with_factors(const Level &level, const std::size_t n)
@@ -125,12 +126,12 @@ namespace Biface
   };
 
 
-  /** The loads and the components of motions. */
+  /** The values of all loads and of the components of all motions. */
   std::vector<double>
   numbers_of(const LoadLevel &level);
 
-  /** The part of a change of the loads that a level has reached, by the first
-   * load that changes; NaN if none does. */
+  /** The part of the change of the loads from start to end that a level has
+   * reached, by the first load that changes; NaN if none does. */
   double
   part_of_loads(const LoadLevel &start,
                 const LoadLevel &reached,
@@ -143,7 +144,7 @@ namespace Biface
                 const LoadLevel &second,
                 const double     position);
 
-  /** The changes of the factors between two levels. */
+  /** The changes of the load factors between two levels. */
   std::vector<double>
   change_of_factors(const LoadLevel &before, const LoadLevel &after);
 

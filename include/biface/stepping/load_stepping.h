@@ -34,18 +34,18 @@ namespace Biface
   struct LoadSteppingResult
   {
     bool success = true;
-    /** What happened, if a step failed after all attempts. */
+    /** The reason of a failure, if a step failed after all attempts. */
     std::string message;
-    /** Whether it was stopped on request, which is not a success. */
+    /** Whether the run was stopped on request, which is not a success. */
     bool stopped = false;
-    /** The cause, if a step failed after all attempts. */
+    /** The cause of a failure, if a step failed after all attempts. */
     FailureCause cause      = FailureCause::too_many_iterations;
     bool         in_contact = false;
     /** The loads of the last converged step, and those at the start of the last
      * attempt beyond it. */
     LoadLevel reached;
     LoadLevel tried;
-    /** The worst strains of the last converged step, if a step failed. */
+    /** The worst strains of the last converged step, if a later step failed. */
     std::optional<WorstStrains> worst;
     /** The number of negative pivots of the last tangent of the failed step, if
      * the solver counts them. */
@@ -68,7 +68,8 @@ namespace Biface
     {
       Control::Parameters control;
       bool                predict = true;
-      /** In all attempts at a step, after which it is not halved again. */
+      /** The maximum number of iterations in all attempts at a step, after
+       * which it is not halved again. */
       unsigned int max_iterations = 150;
       /** The stage after which the run ends; the last one at the latest. */
       unsigned int last_stage = dealii::numbers::invalid_unsigned_int;
@@ -77,7 +78,7 @@ namespace Biface
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Called after every converged step. */
+    /** A function that is called after every converged step. */
     using Observer = std::function<void(const StepReport &, const State &)>;
 
     /** All objects are kept by reference.
@@ -120,26 +121,29 @@ namespace Biface
           Progress                 &progress,
           State                    &state);
 
-    /** @param before the position of the stage from whose end it starts. */
+    /** Start a stage and what accompanies it.
+     * @param before the position of the stage from whose end it starts. */
     void
     start_stage(StageRun &run, const std::optional<unsigned int> &before);
 
-    /** A converged step, halved as often as needed.
+    /** Take a converged step, halved as often as needed.
      * @return its report or the failure. */
     std::variant<StepReport, LoadSteppingResult>
     next_step(StageRun &run);
 
-    /** An attempt at the step that the control proposes, along another branch
-     * if the last one ended at a bifurcation and it is to be followed.
+    /** Attempt the step that the control proposes, along another branch if the
+     * last one ended at a bifurcation and it is to be followed.
      * @param trial the step. */
     Attempt
     try_proposed_step(StageRun &run, Control::Trial &trial);
 
-    /** An attempt from the last converged state, and others if it fails. */
+    /** Attempt a step from the last converged state, in other ways if that
+     * fails. */
     Attempt
     try_step(const StageRun &run, const Control::Trial &trial);
 
-    /** @param secant whether to use the secant predictor if a coarser mesh does
+    /** The initial guess of a step, from the coarser mesh if there is one.
+     * @param secant whether to use the secant predictor if a coarser mesh does
      * not help. */
     InitialGuess
     predict(const StageRun       &run,
@@ -159,12 +163,12 @@ namespace Biface
     StepReport
     accept(StageRun &run, const Control::Trial &trial, Attempt &attempt);
 
-    /** A failure of the stage without its reason.
+    /** The description of a failure of the stage without its reason.
      * @param tried the loads of the last attempt. */
     LoadSteppingResult
     failure_at(const StageRun &run, const LoadLevel &tried) const;
 
-    /** A failure of a step with its reason.
+    /** The description of a failure of a step with its reason.
      * @param n_cuts, n_iterations in all attempts. */
     LoadSteppingResult
     failure_of(const StageRun       &run,
@@ -182,7 +186,8 @@ namespace Biface
     const StageAnalyses         analyses;
     CriticalPointSearch         critical_points;
     dealii::ConditionalOStream &out;
-    /** False in a stage once the coarser mesh has misled one of its steps. */
+    /** Whether predictions of the coarser mesh are used: not for the rest of a
+     * stage in which they have misled a step. */
     bool trust_nested = true;
 
     /** The forces on the nodes at the end of the last step; null in the first

@@ -27,10 +27,10 @@ namespace Biface
   class NestedPredictor
   {
   public:
-    /** Without a coarser mesh: predicts nothing. */
+    /** A predictor without a coarser mesh, which predicts nothing. */
     NestedPredictor() = default;
 
-    /** At the start, before any stage. */
+    /** A predictor at the start of a run, before any stage. */
     NestedPredictor(const ChartGrid          &coarse,
                     const unsigned int        n_layers,
                     const std::vector<Stage> &stages);
@@ -56,16 +56,15 @@ namespace Biface
     struct Mean
     {
       const GridState *before, *after;
-      /** The weight of the latter. */
+      /** The weight of the state @p after, from 0 to 1. */
       double weight;
     };
 
-    /** @return null pointers if the coarser mesh has not reached the
-     * instant. */
+    /** The state of the coarser mesh at an instant. */
     Mean
     at(const Instant &instant) const;
 
-    /** Not set without a coarser mesh. */
+    /** The unloaded state of the coarser mesh; not set without one. */
     std::optional<GridState>     undeformed;
     std::vector<Stage>           stages;
     std::map<Instant, GridState> states;

@@ -30,25 +30,28 @@ namespace Biface
     bool         stage_begun = false;
     /** The loads of the last converged step. */
     LoadLevel reached;
-    /** See ContactPair::touching_travel(), at the start of the first
-     * stage with contact, or of the first one after a prestress. */
+    /** The travel at which the foundation touches the shell at the start of the
+     * first stage with contact, or of the first one after a prestress, see
+     * ContactPair::touching_travel(). */
     std::optional<double> touching_travel;
-    /** See ContactPair::touched_point(), at the same time. */
+    /** The point of the shell that the foundation touches first, at the same
+     * time as the touching travel, see ContactPair::touched_point(). */
     dealii::Point<3> touched_point;
     /** The load factors in the shape from which displacements count: 0, or
      * those at the start of the last stage from a prestress. Prescribed
      * displacements are proportional to what exceeds them. */
     std::vector<double> factors_of_shape = {0};
 
-    /** In all steps, or in those since the last start from a prestress. */
+    /** The work in all steps, or in those since the last start from a
+     * prestress. */
     Work work;
 
-    /** What the foundation exerts, and did at the start of the stage; not set
-     * if there was no foundation. */
+    /** The forces and moments that the foundation exerts now, and at the start
+     * of the stage; not set if there was no foundation. */
     std::optional<FoundationReaction> reaction, first_reaction;
 
-    /** At the end of the last stage that ended in free rolling, see
-     * Biface::free_rolling_radius(). */
+    /** The rolling radius at the end of the last stage that ended in free
+     * rolling, see Biface::free_rolling_radius(). */
     std::optional<double> free_rolling_radius;
 
     /** The number of negative pivots of the tangent of the last converged
@@ -60,7 +63,8 @@ namespace Biface
      * otherwise empty. */
     LA::Vector branch;
 
-    /** See Control::Equilibrium. */
+    /** The change of the unknowns in the last step, see
+     * Control::Equilibrium. */
     LA::Vector last_change;
 
     /** The stages that have failed, by position, and why: the run has gone on
@@ -72,14 +76,15 @@ namespace Biface
 
     SecantPredictor predictor;
 
-    /** Whether a stage has failed and the run has gone on without it. */
+    /** Whether the stage at @p position has failed and the run has gone on
+     * without it. */
     bool
     has_failed(const unsigned int position) const
     {
       return failed_stages.count(position) > 0;
     }
 
-    /** Whether the stages up to this one are complete. */
+    /** Whether the stages up to @p last_stage are complete. */
     bool
     at_end_of(const unsigned int last_stage) const
     {
@@ -87,12 +92,12 @@ namespace Biface
              (stage_begun && stage == last_stage && control.done >= 1);
     }
 
-    /** The current stage with what follows from the stages before, see
+    /** A stage as given, completed by what follows from the stages before, see
      * with_angular_velocity(). */
     Stage
     complete(const Stage &given) const;
 
-    /** Record what later stages need of the end of the current one. */
+    /** Record what later stages need to know of the end of the current one. */
     void
     end_stage(const Stage &ended);
 
@@ -106,7 +111,7 @@ namespace Biface
     void
     change_stage(const Stage &before, const Stage &now);
 
-    /** The numbers; vectors are distributed and stored separately. */
+    /** Archive the numbers; vectors are distributed and stored separately. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -13,8 +13,8 @@
 
 namespace Biface
 {
-  /** All that changes in a run, after a step: stepping continues identically
-   * from a copy. */
+  /** The state and progress after a step, which are all that changes in a run:
+   * stepping continues identically from a copy. */
   struct RestorePoint
   {
     State    state;
@@ -22,8 +22,8 @@ namespace Biface
   };
 
   /** The ends of the stages from which others than the next one start, see
-   * is_branched_from(), by the position of the stage; without what belongs to
-   * the steps of the stage alone, its control and predictor. */
+   * is_branched_from(), by the position of the stage; without the data of the
+   * control and the predictor, which belong to the steps of the stage alone. */
   using StageEnds = std::map<unsigned int, RestorePoint>;
 
   /** The last step of a run with the ends of its stages: all that a restart
@@ -39,8 +39,8 @@ namespace Biface
   struct PerturbedPoints
   {
     std::vector<RestorePoints> runs;
-    /** The positions of stages that they did not follow to the end, see
-     * SensitivityAnalysis::follow(). */
+    /** The positions of stages that the perturbed runs did not follow to the
+     * end, see SensitivityAnalysis::follow(). */
     std::set<unsigned int> lost_stages;
     /** The positions of stages and entries whose runs have not settled. */
     std::set<std::pair<unsigned int, unsigned int>> unsettled{};

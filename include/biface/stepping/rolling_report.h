@@ -9,8 +9,8 @@
 
 namespace Biface
 {
-  /** Adds to the reports of a wheel that rolls how it does: forces in its axes,
-   * powers, the slip ratio. Warns once of a wheel that spins too fast. */
+  /** Adds to the reports of a wheel that rolls: the forces in its axes, the
+   * powers, and the slip ratio. Warns once of a wheel that spins too fast. */
   class RollingReport : public StageAnalysis
   {
   public:

@@ -47,7 +47,7 @@ namespace Biface
     /** The changes in a step. */
     struct Step
     {
-      /** The locally owned entries. */
+      /** The change of the displacements (locally owned entries). */
       LA::Vector                 displacement;
       std::vector<Modes::Vector> resultants;
       LoadParameters             mu;
@@ -67,7 +67,7 @@ namespace Biface
       last = step;
     }
 
-    /** The numbers; vectors are distributed and stored separately. */
+    /** Archive the numbers; vectors are distributed and stored separately. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

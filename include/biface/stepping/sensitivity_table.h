@@ -21,11 +21,12 @@ namespace Biface
     std::vector<Quantity> entries;
     std::vector<Quantity> outputs;
 
-    /** `[entry][output]`: the total derivatives. */
+    /** The total derivatives `[entry][output]` of the outputs by the
+     * entries. */
     std::vector<std::vector<double>> derivatives;
 
-    /** The change of an output in parts of its value by that of an entry in
-     * parts of its value; not a number where the output is zero. */
+    /** The relative change of an output per relative change of an entry; not a
+     * number where the output is zero. */
     double
     logarithmic(const unsigned int entry, const unsigned int output) const;
   };

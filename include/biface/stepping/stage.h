@@ -46,8 +46,8 @@ namespace Biface
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
-    /** The number, from 1, of the stage from whose end this one starts; if not
-     * set, that of the previous stage. See stage_before(). */
+    /** The number, from 1, of the stage from whose end this one starts; not set
+     * for the previous stage. See stage_before(). */
     std::optional<unsigned int> start_from;
     /** Whether to start with the stresses and loads reached so far, but
      * undeformed. */
@@ -64,7 +64,7 @@ namespace Biface
       return start.rolls() || end(start).rolls() || prescribes_axle_moment();
     }
 
-    /** Whether the foundation may move while it is there. */
+    /** Whether the stage has a foundation that may move. */
     bool
     moves_foundation() const
     {
@@ -74,7 +74,8 @@ namespace Biface
       return contact && moves;
     }
 
-    /** @param number the number of the stage, for its default name. */
+    /** Declare the entries of the stage.
+     * @param number the number of the stage, for its default name. */
     void
     add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
 

@@ -23,8 +23,8 @@ namespace Biface
   public:
     virtual ~StageAnalysis() = default;
 
-    /** A stage has started, from the end of the stage at the given position
-     * if there is one. */
+    /** Called when a stage has started, from the end of the stage at the given
+     * position if there is one. */
     virtual void
     start_stage(const StageRun & /*run*/,
                 const std::optional<unsigned int> & /*before*/)
@@ -47,23 +47,24 @@ namespace Biface
       TimeInterval time;
     };
 
+    /** Called after each converged step, before the run accepts its state. */
     virtual void
     follow(const Step & /*step*/)
     {}
 
-    /** After each step. */
+    /** Called after each step, with its report. */
     virtual void
     end_step(const StageRun & /*run*/, StepReport & /*report*/)
     {}
 
-    /** After the last step of a stage. */
+    /** Called after the last step of a stage, with its report. */
     virtual void
     end_stage(const StageRun & /*run*/, StepReport & /*report*/)
     {}
   };
 
 
-  /** In the order in which they add to a report. */
+  /** The analyses of a run, in the order in which they add to a report. */
   using StageAnalyses = std::vector<std::shared_ptr<StageAnalysis>>;
 } // namespace Biface
 

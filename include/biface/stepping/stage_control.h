@@ -25,7 +25,8 @@ namespace Biface
     foundation_force_and_axle_moment
   };
 
-  /** Their names in parameter files. */
+  /** The names of the controls in parameter files, in the order of
+   * ControlKind. */
   const std::vector<std::string> &
   control_names();
 
@@ -35,11 +36,11 @@ namespace Biface
   {
     std::string body;
     BodyMotion  motion;
-    /** At the end of the stage: along the translation of the motion or, without
-     * one, the moment about the axis. */
+    /** The prescribed value at the end of the stage: the force along the
+     * translation of the motion or, without one, the moment about the axis. */
     double force = 0;
 
-    /** As in 'Forces on bodies'. */
+    /** The names of body and motion, as in 'Forces on bodies'. */
     std::string
     name() const
     {
@@ -72,7 +73,8 @@ namespace Biface
     /** The forces on bodies as given, by the names of body and motion.
      * Checkpoints have the following ones. */
     NamedNumbers forces_on_bodies;
-    /** The same with the motions, set by Parameters::assign_load_factors(). */
+    /** The motions found by forces with these forces, set by
+     * Parameters::assign_load_factors(). */
     std::vector<MotionByForce> motions_by_force;
     unsigned int               n_steps = 1;
     /** Whether steps of the loads or the force grow after fast convergence. */
@@ -99,11 +101,12 @@ namespace Biface
       return prescribes_axle_moment() && axle_moment == 0;
     }
 
-    /** See control_names(). */
+    /** The value of 'Control' in parameter files, see control_names(). */
     const std::string &
     control_name() const;
 
-    /** @param section the name of the section of the stage. */
+    /** Declare the entries of the control.
+     * @param section the name of the section of the stage. */
     void
     add_parameters(dealii::ParameterHandler &prm, const std::string &section);
 

@@ -27,7 +27,7 @@ namespace Biface
   }
 
 
-  /** Loads or supports as the entry 'Load factors' names them, with their
+  /** Loads or supports as the entry 'Load factors' names them, each with its
    * factor; not set for 'unchanged'. */
   using NamedFactors =
     std::vector<std::pair<std::string, std::optional<double>>>;
@@ -38,7 +38,8 @@ namespace Biface
   parse_load_factors(const std::string &entry, const std::string &text);
 
 
-  /** Factors at other positions, see StageLoads::positions_in(). */
+  /** The factors at given positions among others, see
+   * StageLoads::positions_in(). */
   template <typename Number>
   std::vector<Number>
   rearranged(const std::vector<Number>       &factors,
@@ -64,11 +65,13 @@ namespace Biface
     std::vector<std::vector<std::string>> names_of_factors = {{}};
     /** Whether the gas that exerts the pressure is sealed in, see Gas. */
     bool sealed = false;
-    /** See ViscousDamping. Unit: force/volume. */
+    /** The viscous damping, a force per area against a motion of 1 over the
+     * whole stage, see ViscousDamping. Unit: force/volume. */
     double damping = 0;
     /** Whether there is a foundation. */
     bool contact = false;
-    /** Instead of the angular velocity, see with_angular_velocity(). */
+    /** The slip ratio at the end of the stage, given instead of the angular
+     * velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
     /** The names of the bodies that are there beside the foundation. */
     std::vector<std::string> bodies;
@@ -77,17 +80,18 @@ namespace Biface
     std::string friction;
     /** Whether the nodes in contact at the start of the stage cannot slip. */
     bool glued = false;
-    /** From which the time at the end of the stage follows. Unit: time. */
+    /** The duration of the stage, from which the time at its end follows. Unit:
+     * time. */
     double duration = 0;
 
-    /** Set the factors: of several names that include a load, the last one
-     * counts.
+    /** Set the factors of all loads: of several names that include a load, the
+     * last one counts.
      * @param names see names_of_factors. */
     void
     set_factors(const std::vector<std::vector<std::string>> &names);
 
-    /** For each of the factors, the position among those of another run that
-     * its loads had there. */
+    /** For each of the factors, its position among those of another run, in
+     * which the same loads had that factor. */
     std::vector<unsigned int>
     positions_in(const StageLoads &other) const;
 
@@ -95,7 +99,8 @@ namespace Biface
     LoadLevel
     end(const LoadLevel &start) const;
 
-    /** @param section the name of the section of the stage. */
+    /** Declare the entries of the loads.
+     * @param section the name of the section of the stage. */
     void
     add_parameters(dealii::ParameterHandler &prm, const std::string &section);
 

@@ -14,11 +14,12 @@ namespace Biface
   enum class CriticalPoints
   {
     ignore,
-    /** Say so after the step. */
+    /** Report the critical point after the step. */
     report,
-    /** End the step there, by bisection. */
+    /** End the step at the critical point, by bisection. */
     locate,
-    /** Likewise, and go on along the other branch at a bifurcation. */
+    /** End the step at the critical point and, if it is a bifurcation, go on
+     * along the other branch. */
     switch_branch
   };
 

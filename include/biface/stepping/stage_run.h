@@ -55,7 +55,7 @@ namespace Biface
       return loads_at(level, law);
     }
 
-    /** Likewise with another tangential law. */
+    /** The loads at a level, with another tangential law of the foundation. */
     Loads
     loads_at(const LoadLevel                            &level,
              const std::shared_ptr<const TangentialLaw> &law) const;
@@ -79,24 +79,27 @@ namespace Biface
 
     const ShellEquations     &equations;
     const ContactInteraction &contact;
-    /** Null if no ply loses energy in rolling. */
+    /** The heat of the plies; null if no ply loses energy in rolling. */
     const RollingHeat *heat;
     Progress          &progress;
     State             &state;
 
-    /** The description, see Progress::complete(). */
+    /** The description of the stage, see Progress::complete(). */
     const Stage                    stage;
     const std::unique_ptr<Control> control;
-    /** See Stage::rolls(). */
+    /** Whether the shell rolls in the stage, see Stage::rolls(). */
     const bool rolls;
-    /** How the foundation holds the nodes sideways, if there is one. */
+    /** The tangential law by which the foundation holds the nodes sideways, if
+     * there is one. */
     const std::shared_ptr<const TangentialLaw> law;
-    /** The same of the bodies that are there, by ContactPair::number. */
+    /** The tangential laws of the bodies that are there, by
+     * ContactPair::number. */
     const std::map<unsigned int, std::shared_ptr<const TangentialLaw>>
       laws_of_bodies;
 
   private:
-    /** The foundation, or a body on it, after the motions of the foundation.
+    /** The place of the foundation, or of a body on it, after the motions of
+     * the foundation.
      * @param body after its travel or its own motions.
      * @param travel what is left of the travel. */
     RigidBody

@@ -10,14 +10,14 @@
 
 namespace Biface
 {
-  /** The position of the stage from whose end that at @p position starts: the
-   * previous one, or the one that it names. None for the first stage, which
+  /** The position of the stage from whose end the stage at @p position starts:
+   * the previous one, or the one that it names. None for the first stage, which
    * starts from the unloaded shell. */
   std::optional<unsigned int>
   stage_before(const std::vector<Stage> &stages, const unsigned int position);
 
-  /** Whether another stage than the next one starts from the end of that at
-   * @p position. */
+  /** Whether another stage than the next one starts from the end of the stage
+   * at @p position. */
   bool
   is_branched_from(const std::vector<Stage> &stages,
                    const unsigned int        position);

@@ -28,12 +28,13 @@ namespace Biface
   struct VibrationModes;
 
 
-  /** A body, other than the foundation, after a step. */
+  /** The contact and the motion of a body, other than the foundation, after a
+   * step. */
   struct BodyReport
   {
     ContactSummary contact;
-    /** The displacement of its 'Point', and its rotation as a vector, in
-     * radians. */
+    /** The displacement of the entry 'Point' of the body, and its rotation as a
+     * vector, in radians. */
     dealii::Tensor<1, 3> displacement, rotation;
   };
 
@@ -46,7 +47,7 @@ namespace Biface
     unsigned int step = 0;
     /** The instant at the end of the step. */
     Instant instant;
-    /** Name of the stage, and whether it has a foundation. */
+    /** The name of the stage, and whether it has a foundation. */
     std::string stage;
     bool        in_contact = false;
     Loads       loads;
@@ -55,17 +56,20 @@ namespace Biface
     /** All loads and motions reached; motions of the foundation are zero
      * without one. */
     LoadLevel level;
-    /** If the wheel rolls over the ground. */
+    /** The forces and powers of a wheel that rolls over the ground; not set
+     * otherwise. */
     std::optional<RollingSummary> rolling;
-    /** Then, if its plies lose energy, their heat; and how often rolling and
-     * conduction were computed in turn. */
+    /** The heat of the plies of a rolling wheel, if they lose energy, and how
+     * often rolling and conduction were computed in turn. */
     std::optional<RollingHeat::Field> heat;
     unsigned int                      n_heat_rounds = 0;
-    /** Then, by node, see Biface::slip_velocities(); otherwise empty. */
+    /** The slip velocities of a rolling wheel by node, see
+     * Biface::slip_velocities(); otherwise empty. */
     std::vector<dealii::Tensor<1, 3>> slip_velocities;
-    /** Then, if free rolling has come before, see Biface::slip_ratio(). */
+    /** The slip ratio of a rolling wheel, if free rolling has come before, see
+     * Biface::slip_ratio(). */
     std::optional<double> slip_ratio;
-    /** See Progress. */
+    /** The work of the loads and of contact, see Progress. */
     Work           work;
     ContactSummary contact;
     Footprint      footprint;
@@ -73,22 +77,24 @@ namespace Biface
     std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */
     std::shared_ptr<const NodalForces> forces;
-    /** Their resultants, see forces_on_shell(). */
+    /** The resultants of the forces on the nodes, see forces_on_shell(). */
     std::vector<ForceOnShell> forces_of_bodies;
-    /** If the foundation alone has moved, in one way, since the start of the
-     * stage. */
+    /** The stiffness against the motion of the foundation, if that alone has
+     * moved, in one way, since the start of the stage. */
     std::optional<StepStiffness> stiffness;
     unsigned int                 iterations = 0;
-    /** Relative residuals before each iteration and after the last. */
+    /** The relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
-    /** See NewtonResult; exact. */
+    /** The exact number of negative pivots, see
+     * NewtonResult::exact_pivots(). */
     std::optional<unsigned int> n_negative_pivots;
     double                      seconds = 0;
-    /** At the end of a stage that asks for them; null if there are none. */
+    /** The results at the end of a stage that asks for them; null if there are
+     * none. */
     std::shared_ptr<const VibrationModes>   modes;
     std::shared_ptr<const Buckling>         buckling;
     std::shared_ptr<const SensitivityTable> sensitivities;
-    /** If the step passed one; else null. */
+    /** The critical point that the step has passed; null if there is none. */
     std::shared_ptr<const CriticalPoint> critical_point;
   };
 } // namespace Biface

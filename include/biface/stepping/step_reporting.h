@@ -10,14 +10,15 @@
 
 namespace Biface
 {
-  /** Set what a report says of the loads and the contact zone of the last
-   * converged state. */
+  /** Set the loads and the contact zone of the last converged state in a
+   * report. */
   void
   report_contact(const StageRun &run, const Loads &loads, StepReport &report);
 
 
-  /** The report of the last converged step, without what an iteration or an
-   * analysis adds. Records the reaction of the foundation in the progress.
+  /** The report of the last converged step, without the results of the
+   * iteration and of analyses. Records the reaction of the foundation in the
+   * progress.
    * @param forces those on the nodes. */
   StepReport
   report_step(const StageRun                           &run,

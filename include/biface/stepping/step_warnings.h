@@ -12,7 +12,7 @@
 
 namespace Biface
 {
-  /** Warns once of states that are not what was meant. */
+  /** Warns once of states that the user has probably not meant. */
   class StepWarnings : public StageAnalysis
   {
   public:
@@ -28,8 +28,8 @@ namespace Biface
     void
     warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
 
-    /** Warn of bodies that are far in the shell between nodes, which alone make
-     * contact: their edges are too sharp for the cells. */
+    /** Warn of bodies that are far in the shell between nodes, where there is
+     * no contact: their edges are too sharp for the cells. */
     void
     warn_of_large_cells(const StageRun &run, const Loads &loads);
 

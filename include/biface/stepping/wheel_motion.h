@@ -20,9 +20,9 @@ namespace Biface
   double
   slip_ratio(const LoadLevel &level, const double free_radius);
 
-  /** A stage with the angular velocity at its end that belongs to its slip
-   * ratio S, if one is given, @f$\Omega=(1+S)\,V\cos\alpha/R@f$ with the
-   * ground velocity V and the slip angle @f$\alpha@f$ at its end.
+  /** A stage with the angular velocity that belongs to its slip ratio S, if one
+   * is given, @f$\Omega=(1+S)\,V\cos\alpha/R@f$ with the ground velocity V and
+   * the slip angle @f$\alpha@f$ at its end.
    * @param start the loads at its start.
    * @param free_radius R, see free_rolling_radius(). */
   Stage
@@ -30,8 +30,8 @@ namespace Biface
                         const LoadLevel             &start,
                         const std::optional<double> &free_radius);
 
-  /** The free rolling radius at the end of a stage that ends in free rolling;
-   * that before, if it does not. */
+  /** The free rolling radius after a stage: that at its end if it ends in free
+   * rolling, otherwise @p before. */
   std::optional<double>
   free_radius_after(const Stage                 &ended,
                     const LoadLevel             &end,

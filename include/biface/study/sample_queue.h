@@ -16,12 +16,12 @@ namespace Biface
   class SampleQueue
   {
   public:
-    /** Must be called on all ranks.
+    /** Create the counter. Must be called on all ranks.
      * @param all all ranks of the study.
      * @param group the ranks of the group of this one. */
     SampleQueue(const MPI_Comm all, const MPI_Comm group);
 
-    /** Must be called on all ranks. */
+    /** Free the counter. Must be called on all ranks. */
     ~SampleQueue();
 
     SampleQueue(const SampleQueue &) = delete;

@@ -26,22 +26,22 @@ namespace Biface
       /** Every combination of the values of the variables; the last variable
        * changes from one sample to the next. */
       grid,
-      /** The k-th value of each variable in the k-th sample. */
+      /** The k-th sample has the k-th value of each variable. */
       list,
       /** Each of n equal parts of the range of a variable contains one of the
        * n samples, at a random position; the parts are combined at random,
        * @cite McKayBeckmanConover1979. */
       latin_hypercube,
-      /** The lines of a CSV file. */
+      /** The samples are the lines of a CSV file. */
       file
     };
 
-    /** The values of a variable. */
+    /** The values given for a variable. */
     struct Values
     {
       std::string         variable;
       std::vector<double> values;
-      /** Whether they are the two ends of a range. */
+      /** Whether the values are the two ends of a range. */
       bool is_range = false;
     };
 
@@ -70,7 +70,7 @@ namespace Biface
     samples(const std::string &folder, const MPI_Comm communicator) const;
 
   private:
-    /** The values of a variable. Throws InputError if there are none. */
+    /** The values given for a variable. Throws InputError if there are none. */
     const Values &
     values_of(const DesignVariable &variable) const;
 

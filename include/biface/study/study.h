@@ -16,7 +16,7 @@
 
 namespace Biface
 {
-  /** What to do with the file of a study. */
+  /** How to run a study, besides its file. */
   struct StudyOptions
   {
     std::string file_name;

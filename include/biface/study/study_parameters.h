@@ -28,10 +28,10 @@ namespace Biface
       };
       Of          of = Of::end;
       std::string result;
-      /** Empty for the run. */
+      /** The name of the stage; empty for the run. */
       std::string stage;
 
-      /** The column of study.csv. */
+      /** The name of the column in study.csv. */
       std::string
       name() const
       {

@@ -19,10 +19,10 @@ namespace Biface
   public:
     static constexpr const char *file_name = "study.csv";
 
-    /** The cells of a row after those of the variables. */
+    /** The cells of a row that follow the values of the variables. */
     struct Results
     {
-      /** Not a number where there is none. */
+      /** The results of the sample; not a number where there is none. */
       std::vector<double> outputs;
       /** The reason of a failure, the status of the row; empty for "ok". */
       std::string  failure;
@@ -31,11 +31,13 @@ namespace Biface
       double       seconds      = 0;
     };
 
-    /** The first column, and those after the variables and outputs. */
+    /** The names of the first column, and of those after the variables and
+     * outputs. */
     static constexpr std::array<const char *, 5> own_columns = {
       {"sample", "status", "steps", "iterations", "seconds"}};
 
-    /** @param directory that of the study.
+    /** The table of the samples in the directory of a study.
+     * @param directory that of the study.
      * @param columns the names of the variables and outputs.
      * @param samples the values of the variables. */
     StudyTable(const std::string                      &directory,
@@ -50,7 +52,7 @@ namespace Biface
     std::string
     row_file(const unsigned int sample) const;
 
-    /** The text of this file. */
+    /** The text of the file with the row of a sample. */
     std::string
     row_text(const unsigned int sample, const Results &results) const;
 
@@ -59,7 +61,7 @@ namespace Biface
     std::vector<unsigned int>
     collect();
 
-    /** Whether a collected row is that of another study. */
+    /** Whether a collected row belongs to another study. */
     bool
     has_foreign_row() const;
 
@@ -88,14 +90,15 @@ namespace Biface
     remove_rows(const std::string &directory);
 
   private:
-    /** The number of a sample and the values of its variables. */
+    /** The cells with the number of a sample and the values of its
+     * variables. */
     std::string
     first_cells(const unsigned int sample) const;
 
     std::string                      directory;
     std::string                      header;
     std::vector<std::vector<double>> samples;
-    /** Empty if not collected. */
+    /** The row of each sample; empty if not collected. */
     std::vector<std::string> rows;
   };
 } // namespace Biface

@@ -24,8 +24,8 @@ namespace Biface
   };
 
 
-  /** Boundary indicators of the edges of a grid: the edges
-   * @f$\alpha_1@f$ = min, max and @f$\alpha_2@f$ = min, max. */
+  /** The edges of a grid, @f$\alpha_1@f$ = min, max and @f$\alpha_2@f$ = min,
+   * max, with their boundary indicators. */
   enum class Edge : dealii::types::boundary_id
   {
     alpha_1_min = 0,
@@ -35,8 +35,9 @@ namespace Biface
   };
 
 
-  /** Indices (i, j) of a node, the lines that meet there, or of a cell, the
-   * lines below and to the left of it: positions in ChartGrid::lines. */
+  /** The indices (i, j) of a node, which are the positions in ChartGrid::lines
+   * of the lines that meet there, or of a cell, those of the lines below and to
+   * the left of it. */
   using GridIndex = std::array<unsigned int, 2>;
 
 
@@ -53,8 +54,8 @@ namespace Biface
     /** The entries of a grid, see grid_parameters.h. */
     struct Parameters;
 
-    /** Coordinates of the grid lines in ascending order, in the internal unit
-     * of the surface. */
+    /** The coordinates of the grid lines in ascending order, in the internal
+     * unit of the surface. */
     std::array<std::vector<double>, 2> lines;
 
     /** Whether the last line of the second coordinate is the first one. */
@@ -63,22 +64,22 @@ namespace Biface
     MeshDistribution distribution = MeshDistribution::shared;
 
     /**
-     * The lines of the intervals, in the units of @p surface.
+     * The grid with the lines of the intervals on a surface.
      *
      * Throws InputError if they leave the surface, or if a closed coordinate
      * does not span a full turn.
      */
     ChartGrid(const Parameters &parameters, const ReferenceSurface &surface);
 
-    /** Cells along the coordinate @p a. */
+    /** The number of cells along the coordinate @p a. */
     unsigned int
     n_cells(const unsigned int a) const
     {
       return lines[a].size() - 1;
     }
 
-    /** Nodes along the coordinate @p a: one per line; in a closed coordinate
-     * the last line is the first one. */
+    /** The number of nodes along the coordinate @p a: one per line; in a closed
+     * coordinate the last line is the first one. */
     unsigned int
     n_nodes(const unsigned int a) const
     {
@@ -101,7 +102,7 @@ namespace Biface
                node[1];
     }
 
-    /** The inverse of cell_number(). */
+    /** The indices of the cell with a number, the inverse of cell_number(). */
     GridIndex
     cell_index(const dealii::types::global_cell_index number) const
     {
@@ -149,8 +150,8 @@ namespace Biface
   const std::array<std::string, 4> edge_names{
     {"alpha_1 min", "alpha_1 max", "alpha_2 min", "alpha_2 max"}};
 
-  /** The edge of the given name. Throws InputError, naming @p entry and
-   * @p text, where there is none. */
+  /** The edge of the given name. Throws InputError that names @p entry and
+   * @p text if there is none. */
   Edge
   parse_edge(const std::string &entry,
              const std::string &text,

@@ -37,16 +37,19 @@ namespace Biface
       double crown_radius = 250;
       double half_width   = 50;
       double end_radius   = 180;
-      /** In degrees; none if it follows from the half width at the end. */
+      /** The angle @f$\beta_c@f$ of the cords at the crown from the
+       * circumference, in degrees; not set if it follows from the half width at
+       * the end. */
       std::optional<double> crown_cord_angle = 38;
-      /** The half width at the end, or none if it follows from the angle. */
+      /** The half width at the end; not set if it follows from the angle. */
       std::optional<double> end_half_width;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
     };
 
-    /** Throws InputError if there is no such curve. */
+    /** Compute the curve. Throws InputError if there is none for these
+     * parameters. */
     explicit CordEquilibrium(const Parameters &parameters);
 
     PointOfCurve
@@ -67,23 +70,23 @@ namespace Biface
     std::optional<double>
     crown_cord_angle() const override;
 
-    /** @f$r_w@f$. */
+    /** The radius @f$r_w@f$ of the widest point. */
     double
     widest_radius() const
     {
       return shape.widest_radius;
     }
 
-    /** What determines the curve. */
+    /** The numbers that determine the curve. */
     struct Shape
     {
       double crown_radius;
       double widest_radius;
-      /** @f$\beta_c@f$ in radians. */
+      /** The angle @f$\beta_c@f$ of the cords at the crown, in radians. */
       double crown_cord_angle;
 
-      /** @f$1 - \sin\phi@f$ at the distance @p depth below the crown radius,
-       * without cancellation. */
+      /** The value @f$1 - \sin\phi@f$ at the distance @p depth below the crown
+       * radius, without cancellation. */
       double
       one_minus_sine(const double depth) const;
 
@@ -98,7 +101,8 @@ namespace Biface
     };
 
   private:
-    /** r, y, @f$\phi@f$. */
+    /** The position (r, y) of a point of the curve and the angle @f$\phi@f$ of
+     * its normal. */
     using Position = std::array<double, 3>;
 
     /** The position at the distance @p length along the curve from another. */
@@ -107,7 +111,7 @@ namespace Biface
 
     Shape  shape;
     double length;
-    /** At equal distances from the crown to the end. */
+    /** The positions at equal distances from the crown to the end. */
     std::vector<Position> samples;
   };
 } // namespace Biface

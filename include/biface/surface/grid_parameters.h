@@ -15,7 +15,7 @@ namespace Biface
   /** The entries of a grid. */
   struct ChartGrid::Parameters
   {
-    /** In the units of parameter files. */
+    /** The intervals of both coordinates, in the units of parameter files. */
     std::array<IntervalList, 2> intervals{
       {parse_intervals("Mesh/Intervals alpha_1",
                        "-120:-45:12, -45:45:18, 45:120:12"),

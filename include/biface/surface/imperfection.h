@@ -27,7 +27,7 @@ namespace Biface
   class Imperfection
   {
   public:
-    /** Rows of both coordinates and a deviation. */
+    /** A table of deviations: rows of both coordinates and a deviation. */
     struct Table
     {
       NamedFile                     file;
@@ -36,7 +36,7 @@ namespace Biface
 
     struct Parameters
     {
-      /** 0 if there is none. */
+      /** The formula of the deviation; 0 if there is none. */
       std::string        formula = "0";
       std::vector<Table> tables;
 
@@ -50,14 +50,15 @@ namespace Biface
       void
       read_files(const MPI_Comm communicator);
 
-      /** Throws InputError if the formula uses what it does not know, or if a
-       * table is not used. */
+      /** Check the formula and its tables. Throws InputError if the formula
+       * uses what it does not know, or if a table is not used. */
       void
       check() const;
     };
 
-    /** The surface is kept by reference. Throws InputError if the rows of a
-     * table are not those of a grid, see GridData. */
+    /** The deviation from a surface, which is kept by reference. Throws
+     * InputError if the rows of a table are not those of a grid, see
+     * GridData. */
     Imperfection(const Parameters &parameters, const ReferenceSurface &surface);
 
     /** The deviation at a position with given coordinates. Throws InputError if
@@ -69,7 +70,8 @@ namespace Biface
     using Interpolation =
       dealii::Functions::InterpolatedTensorProductGridData<2>;
 
-    /** Bilinear between the rows, constant beyond. */
+    /** A table as a function of the coordinates: bilinear between the rows,
+     * constant beyond. */
     struct Chart
     {
       std::shared_ptr<const Interpolation> values;

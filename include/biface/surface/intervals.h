@@ -12,14 +12,14 @@ namespace Biface
    * before it. */
   struct Interval
   {
-    /** As the user wrote it. */
+    /** The text of the interval as the user wrote it. */
     std::string  text;
     double       start   = 0;
     double       end     = 0;
     unsigned int n_cells = 0;
     double       ratio   = 1;
 
-    /** Length of the cell number @p i. */
+    /** The length of the cell number @p i. */
     double
     cell_length(const unsigned int i) const;
   };
@@ -30,7 +30,7 @@ namespace Biface
   {
     std::string entry;
     std::string text;
-    /** Empty if a coordinate depends on `end`. */
+    /** The intervals; empty if a coordinate depends on `end`. */
     std::vector<Interval> intervals;
 
     /** The intervals on a surface whose coordinate has the largest value
@@ -38,7 +38,7 @@ namespace Biface
     IntervalList
     on(const double end) const;
 
-    /** Rising coordinates of all grid lines, times @p unit. Neighboring
+    /** The rising coordinates of all grid lines, times @p unit. Neighboring
      * intervals share a line. The coordinates must not depend on `end`. */
     std::vector<double>
     lines(const double unit = 1) const;

@@ -22,7 +22,7 @@ namespace Biface
   public:
     virtual ~Meridian() = default;
 
-    /** Position and its first two derivatives with respect to s. */
+    /** A position and its first two derivatives with respect to s. */
     struct PointOfCurve
     {
       dealii::Point<2>     position;
@@ -43,11 +43,14 @@ namespace Biface
     virtual std::pair<double, double>
     range() const = 0;
 
-    /** See ReferenceSurface::coordinate_unit(). */
+    /** The factor from the user's unit of the parameter to the internal one,
+     * see ReferenceSurface::coordinate_unit(). */
     virtual double
     coordinate_unit() const = 0;
 
-    /** See ReferenceSurface::crown_cord_angle(). */
+    /** The angle of the cords at the crown of a curve that is in equilibrium
+     * with their tension, in degrees, see
+     * ReferenceSurface::crown_cord_angle(). */
     virtual std::optional<double>
     crown_cord_angle() const
     {

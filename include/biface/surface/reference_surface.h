@@ -79,19 +79,21 @@ namespace Biface
     coordinate_unit(const unsigned int a) const = 0;
 
     /** The values of the variables of a formula of the position, see
-     * parse_position_formula(): those of @p x and the coordinates @p alpha in
-     * the user's units. */
+     * parse_position_formula(), at the position @p x with the coordinates
+     * @p alpha, which are in the internal units. */
     std::vector<double>
     formula_variables(const dealii::Point<3> &x,
                       const dealii::Point<2> &alpha) const;
 
-    /** `end` in entries: the largest value of the coordinate @p a in the
-     * user's unit, infinite if there is none. Only the first has one. */
+    /** The value of `end` in entries: the largest value of the coordinate @p a
+     * in the user's unit, infinite if there is none. Only the first coordinate
+     * has one. */
     double
     end(const unsigned int a) const;
 
-    /** For a surface that is in equilibrium with the tension of its cords:
-     * their angle from the circumference at the crown, in degrees. */
+    /** The angle of the cords from the circumference at the crown, in degrees,
+     * of a surface that is in equilibrium with their tension; none for other
+     * surfaces. */
     virtual std::optional<double>
     crown_cord_angle() const
     {

@@ -55,7 +55,8 @@ namespace Biface
 
   private:
     std::vector<double> knots;
-    /** Parameters and positions of a few points per interval. */
+    /** The parameters and positions of a few points per interval, where
+     * parameter_of() starts. */
     std::vector<std::pair<double, dealii::Point<2>>> samples;
     std::unique_ptr<dealii::Functions::CSpline<1>>   radius;
     std::unique_ptr<dealii::Functions::CSpline<1>>   axial;

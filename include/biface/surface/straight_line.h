@@ -18,7 +18,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** (r, y) */
+      /** The ends of the line as (r, y). */
       dealii::Point<2> start = dealii::Point<2>(1, 0);
       dealii::Point<2> end   = dealii::Point<2>(1, 1);
 

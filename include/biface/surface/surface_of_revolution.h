@@ -37,7 +37,7 @@ namespace Biface
     std::unique_ptr<dealii::Manifold<2, 3>>
     clone() const override;
 
-    /** The y axis. */
+    /** The unit vector along the y axis. */
     dealii::Tensor<1, 3>
     axis() const override
     {

@@ -39,7 +39,7 @@ namespace Biface
     CircularArc::Parameters     circular_arc;
     StraightLine::Parameters    straight_line;
     CordEquilibrium::Parameters cord_equilibrium;
-    /** Radius and axial coordinate. */
+    /** The file of the points (radius, axial coordinate) of a spline. */
     PairsFile                points_file;
     Imperfection::Parameters imperfection;
 
@@ -48,7 +48,7 @@ namespace Biface
   };
 
 
-  /** Make the surface. Throws InputError where the parameters do not describe
+  /** Create the surface. Throws InputError if the parameters do not describe
    * one. */
   std::unique_ptr<ReferenceSurface>
   make_surface(const ReferenceSurface::Parameters &parameters);

@@ -25,7 +25,7 @@ namespace Biface
    */
   struct SurfacePoint
   {
-    /** Position of the point. Unit: length. */
+    /** The position of the point. Unit: length. */
     dealii::Point<3> position;
 
     /**
@@ -35,7 +35,7 @@ namespace Biface
      */
     std::array<dealii::Tensor<1, 3>, 3> frame;
 
-    /** Lamé parameters @f$A_1,A_2@f$. Unit: length per unit of
+    /** The Lamé parameters @f$A_1,A_2@f$. Unit: length per unit of
      * @f$\alpha_a@f$. */
     std::array<double, 2> lame;
 
@@ -47,8 +47,8 @@ namespace Biface
     std::array<double, 2> curvature;
 
     /**
-     * @f$B_a = A_{c,a}/(A_1A_2)@f$, @f$c\neq a@f$: the derivatives of the Lamé
-     * parameters, as geodesic curvatures of the coordinate lines. Unit:
+     * The geodesic curvatures @f$B_a = A_{c,a}/(A_1A_2)@f$, @f$c\neq a@f$, of
+     * the coordinate lines, from the derivatives of the Lamé parameters. Unit:
      * 1/length.
      */
     std::array<double, 2> geodesic;

@@ -31,6 +31,8 @@ namespace Biface
           LineNode  &known    = inserted.first->second;
           if (inserted.second)
             continue;
+          // a node at the border is sent by several ranks, each with the area
+          // of its own cells; only its owner knows its unknowns
           const double area = known.area + node.area;
           if (node.owned)
             known = node;
@@ -57,6 +59,7 @@ namespace Biface
                           const State        &state,
                           const ContactState &zone) const
   {
+    // the areas of the lumped multiplier mass
     std::vector<double> areas(mesh.nodes.size());
     for (const Cell &cell : mesh.wall_elements())
       for (const unsigned int n : cell.nodes)
@@ -66,6 +69,8 @@ namespace Biface
     std::vector<LineNode> result;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
+        // the clearance of the node before the first one in contact tells where
+        // on the segment contact begins
         const Node &node    = mesh.nodes[n];
         const auto &stencil = flow_lines.at(n);
         bool        is_near = zone.active[n];
@@ -362,6 +367,8 @@ namespace Biface
         work += moved * force(line, j);
         if (transposed_derivative)
           add_to_nodes(n, transposed_derivative(force(line, j)), gradient);
+        // a bristle depends on all nodes that its particle has passed in
+        // contact, also of other ranks
         for (unsigned int i = line.bristles[j].first; i <= j; ++i)
           {
             const Tensor<1, 3> per_position =

@@ -46,6 +46,8 @@ namespace Biface
     const ContactPoints points(mesh, body.face, zone);
     if (points.at_nodes())
       return zone;
+    // tractions by node, for files and figures: such that the nodal forces are
+    // those of the points
     ContactState result(mesh.nodes.size());
 
     // Of each node: its force, and its area, that in contact, and that of
@@ -444,6 +446,8 @@ namespace Biface
         zone.multipliers[n] = 0;
         if (!active)
           continue;
+        // a node that enters has none until the next linear system is solved,
+        // section 7 of doc/theory.md
         zone.multipliers[n][0] = last[0];
         if (!placed->law->acts_on(zone, n))
           continue;
@@ -741,6 +745,7 @@ namespace Biface
             force -=
               part * (traction_of_multipliers(state, loads, n).total * d);
           });
+        // not over the cells, in which a node occurs several times
         for (unsigned int n = 0; n < points.size(); ++n)
           if (points.is_owned(n))
             max_pressure = std::max(max_pressure, zone.pressure(n));
@@ -754,6 +759,8 @@ namespace Biface
     summary.n_nodes       = count_active(state);
     summary.n_slipping    = count_slipping(state, loads);
     summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
+    // weighted by the force, so that nodes that enter or leave, without
+    // pressure, change nothing
     if (summary.n_nodes > 0)
       {
         const double mean =

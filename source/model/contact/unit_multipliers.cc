@@ -111,6 +111,7 @@ namespace Biface
             *gradients[k].cell, gradients[k].of_cell, gradient);
         for (LA::Vector *vector : {&result[k].forces, &gradient})
           {
+            // without the part that supports take up
             vector->compress(VectorOperation::add);
             mesh.condense(*vector);
           }

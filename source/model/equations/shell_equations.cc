@@ -59,6 +59,9 @@ namespace Biface
       {
         const auto V_0 = mesh.cell_values(base->displacement, cell);
         const auto dV  = V - V_0;
+        // section 7 of doc/theory.md: the forces about the state at the start
+        // of the stage, with their tangent there; laws of cords that go slack
+        // remain what they are
         add(std::max(begin, 1u), end, *base, V_0);
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
@@ -111,6 +114,8 @@ namespace Biface
     for (const ForceTerm::Coupling &coupling : couplings)
       matrix->add(coupling);
 
+    // loads on their own: their norm and that of the forces that cancel are the
+    // scale of the residual
     LA::Vector load = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factors, 0}, load);
@@ -159,6 +164,7 @@ namespace Biface
     sum += constant;
     double                square = 0;
     ForceTerm::CellForces forces;
+    // linearized forces need their tangent
     forces.with_tangent = state.linearization_point != nullptr;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {

@@ -60,6 +60,7 @@ namespace Biface
         const Cell &cell = mesh.cells[c];
         if (!cell.is_wall)
           {
+            // a layer has the unknowns of the wall before it
             fast_cell[c] = fast_cell[c - 1];
             continue;
           }

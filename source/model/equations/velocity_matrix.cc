@@ -95,6 +95,7 @@ namespace Biface
                          mass_moments[cell.strip],
                          angular_velocity,
                          velocity_matrix);
+        // mass belongs to the layers, contact to the wall
         for (const auto &pair : contact.pairs)
           if (cell.is_wall && pair->body(loads))
             add_friction(*pair, state, loads, cell, velocity_matrix);

@@ -137,6 +137,8 @@ namespace Biface
                const MixedElement::NodalVector &V,
                MixedElement::NodalVector       *gradient) const
   {
+    // by the quadrature of the pressure, so that its work is the change of the
+    // volume: a sealed gas has a potential
     const FollowerPressure unit_pressure(cell.geometry, V, face);
 
     double                    sum = 0;
@@ -191,6 +193,8 @@ namespace Biface
                        mesh.nodes[cell.nodes[0]].surface.lame[a]);
       }
 
+    // the undeformed volume alone is not that of the nodes, which differs by an
+    // error of the mesh
     double sum = 0;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {

@@ -19,6 +19,7 @@ namespace Biface
   void
   DeadLoads::add_parameters(ParameterHandler &prm)
   {
+    // all loads are given for the load factor 1, by which stages multiply them
     const std::string form =
       "three components, optionally followed by the face ('inner', 'outer', "
       "or by default 'middle') and by 'local' for components in the frame "
@@ -145,6 +146,8 @@ namespace Biface
         force.text = item;
         force.edge = parse_edge(entry, item, named.first);
 
+        // words in pairs are taken out first; parse_force() knows only single
+        // ones
         const auto length = std::find(words.begin(), words.end(), "length");
         if (length != words.end())
           {
@@ -306,6 +309,8 @@ namespace Biface
                   part = below / thickness;
                 }
               ++n_loaded;
+              // cells at one node may have different plies, so that each
+              // segment has its own height
               const double height = heights[0] + part * thickness;
               const double stretch =
                 (force.true_length ? 1 + node.surface.curvature[along] * height
@@ -320,6 +325,7 @@ namespace Biface
               else
                 add_nodal_force(node, force.force, share, nodal_forces);
             }
+      // the edge may lie on other ranks
       if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
         throw InputError(
           "Loads/Edge forces", force.text, "there is no such ply on this edge");
@@ -369,6 +375,8 @@ namespace Biface
   std::vector<LA::Vector>
   DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
   {
+    // a vector for each factor, which a stage can change without another
+    // assembly
     unsigned int last = factor_of_area_force;
     for (const PointForce &item : point_forces)
       last = std::max(last, item.force.factor);
@@ -394,6 +402,8 @@ namespace Biface
 
     for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
       {
+        // a couple with constant directions, which is that of the undeformed
+        // director
         const Cell  &cell = mesh.cells[moment.cell];
         Tensor<1, 3> director;
         director[2] = cell.geometry.vertices[moment.vertex].thickness;

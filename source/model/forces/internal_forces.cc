@@ -103,6 +103,8 @@ namespace Biface
     if (plies.is_whole_law() && (forces.with_tangent || !predicted.empty()))
       {
         // such laws have no prestress
+        // in the mixed iteration the forces are those of the law that the
+        // tangent linearizes, section 7 of doc/theory.md
         const HistoryOfPlies past = history(at.state, at.index);
         const auto           law  = plies.linearize(at_strain, past);
         H                         = plies.resultants(law, E, past);
@@ -469,6 +471,8 @@ namespace Biface
                                    mesh.cell_values(state.displacement, cell));
         const auto         dV = mesh.cell_values(increment, cell);
         Modes::Vector E = strains_of(element, c) + element.strain_variation(dV);
+        // linearized about the strains of the last prediction, as the tangent
+        // was, so that the resultants are those of the linear system
         if (nonlinear_plies(cell).is_whole_law())
           {
             const NonlinearPlies &plies = nonlinear_plies(cell);
@@ -493,6 +497,8 @@ namespace Biface
                   Resultants::tangential(a, Resultants::inner);
                 const unsigned int outer =
                   Resultants::tangential(a, Resultants::outer);
+                // section 7 of doc/theory.md: in elements under tension the
+                // term would only cost iterations
                 if (H[inner] + H[outer] < 0)
                   for (const unsigned int i : {inner, outer})
                     E[i] += hourglass[i];
@@ -571,6 +577,8 @@ namespace Biface
             continue;
           }
 
+        // the energy to second order about the state of the linearization,
+        // whose derivative are the linearized forces
         const State    &base = *state.linearization_point;
         const auto      V_0  = mesh.cell_values(base.displacement, cell);
         const auto      dV   = V - V_0;

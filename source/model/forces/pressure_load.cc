@@ -36,6 +36,7 @@ namespace Biface
   void
   PressureLoad::add_parameters(ParameterHandler &prm)
   {
+    // only how the pressure acts: its value belongs to the stages
     add_choice(prm,
                "Pressure type",
                kind,

@@ -326,6 +326,8 @@ namespace Biface
                   }
                 last[c] = values;
               });
+            // a cell starts its step with what the points behind its own have
+            // at present
             const Ring variables =
               internal_variables(lines_of_strips[strip], strip, elastic);
             for (const unsigned int c : own_cells[strip])
@@ -391,6 +393,8 @@ namespace Biface
             for (unsigned int row = 0; row < n_rows; ++row)
               {
                 double energy = 0;
+                // the integral of stress by strain around the line, by the
+                // trapezoidal rule; elastic stresses would add nothing
                 for (unsigned int k = 0; k < ring.n_points(); ++k)
                   {
                     const double *here = ring.at(row, k) + position;

@@ -98,6 +98,8 @@ namespace Biface
               areas[i] * ply.thickness * laminate.area_ratio(middle);
             sum += ply.thickness * plies[ply.number].conductivity;
           }
+        // a ply that does not exist here is a thin layer that conducts like the
+        // others, so that the grid of the section stays regular
         for (unsigned int p = 0; p < plies.size(); ++p)
           section.conductivity(i, p) = volumes(i, p) > 0
                                          ? plies[p].conductivity
@@ -182,6 +184,8 @@ namespace Biface
     for (const double part : parts)
       {
         wall.films[0].push_back(parameters.inside);
+        // particles meet air and ground in turn, in a time that is short for
+        // heat
         wall.films[1].push_back(
           HeatFilm::mean(parameters.air, parameters.ground, part));
       }

@@ -71,6 +71,8 @@ namespace Biface
               boundary.boundary_lines.push_back(segment);
             }
         }
+      // an id of their own, for which no film is assembled: the ends are
+      // insulated
       for (const unsigned int i : {0u, n_lines - 1})
         for (unsigned int p = 0; p + 1 < n_faces; ++p)
           {
@@ -91,6 +93,7 @@ namespace Biface
                        n_plies  = section.conductivity.size(1);
     Triangulation<2> wall;
     make_triangulation(section, wall);
+    // quadratic, since a ply is one cell thick
     const FE_Q<2> fe(2);
     DoFHandler<2> dof_handler(wall);
     dof_handler.distribute_dofs(fe);

@@ -245,6 +245,8 @@ namespace Biface
           for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
             place[node.dofs[d]] = {&node, d};
 
+        // only entries of 1 make an unknown the image of another: those of
+        // cyclic edges, which are the same unknown on all levels
         std::vector<types::global_dof_index> images(numbers.size());
         for (const auto &[node, index] : owned)
           for (unsigned int d = 0; d < mesh.n_dofs_per_node(); ++d)
@@ -309,6 +311,8 @@ namespace Biface
 
         for (const auto &[node, node_index] : owned)
           {
+            // vectors are interpolated, not their components in frames that
+            // turn
             const Point<2>  &alpha = node->alpha;
             const GridIndex &index = node_index;
             const Site       here  = site(node->surface, node->grid_index[0]);

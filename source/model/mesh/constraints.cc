@@ -195,6 +195,8 @@ namespace Biface
                                std::valarray<double>(0., n_factors),
                                body,
                                share};
+      // a formula is evaluated where the condition holds the wall: at a face or
+      // in the middle
       const double inner = node.height(0), outer = node.height(n_faces - 1);
       equation.values[condition.factor] =
         value_at(condition.coefficients[0] == 0   ? outer
@@ -318,6 +320,8 @@ namespace Biface
       first_of = cyclic_pairs(mesh);
     for (const auto &pair : first_of)
       is_first.insert(pair.second);
+    // the second node of a cyclic pair has the displacements of the first,
+    // which therefore obeys the supports of both
     const unsigned int n_factors = number_of_factors(supports);
     const auto         add = [&](const unsigned int                   node,
                          const std::vector<SupportCondition> &conditions,
@@ -349,6 +353,8 @@ namespace Biface
         supported.bodies.push_back("point " + item.point);
         const unsigned int node =
           mesh.node_of_point("Supports/Point supports", item.point);
+        // formulas are evaluated where the nodes are, and may fail on some
+        // ranks only
         agree_on_errors(mesh.communicator, [&]() {
           if (node != numbers::invalid_unsigned_int)
             add(node, item.conditions, false);
@@ -375,6 +381,7 @@ namespace Biface
           supported.cyclic_bodies[i] = supported.bodies.size();
           supported.bodies.push_back(edge_names[2 + i]);
         }
+    // an item also for pairs that no support holds
     std::map<unsigned int, unsigned int> second_of;
     for (const auto &pair : first_of)
       {

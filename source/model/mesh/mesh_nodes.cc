@@ -84,6 +84,8 @@ namespace Biface
           node[a]    = nearest_line(lines[a], alpha[a]);
           nearest[a] = lines[a][node[a]];
         }
+      // as a length, since a difference of angles means nothing without the
+      // radius
       const SurfacePoint at_node = surface.evaluate(nearest);
       for (unsigned int a = 0; a < 2; ++a)
         if (!(std::abs(alpha[a] - nearest[a]) * at_node.lame[a] <

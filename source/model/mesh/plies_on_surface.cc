@@ -22,6 +22,7 @@ namespace Biface
       const double unit = surface->coordinate_unit(0);
       return surface->evaluate(Point<2>(alpha_1 * unit, 0)).curvature;
     };
+    // only a surface of revolution has a radius and a crown
     if (surface->axis().norm() == 0)
       return plies;
 

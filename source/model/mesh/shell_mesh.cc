@@ -99,6 +99,7 @@ namespace Biface
           return shared;
         }
 
+      // the first rank holds all cells for a while, to partition them
       const auto description = TriangulationDescription::Utilities::
         create_description_from_triangulation_in_groups<2, 3>(
           [&](Triangulation<2, 3> &whole) {
@@ -181,6 +182,7 @@ namespace Biface
                                number_to_string(point.lame[1]) +
                                ", but it must be positive everywhere.");
 
+            // beyond a center of curvature, a face would be turned inside out
             const ThicknessMetric metric(point.curvature, heights);
             for (unsigned int face = 0; face < 2; ++face)
               for (unsigned int a = 0; a < 2; ++a)
@@ -285,6 +287,7 @@ namespace Biface
                 {*inside[k], {{*at_lines[0][k], *at_lines[1][k]}}});
             }
           else
+            // a layer has no elements where its plies have ended
             layers[i].push_back(numbers::invalid_unsigned_int);
         for (unsigned int side = 0; side < 2; ++side)
           {
@@ -293,6 +296,7 @@ namespace Biface
             heights.push_back(wall[0]);
             for (unsigned int k = 0; k < inside.size(); ++k)
               heights.push_back(
+                // the outer face exactly, not up to the round-off of the sum
                 k >= last
                   ? wall[1]
                   : heights.back() +
@@ -306,6 +310,7 @@ namespace Biface
         std::count(
           of_strip.begin(), of_strip.end(), numbers::invalid_unsigned_int));
 
+    // where a ply ends, a node has the mean heights of both sides
     on_lines.push_back(of_strips.front()[0]);
     for (unsigned int i = 1; i < n; ++i)
       {
@@ -317,6 +322,9 @@ namespace Biface
       }
     on_lines.push_back(of_strips.back()[1]);
 
+    // the stiffest layer goes on to its own height on either side, so that
+    // stiff layers stay connected whatever a soft one does, section 4 of
+    // doc/theory.md
     for (unsigned int i = 0; i <= n; ++i)
       {
         const unsigned int below = (i == 0 ? 0 : i - 1),
@@ -336,6 +344,7 @@ namespace Biface
             number_to_string(lines[i]) +
             ", where the wall would be a hinge: put the plies on both sides into "
             "one layer.");
+        // of equal layers always the innermost, whatever round-off says
         stiffest.push_back(std::find_if(stiffness.begin(),
                                         stiffness.end(),
                                         [&](const double value) {
@@ -396,6 +405,8 @@ namespace Biface
 
     diameter = diagonal_of_box(*triangulation);
 
+    // the positions of entries are known when cyclic edges have added the
+    // unknowns of other ranks
     collect_cells_and_nodes(faces);
     if (supports.is_cyclic())
       add_cyclic_nodes(faces);
@@ -638,6 +649,7 @@ namespace Biface
         for (const unsigned int i : cell_nodes)
           adjacent[i].insert(cell_nodes.begin(), cell_nodes.end());
 
+        // cells of other ranks give nodes around, no elements
         if (!cell->is_locally_owned())
           continue;
 
@@ -695,6 +707,8 @@ namespace Biface
               heights[v] = {{all[first], all[last + 1]}};
               own_unknowns = own_unknowns || heights[v] != node.face_heights;
             }
+          // most cells of a shell with one layer have the unknowns of their
+          // nodes and need no conversion
           if (own_unknowns)
             for (unsigned int v = 0; v < 4; ++v)
               {

@@ -45,6 +45,7 @@ namespace Biface
         "free",
         edges[edge],
         [this, edge](const std::string &entry, const std::string &text) {
+          // no condition of one edge, but a coupling of both
           cyclic[edge] = (edge / 2 == 1 && text == "cyclic");
           return cyclic[edge] ? std::vector<SupportCondition>()
                               : parse_support(entry, text, edge / 2);
@@ -109,6 +110,7 @@ namespace Biface
       return all_components(inner_only);
     if (text == "hinged outer")
       return all_components(outer_only);
+    // only an edge has a direction across
     if (text == "symmetry" && across < 3)
       return both({{static_cast<Component>(across), inner_only, 0}});
 

@@ -50,6 +50,8 @@ namespace Biface
       return 2 * ((3 * (part * n_lines + line) + component) * (n_max + 1) + n);
     };
     std::vector<double> sums(position(parts.size(), 0, 0, 0));
+    // exact integrals of the piecewise linear field: lines need not be
+    // equidistant
     for (const Node &node : mesh.nodes)
       {
         if (!node.locally_owned)

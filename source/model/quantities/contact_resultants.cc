@@ -83,6 +83,8 @@ namespace Biface
                 moved[MixedElement::dof(v, i, MixedElement::mean)] = r[i];
               sums[1] += std::abs(f * r);
             }
+          // with the tangent of the iteration, so that the equation of a
+          // control converges quadratically with the others
           for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
             for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
               gradient[j] -= forces.tangent[i][j] * moved[i];

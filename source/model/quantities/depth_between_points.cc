@@ -39,6 +39,7 @@ namespace Biface
         const double       after  = corner - 0.5 - before;
         return std::pair(before, std::array<double, 2>{{1 - after, after}});
       };
+      // at the corners of the parts, farthest from the points
       for (unsigned int j = 0; j <= k; ++j)
         for (unsigned int i = 0; i <= k; ++i)
           {

@@ -28,6 +28,7 @@ namespace Biface
   {
     const LA::Vector rest = mesh.ghosted_vector();
     LA::Vector       now = mesh.owned_vector(), before = mesh.owned_vector();
+    // each node counts its cells in full in both areas, whose ratio is meant
     for (const Cell &cell : mesh.wall_elements())
       {
         std::array<Point<3>, 4> deformed, undeformed;

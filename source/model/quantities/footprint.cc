@@ -38,6 +38,7 @@ namespace Biface
       const PlacedBody  &placed = *pair.body(loads);
       const ContactState zone =
         contact_at_nodes(mesh, state, pair.number, placed);
+      // on the first rank, since lines of the mesh cross all ranks
       constexpr unsigned int n_columns = 7;
       std::vector<double>    values;
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)

@@ -130,6 +130,8 @@ namespace Biface
       const auto held = support_forces(item.equations, sum(here, there));
       for (unsigned int k = 0; k < held.size(); ++k)
         {
+          // a support of one edge holds both nodes of a cyclic pair, each with
+          // its share
           const SupportEquation &equation = item.equations[k];
           const double           share    = paired ? equation.share : 1.;
           // faces of a layer that does not exist exchange forces
@@ -261,6 +263,8 @@ namespace Biface
     others[loads_of_shell] += forces[ForceTerm::Source::damping];
     others[interpolation] = forces[ForceTerm::Source::shell];
     others[prestress]     = internal.unlisted_forces(state);
+    // constant forces of the prestress are among those of the shell, but are no
+    // error of the interpolation
     others[interpolation] -= others[prestress];
 
     Resultant resultant(mesh, shape_of_forces(state), bodies.size());

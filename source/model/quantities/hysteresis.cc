@@ -171,6 +171,7 @@ namespace Biface
     std::vector<double> middles(n_around);
     for (unsigned int j = 0; j < n_around; ++j)
       middles[j] = (grid.lines[1][j] + grid.lines[1][j + 1]) / 2;
+    // a particle passes the middles of all cells of its line in a turn
     const CyclicLoss all(middles),
       first(middles, Hysteresis::n_first_harmonics);
 
@@ -197,6 +198,7 @@ namespace Biface
                   strains[g][i];
             values.back() += mesh.cells[c].geometry.weight;
           }
+        // the cells of a line may belong to several ranks
         Utilities::MPI::sum(values, mesh.communicator, values);
         StripStrains strains(n_around);
         for (unsigned int j = 0; j < n_around; ++j)

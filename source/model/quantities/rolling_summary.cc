@@ -133,6 +133,7 @@ namespace Biface
       (rolling.angular_velocity != 0
          ? -(motion.velocity * axes.forward) / rolling.angular_velocity
          : std::numeric_limits<double>::quiet_NaN());
+    // the balance of powers, section 10 of doc/theory.md
     result.axle_power   = result.axle_moment * rolling.angular_velocity;
     result.ground_power = exerted.force * motion.velocity +
                           exerted.moment_about(motion.point) * motion.spin;

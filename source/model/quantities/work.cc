@@ -73,6 +73,8 @@ namespace Biface
           continue;
         const RigidBody &start = pair->body(before.loads)->body;
         const RigidBody &end   = pair->body(after.loads)->body;
+        // the motion of a body at each end is that of the point which is in
+        // contact there
         result.foundation +=
           (work_of_body(*pair,
                         before,

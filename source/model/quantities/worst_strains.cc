@@ -103,6 +103,8 @@ namespace Biface
       for (const unsigned int n : cell.nodes)
         thickness =
           std::max(thickness, 2 * mesh.nodes[n].half_thickness[cell.layer]);
+      // the thickness strain resists waves that are longer than the layer is
+      // thick
       if (shortest_side(mesh, cell) >= thickness)
         return maximum;
       const Matrix &D = mesh.strips[cell.strip].laminate.stiffness();
@@ -195,6 +197,7 @@ namespace Biface
     std::vector<Candidate> compressions, shears;
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
+        // the whole wall of a stack has no strains of its own
         if (!mesh.cells[c].is_layer)
           {
             compressions.emplace_back();

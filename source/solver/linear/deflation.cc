@@ -125,6 +125,7 @@ namespace Biface
           rows[j].add(-entries[j] / entries[i], rows[i]);
       }
 
+    // orthonormal, to remove the part of a vector by scalar products
     for (unsigned int i = 0; i < vectors.size(); ++i)
       {
         // twice is enough

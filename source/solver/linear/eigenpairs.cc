@@ -154,6 +154,7 @@ namespace Biface
 
       std::vector<std::complex<double>> values(n);
       std::vector<LA::Vector>           vectors(n + 1, first);
+      // a failed solution leaves ARPACK by an exception; the same on all ranks
       try
         {
           SolverControl control(max_restarts, task.tolerance, false, false);
@@ -321,6 +322,7 @@ namespace Biface
                 x.end(),
                 product.begin() + x.locally_owned_elements().n_elements());
     };
+    // each frequency is an eigenvalue twice, with both signs
     constexpr int as_it_is = 1;
     Eigenpairs    found    = run_arpack(
       {Arpack::largest_magnitude, false, as_it_is, 0, problem.tolerance},
@@ -341,6 +343,7 @@ namespace Biface
         mode.value = {oscillates ? rate.imag() : 0., -rate.real()};
         if (std::abs(mode.value.imag()) <= real * std::abs(mode.value))
           mode.value.imag(0);
+        // one of both is enough: they are the same motion
         if (mode.value.real() < 0 ||
             (!oscillates && problem.conservative && mode.value.imag() > 0))
           continue;
@@ -526,6 +529,8 @@ namespace Biface
         if (left.size() < n)
           break;
 
+        // the vectors of a multiple eigenvalue are arbitrary: they are combined
+        // such that each belongs to one of the right ones
         std::vector<Eigenpair>           images;
         std::vector<double>              sizes;
         FullMatrix<std::complex<double>> products(n, n), inverse(n, n);
@@ -711,6 +716,7 @@ namespace Biface
         if (square <= 0)
           continue;
         std::complex<double> phase = 1;
+        // the first field that tells a phase, the same on any number of ranks
         for (const LA::Vector &field : fields)
           {
             const std::complex<double> content(field * a,

@@ -153,6 +153,7 @@ namespace Biface
         }
     });
     const auto first = columns.begin() + lower.back();
+    // earlier lines first, which the forward sweep reads alone
     std::sort(first, columns.end());
     upper.push_back(std::lower_bound(first, columns.end(), begin) -
                     columns.begin());

@@ -106,6 +106,8 @@ namespace Biface
           return result;
         const double last = error;
         error             = correction.linfty_norm() / x.linfty_norm();
+        // corrections that do not shrink improve nothing any more: they are
+        // round-off, or the matrix is singular
         if (!(error < last / 2))
           break;
         x += correction;

@@ -183,6 +183,7 @@ namespace Biface
         level.coarse_correction = level.coarse_residual;
       }
 
+    // single precision would need iterations of its own in every cycle
     coarsest = std::make_unique<MumpsSolver>(
       mesh.communicator, levels.empty() ? timer : coarse_timer, false);
 
@@ -250,6 +251,8 @@ namespace Biface
       {
         if (!initialize_smoother(level, *on_level))
           return result;
+        // coarse functions from here on do not move nodes that the foundation
+        // holds, so that coarser levels do not know of it
         if (&level == &levels.front() && !truncate_prolongation())
           return result;
 

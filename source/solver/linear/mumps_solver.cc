@@ -768,6 +768,8 @@ namespace Biface
     const unsigned int max_iterations = factors->max_gmres_iterations();
     bool               failed         = false;
     BoundedEffort      control(max_iterations, std::max(tolerance, minimum));
+    // flexible GMRES: corrections and single precision make the preconditioner
+    // not quite linear
     x = 0;
     try
       {
@@ -789,6 +791,8 @@ namespace Biface
     Assert(matrix != nullptr, ExcNotInitialized());
     LinearSolverResult result;
     result.success = true;
+    // from the cheapest factors to the most exact ones: each kind that fails is
+    // replaced by the next
     if (factors_of != FactorsOf::matrix)
       {
         if (factors_of != FactorsOf::nothing &&

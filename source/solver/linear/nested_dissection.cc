@@ -60,6 +60,7 @@ namespace Biface
       for (int row = 0; row < A.NumMyRows(); ++row)
         {
           const int node = nodes[row];
+          // the first row of a node stands for all
           if (node != A.GRID(row))
             continue;
           int     size, *columns;

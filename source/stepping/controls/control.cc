@@ -187,6 +187,8 @@ namespace Biface
       },
       start,
       stage);
+    // a load parameter scales loads, to which motions of the ground do not
+    // belong
     if (stage.contact && moves)
       throw InputError(what + "its foundation moves, too.");
     if (!(stays(start.ground_velocity, stage.ground_velocity) &&

@@ -27,7 +27,7 @@ namespace Biface
   class BristleLines
   {
   public:
-    /** Compute them. Must be called on all ranks.
+    /** Compute the bristles. Must be called on all ranks.
      * @param face that touches the body.
      * @param zone what happens between both.
      * @param body its law has bristles. */
@@ -48,37 +48,40 @@ namespace Biface
     dealii::Tensor<1, 3>
     slip_velocity(const unsigned int node) const;
 
-    /** What the bristles turn into heat. Unit: force * length/time. */
+    /** The powers that the bristles turn into heat. Unit: force *
+     * length/time. */
     struct Powers
     {
-      /** By their tips, which slip over the ground. */
+      /** The power of the tips that slip over the ground. */
       double sliding = 0;
-      /** Where they leave the ground: the elastic energy that they then
-       * have. */
+      /** The power lost where bristles leave the ground, with the elastic
+       * energy that they then have. */
       double release = 0;
     };
 
-    /** The powers of the bristles of all ranks. Must be called on all of
-     * them.
+    /** The powers of the bristles of all ranks. Must be called on all of them.
      * @param angular_velocity that of the wheel. */
     Powers
     powers(const double angular_velocity) const;
 
-    /** Add the forces on the nodes that belong to this rank, their tractions
-     * times the areas of the nodes. */
+    /** Add the forces of the bristles on the nodes that belong to this rank:
+     * their tractions times the areas of the nodes. */
     void
     add_forces(LA::Vector &nodal_forces) const;
 
-    /** Add the derivatives of these forces. */
+    /** Add the derivatives of the forces of add_forces() by the
+     * displacements. */
     void
     add_couplings(std::vector<ForceTerm::Coupling> &couplings) const;
 
-    /** Add the change of these forces. */
+    /** Add the change of the forces of add_forces() with the rates of the
+     * loads. */
     void
     add_load_derivative(const LoadRates &rates, LA::Vector &nodal_forces) const;
 
-    /** Add the derivatives of the work of these forces in a motion of the
-     * positions: by the unknowns of all nodes, and for each of the rates.
+    /** Add the derivatives of the work of the forces of add_forces() in a
+     * motion of the positions: by the unknowns of all nodes, and for each of
+     * the rates.
      * @param transposed_derivative of the motion, times a force; null if it is
      * the same everywhere.
      * @return the work. */
@@ -100,9 +103,11 @@ namespace Biface
       unsigned int                     line, place;
       bool                             touches;
       dealii::Point<3>                 x;
-      /** Of the cells of the rank that sends it, later the sum of all. */
+      /** The area of the node, from the cells of the rank that sends it, later
+       * the sum of all. Unit: area. */
       double area;
-      /** Whether the rank that sends it owns it; only then it has unknowns. */
+      /** Whether the rank that sends the node owns it; only then it has
+       * unknowns. */
       bool owned;
       /** The derivatives of the position by the free unknowns. */
       std::vector<dealii::types::global_dof_index> dofs;
@@ -142,17 +147,18 @@ namespace Biface
     void
     for_own_bristles(const Function &function) const;
 
-    /** The force on a node, zero where it does not touch. */
+    /** The force of the bristle on a node, zero where it does not touch. */
     dealii::Tensor<1, 3>
     force(const Line &line, const unsigned int position) const;
 
-    /** Its derivative by the position of the same node or of one before. */
+    /** The derivative of the force on a node by the position of the same node
+     * or of one before. */
     dealii::Tensor<2, 3>
     force_derivative(const Line        &line,
                      const unsigned int position,
                      const unsigned int by) const;
 
-    /** Its change for the given rates. */
+    /** The change of the force on a node for the given rates. */
     dealii::Tensor<1, 3>
     force_rate(const Line        &line,
                const unsigned int position,
@@ -168,7 +174,8 @@ namespace Biface
     const Resultants::Face face;
     const PlacedBody      &body;
     std::vector<Line>      lines;
-    /** For nodes of this rank: the line and the position in it. */
+    /** The line of each node of this rank and the position in it; not set for
+     * nodes without a bristle. */
     std::vector<std::optional<std::pair<unsigned int, unsigned int>>> places;
   };
 } // namespace Biface

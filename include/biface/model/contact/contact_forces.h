@@ -23,7 +23,7 @@ namespace Biface
   class ContactForces : public ForceTerm
   {
   public:
-    /** The object is kept by reference. */
+    /** The forces of a pair, which is kept by reference. */
     explicit ContactForces(const ContactPair &contact) : contact(contact)
     {}
 
@@ -56,7 +56,8 @@ namespace Biface
                                      const LoadRates &rates,
                                      LA::Vector &nodal_forces) const override;
 
-    /** See TangentialLaw. */
+    /** Set what the nodes remember at the start of a stage, see
+     * TangentialLaw::start_stage(). */
     void
     start_stage(const Loads &loads, State &state) const override
     {
@@ -64,7 +65,8 @@ namespace Biface
         body->law->start_stage(contact.state_of(state));
     }
 
-    /** See TangentialLaw. */
+    /** Set what the nodes remember at the end of a step, see
+     * TangentialLaw::commit_step(). */
     void
     commit_step(const State & /*before*/,
                 const Loads &loads,
@@ -94,7 +96,8 @@ namespace Biface
       return contact.number == 0 ? "" : contact.name;
     }
 
-    /** Contact remains unilateral. */
+    /** Whether linear strain theory linearizes the forces: no, contact remains
+     * unilateral. */
     bool
     is_linearized() const override
     {

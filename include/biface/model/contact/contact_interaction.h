@@ -19,14 +19,14 @@ namespace Biface
   class ContactInteraction
   {
   public:
-    /** The mesh is kept by reference. Throws InputError if the parameters are
-     * invalid.
+    /** The contact with the given pairs. The mesh is kept by reference. Throws
+     * InputError if the parameters are invalid.
      * @param parameters those of each pair, the ground first. */
     ContactInteraction(const ShellMesh                            &mesh,
                        const std::vector<ContactPair::Parameters> &parameters);
 
     /** The contact with the ground and with other bodies, whose laws are those
-     * of the ground. */
+     * of the ground. The mesh is kept by reference. */
     ContactInteraction(const ShellMesh                   &mesh,
                        const ContactPair::Parameters     &ground,
                        const std::vector<BodyParameters> &bodies = {});
@@ -39,7 +39,7 @@ namespace Biface
       return *pairs.front();
     }
 
-    /** The unloaded shell, with a ContactState for each pair. */
+    /** The state of the unloaded shell, with a ContactState for each pair. */
     State
     unloaded_state() const
     {
@@ -53,13 +53,15 @@ namespace Biface
     /** The linearizations of all pairs. */
     using Linearizations = std::vector<ContactPair::Linearizations>;
 
-    /** See ContactPair::linearize(). */
+    /** The contact at the active points of all pairs, linearized, see
+     * ContactPair::linearize(). */
     Linearizations
     linearize(const State     &state,
               const Loads     &loads,
               const LoadRates &change = LoadRates()) const;
 
-    /** See ContactPair::predict_multipliers(). */
+    /** Set the multipliers of all pairs after an increment, see
+     * ContactPair::predict_multipliers(). */
     void
     predict_multipliers(State                &state,
                         const Loads          &loads,
@@ -69,23 +71,26 @@ namespace Biface
     ActiveSet
     active_points(const State &state) const;
 
-    /** The inverse: set the active sets of a state. */
+    /** Set the active sets of all pairs from a list like that of
+     * active_points(). */
     void
     set_active_points(State &state, const ActiveSet &active) const;
 
-    /** The nodes around those that are marked in any pair of such a list, see
-     * ContactPoints::nodes_around(). */
+    /** The nodes around the points that are marked in any pair of a list like
+     * active_points(), see ContactPoints::nodes_around(). */
     ActiveSet
     nodes_around(const ActiveSet &of_pairs) const;
 
-    /** See ContactPair::update_active_set().
+    /** Update the active sets of all pairs, see
+     * ContactPair::update_active_set().
      * @param held like active_points(), or empty. */
     unsigned int
     update_active_set(State           &state,
                       const Loads     &loads,
                       const ActiveSet &held = {}) const;
 
-    /** See ContactPair::settle(). */
+    /** Set the multipliers to those of the displacements and update the active
+     * sets, see ContactPair::settle(). */
     unsigned int
     settle(State &state, const Loads &loads) const;
 
@@ -97,35 +102,39 @@ namespace Biface
                 const State &after,
                 const Loads &loads_after) const;
 
-    /** See ContactPair::compute_multipliers(). */
+    /** Set the multipliers of all pairs after tiny increments, see
+     * ContactPair::compute_multipliers(). */
     void
     compute_multipliers(State                &state,
                         const Loads          &loads,
                         const Linearizations &before,
                         const LA::Vector     &increment) const;
 
-    /** See ContactPair::let_stick(). */
+    /** Let all nodes of all pairs stick that have a stick point, see
+     * ContactPair::let_stick(). */
     void
     let_stick(State &state) const;
 
-    /** See ContactPair::release_glue().
+    /** Let glued nodes of all pairs forget their stick points, see
+     * ContactPair::release_glue().
      * @param nodes like active_points(). */
     bool
     release_glue(State &state, const ActiveSet &nodes) const;
 
-    /** The numbers of active points, and of those that slip. */
+    /** The number of active points of all pairs. */
     unsigned int
     count_active(const State &state) const;
 
+    /** The number of points of all pairs that slip. */
     unsigned int
     count_slipping(const State &state, const Loads &loads) const;
 
     const ShellMesh &mesh;
-    /** At least that with the ground. */
+    /** The pairs in contact, of which the first is that with the ground. */
     const std::vector<std::unique_ptr<const ContactPair>> pairs;
 
   private:
-    /** The part of a list of all pairs that belongs to one. */
+    /** The part of a list of all pairs that belongs to one of them. */
     ActiveSet
     part_of(const ActiveSet &of_pairs, const ContactPair &pair) const;
   };

@@ -31,14 +31,15 @@ namespace Biface
   /** The figures of a contact zone. */
   struct ContactSummary
   {
-    /** Compressive force on the body, along its direction. */
+    /** The compressive force on the body, along its direction. Unit: force. */
     double force = 0;
-    /** The number of nodes, or of points in cells. */
+    /** The number of active nodes, or of active points in cells. */
     unsigned int n_nodes = 0;
     /** The number of points that slip at the limit of friction; 0 without
      * friction. */
     unsigned int n_slipping = 0;
-    /** Sum of the areas of the active points on the middle surface. */
+    /** The sum of the areas of the active points on the middle surface. Unit:
+     * area. */
     double area = 0;
     /** The part of @p area that belongs to slipping points. */
     double slipping_area = 0;
@@ -61,7 +62,7 @@ namespace Biface
   struct ContactTraction
   {
     dealii::Tensor<1, 3> total;
-    /** Its tangential part. */
+    /** The tangential part of the traction. */
     dealii::Tensor<1, 3> friction;
   };
 
@@ -87,7 +88,7 @@ namespace Biface
   }
 
 
-  /** What happens at the nodes of this rank between the shell and a body: what
+  /** The contact at the nodes of this rank between the shell and a body: what
    * the state contains or, if the points are in cells, the nodal values that
    * exert the same forces, with nodes in contact that have a point in contact
    * around. Must be called on all ranks.
@@ -125,7 +126,8 @@ namespace Biface
       check() const;
     };
 
-    /** The mesh is kept by reference. Throws InputError if the parameters are
+    /** The pair with the ground or with another body of given parameters. The
+     * mesh is kept by reference. Throws InputError if the parameters are
      * invalid.
      * @param number the position of the pair in State::contacts and
      * Loads::bodies. */
@@ -141,7 +143,7 @@ namespace Biface
                 const BodyParameters &body,
                 const unsigned int    number);
 
-    /** What happens in this pair. */
+    /** The contact state of this pair. */
     const ContactState &
     state_of(const State &state) const
     {
@@ -154,7 +156,7 @@ namespace Biface
       return state.contacts[number];
     }
 
-    /** Where the body is and how it holds the nodes; null if it is not
+    /** The body at its present place with its tangential law; null if it is not
      * there. */
     const PlacedBody *
     body(const Loads &loads) const
@@ -169,15 +171,16 @@ namespace Biface
       return body(loads) && body(loads)->law->has_friction();
     }
 
-    /** Whether it does so by bristles on the lines of flow. */
+    /** Whether the body is there and holds nodes sideways by bristles on the
+     * lines of flow. */
     bool
     has_bristles(const Loads &loads) const
     {
       return body(loads) && body(loads)->law->bristles() && loads.rolling;
     }
 
-    /** Those of a body that has them. Must be called on all ranks; the body
-     * must outlive the result. */
+    /** The bristles of a body that has them, see has_bristles(). Must be called
+     * on all ranks; the body must outlive the result. */
     BristleLines
     bristle_lines(const State &state, const Loads &loads) const
     {
@@ -204,12 +207,13 @@ namespace Biface
       return other_body && other_body->on_foundation;
     }
 
-    /** A body on that of this pair, the foundation, after the same travel. */
+    /** A body on the body of this pair, the foundation, after the same
+     * travel. */
     RigidBody
     taken_along(const RigidBody &body, const double travel) const;
 
-    /** Likewise that of another body after its motions. The foundation takes
-     * those along that are on it.
+    /** The body of a pair that is not the ground, after its motions by the
+     * given factors. The foundation takes those along that are on it.
      * @param with_foundation the further motion of a body on the foundation. */
     RigidBody
     body_at(
@@ -261,12 +265,12 @@ namespace Biface
                const Loads &loads_after) const;
 
     /** The travel from the present place of the body until it touches a free
-     * node of the face, see RigidBody::travel_to(). */
+     * node of the face, see RigidBody::travel_to(). Unit: length. */
     double
     remaining_travel(const State &state, const Loads &loads) const;
 
-    /** The way of the body until it is in a free node of the face, by the given
-     * depth and its velocity at present; infinite if it approaches none.
+    /** The way of the body, at its present velocity, until a free node of the
+     * face is in it by the given depth; infinite if it approaches none.
      * @param direction the rates of the loads per way. */
     double
     way_to_shell(const State     &state,
@@ -281,7 +285,8 @@ namespace Biface
       return mesh.deformed_position(state.displacement, node, face);
     }
 
-    /** Distance between the deformed face at a point and the body. */
+    /** The distance between the deformed face at a point and the body. Unit:
+     * length. */
     double
     clearance(const State       &state,
               const Loads       &loads,
@@ -291,8 +296,8 @@ namespace Biface
         points.position(state.displacement, point));
     }
 
-    /** A point where it may touch the body, which must be there and outlive the
-     * result. */
+    /** The geometry at a point that may touch the body, which must be there and
+     * outlive the result. */
     PointInContact
     at_point(const State       &state,
              const Loads       &loads,
@@ -305,14 +310,17 @@ namespace Biface
       dealii::Point<3>     position;
       double               clearance;
       dealii::Tensor<1, 3> normal;
-      /** The motion of the body there in the increment that follows. */
+      /** The motion of the body at the point in the increment that follows.
+       * Unit: length. */
       dealii::Tensor<1, 3> of_body;
     };
 
-    /** By point of this rank; of use at active points only. */
+    /** The linearizations by point of this rank; of use at active points
+     * only. */
     using Linearizations = std::vector<Linearization>;
 
-    /** @param change that of the loads in the increment that follows. */
+    /** The contact at the active points, linearized.
+     * @param change that of the loads in the increment that follows. */
     Linearizations
     linearize(const State     &state,
               const Loads     &loads,
@@ -370,17 +378,17 @@ namespace Biface
     void
     commit_step(State &state, const Loads &loads) const;
 
-    /** Let nodes that are glued forget their stick points, like nodes that
-     * leave the body and enter it again.
+    /** Let glued nodes forget their stick points, like nodes that leave the
+     * body and enter it again.
      * @return whether there are any on this rank. */
     bool
     release_glue(State &state, const ActiveSet &nodes) const;
 
-    /** Number of active points on all ranks. */
+    /** The number of active points on all ranks. */
     unsigned int
     count_active(const State &state) const;
 
-    /** Number of points that slip, on all ranks. */
+    /** The number of points that slip, on all ranks. */
     unsigned int
     count_slipping(const State &state, const Loads &loads) const;
 
@@ -400,7 +408,7 @@ namespace Biface
              const Loads       &loads,
              const unsigned int point) const;
 
-    /** See contact_traction(). */
+    /** The traction at a point from its multipliers, see contact_traction(). */
     ContactTraction
     traction_of_multipliers(const State       &state,
                             const Loads       &loads,
@@ -412,13 +420,13 @@ namespace Biface
                               points.position(state.displacement, point));
     }
 
-    /** The figures from the multipliers of the state. */
+    /** The figures of the contact zone, from the multipliers of the state. */
     ContactSummary
     summarize(const State &state, const Loads &loads) const;
 
     const ShellMesh   &mesh;
     const unsigned int number;
-    /** That of the body. */
+    /** The name of the body. */
     const std::string      name;
     const Resultants::Face face;
     const TreadParameters  tread;
@@ -438,13 +446,13 @@ namespace Biface
                                const TangentialLaw  &law,
                                const PointInContact &at) const;
 
-    /** Set those of all nodes if there are bristles. */
+    /** Set the tangential multipliers of all nodes if there are bristles. */
     void
     set_multipliers_of_bristles(State &state, const Loads &loads) const;
 
     const RigidBody               body_at_rest;
     const FrictionLaw::Parameters friction_parameters;
-    /** Of a body that is not the ground. */
+    /** The parameters of a body that is not the ground. */
     const std::optional<BodyParameters> other_body;
   };
 } // namespace Biface

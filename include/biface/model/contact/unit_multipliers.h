@@ -14,20 +14,21 @@
 
 namespace Biface
 {
-  /** A point of a pair, the same on all ranks: the number of the pair, and that
-   * of the node or of the point in a cell on any number of ranks. */
+  /** A point of a pair, the same on all ranks: the number of the pair, and the
+   * number of the node or of the point in a cell, which do not depend on the
+   * number of ranks. */
   using ContactPoint =
     std::pair<unsigned int, dealii::types::global_cell_index>;
 
 
-  /** The points by their positions on this rank, in the order of
+  /** The contact points by their positions on this rank, in the order of
    * ContactInteraction::active_points(). */
   std::vector<ContactPoint>
   contact_points(const ContactInteraction &contact);
 
 
-  /** What the contact at a point does to the shell, along the normal of the
-   * body there. */
+  /** The effect of a unit contact multiplier at a point on the shell, along the
+   * normal of the body there. */
   struct UnitMultiplier
   {
     /** The forces per unit of the multiplier, without those at supports. */
@@ -35,15 +36,17 @@ namespace Biface
     /** The derivative of the motion into the body by the displacements: the
      * positions among the entries of a vector on this rank, with values. */
     std::vector<std::pair<unsigned int, double>> gradient;
-    /** See ContactPair::clearance(). */
+    /** The clearance at the point, see ContactPair::clearance(). Unit:
+     * length. */
     double clearance = 0;
-    /** See ContactCondition::multiplier_stiffness(). */
+    /** The stiffness of the multiplier, see
+     * ContactCondition::multiplier_stiffness(). Unit: pressure/length. */
     double stiffness = 0;
   };
 
 
-  /** Those of the given points, whose bodies are there. Must be called on all
-   * ranks. */
+  /** The unit multipliers of the given points, whose bodies are there. Must be
+   * called on all ranks. */
   std::vector<UnitMultiplier>
   unit_multipliers(const ContactInteraction        &contact,
                    const State                     &state,

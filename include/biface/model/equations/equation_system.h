@@ -65,10 +65,10 @@ namespace Biface
     virtual bool
     is_symmetric_but_for_loads(const Loads &loads) const = 0;
 
-    /** Minus a part of the derivative of residual() that tangent() does not
-     * contain, @f$-\sum\mathbf f\otimes\mathbf g@f$: forces @f$\mathbf f@f$
-     * per unit of a quantity with the gradient @f$\mathbf g@f$, see
-     * DependentLoads. */
+    /** A part of the tangent that tangent() does not contain, minus the
+     * derivative of some forces: @f$-\sum\mathbf f\otimes\mathbf g@f$ with
+     * forces @f$\mathbf f@f$ per unit of a quantity with the gradient
+     * @f$\mathbf g@f$, see DependentLoads. */
     struct RankOne
     {
       LA::Vector forces, gradient;
@@ -77,9 +77,9 @@ namespace Biface
     virtual std::vector<RankOne>
     low_rank_part(const State &state, const Loads &loads) const = 0;
 
-    /** Another part of the derivative that tangent() does not contain; null for
-     * nothing. Must be called on all ranks, and keeps the state by
-     * reference. */
+    /** The part of minus the derivative of residual() that connects more nodes
+     * than tangent() can hold; null for nothing. Must be called on all ranks,
+     * and keeps the state by reference. */
     virtual std::unique_ptr<const NonlocalStiffness>
     nonlocal_part(const State & /*state*/) const
     {
@@ -88,16 +88,15 @@ namespace Biface
 
     /** Set what follows from the displacements of the whole shell in a state:
      * before the first assembly, and after each change of the displacements.
-     * Must be called on all ranks, where it returns the same: why that is not
-     * possible, or an empty string. */
+     * Must be called on all ranks. */
     virtual std::string
     prepare(const Loads & /*loads*/, State & /*state*/) const
     {
       return {};
     }
 
-    /** The given loads, with those that follow from the displacements of the
-     * whole shell. */
+    /** The given loads, completed by those that follow from the displacements
+     * of the whole shell. */
     virtual Loads
     with_dependent_loads(const State &state, const Loads &loads) const = 0;
 
@@ -108,8 +107,8 @@ namespace Biface
                    const Loads     &loads,
                    const LoadRates &rates) const = 0;
 
-    /** The norm of residual() relative to that of the forces that cancel in it:
-     * a pure number. */
+    /** The norm of residual() relative to the norm of the forces that cancel in
+     * it: a pure number. */
     virtual double
     relative_residual() const = 0;
 
@@ -149,7 +148,7 @@ namespace Biface
            const LA::Vector     &increment,
            const NewtonIteration iteration) const = 0;
 
-    /** After the last increment, set what follows from the displacements. */
+    /** Set what follows from the displacements, after the last increment. */
     virtual void
     settle(State &state) const = 0;
 

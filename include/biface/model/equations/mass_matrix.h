@@ -49,7 +49,7 @@ namespace Biface
     }
 
   private:
-    /** In the unknowns of the faces of the cell. */
+    /** The mass matrix in the unknowns of the faces of a cell. */
     MixedElement::NodalMatrix
     cell_mass(const Cell &cell) const;
 

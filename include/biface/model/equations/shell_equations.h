@@ -79,7 +79,8 @@ namespace Biface
     void
     start_stage(const Loads &loads, State &state) const;
 
-    /** Likewise at the end of a step, see ForceTerm::commit_step(). */
+    /** Let the terms set what they remember at the end of a step, see
+     * ForceTerm::commit_step(). */
     void
     commit_step(const State        &before,
                 const Loads        &loads,
@@ -98,12 +99,13 @@ namespace Biface
       return internal.nonlocal_stiffness(state);
     }
 
-    /** See ForceTerm::prepare(). */
+    /** Set what follows from the displacements of the whole shell, see
+     * ForceTerm::prepare(). */
     std::string
     prepare(const Loads &loads, State &state) const override;
 
-    /** The same as residual() for any state. The displacements at the supports
-     * are those of the state. */
+    /** The residual() of any state, without an assembly. The displacements at
+     * the supports are those of the state. */
     LA::Vector
     out_of_balance(const State &state, const Loads &loads) const;
 
@@ -117,8 +119,8 @@ namespace Biface
                    const Loads     &loads,
                    const LoadRates &rates) const override;
 
-    /** What is out of balance in a shape with given resultants and loads: norms
-     * of nodal forces. Unit: force. */
+    /** The norms of nodal forces that are out of balance in a shape with given
+     * resultants and loads. Unit: force. */
     struct Unbalance
     {
       double forces;
@@ -174,7 +176,8 @@ namespace Biface
            const LA::Vector     &increment,
            const NewtonIteration iteration) const override;
 
-    /** See InternalForces::settle_resultants(). */
+    /** Set the resultants to those of the displacements, see
+     * InternalForces::settle_resultants(). */
     void
     settle(State &state) const override
     {
@@ -192,8 +195,8 @@ namespace Biface
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
 
-    /** The sum of all forces on the free unknowns, and the norm of those that
-     * cancel in it. */
+    /** The sum of all forces on the free unknowns, and the norms of those that
+     * cancel in it and of the given ones. */
     struct Balance
     {
       LA::Vector sum;
@@ -203,7 +206,8 @@ namespace Biface
     Balance
     balance(const State &state, const Loads &loads) const;
 
-    /** See ForceTerm::add_coupled_forces().
+    /** The forces that do not follow from single cells, see
+     * ForceTerm::add_coupled_forces().
      * @param square to which their squares on this rank are added. */
     LA::Vector
     coupled_forces(const State &state,
@@ -228,17 +232,17 @@ namespace Biface
     std::vector<const ForceTerm *> terms;
     unsigned int                   n_linearized = 0;
 
-    /** The supports, for increments. */
+    /** The supports, as constraints on increments. */
     dealii::AffineConstraints<double> constraints;
     double                            largest_violation = 0;
 
-    /** Created by the first assembly. */
+    /** The tangent, created by the first assembly. */
     std::unique_ptr<TangentMatrix> matrix;
-    /** All that terms of this rank have had so far. */
+    /** All couplings that terms of this rank have had so far. */
     std::vector<ForceTerm::Coupling> known_couplings;
     LA::Vector                       rhs;
     double                           force_scale = 0;
-    /** The norm of has_given_forces(). */
+    /** The norm of the forces that has_given_forces() asks for. */
     double given_forces = 0;
   };
 } // namespace Biface

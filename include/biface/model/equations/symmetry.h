@@ -8,12 +8,12 @@
 
 namespace Biface
 {
-  /** Different displacements of the nodes for each @p seed, zero where supports
-   * prescribe them, the same on any number of ranks. */
+  /** Arbitrary displacements of the nodes, different for each @p seed, zero
+   * where supports prescribe them, the same on any number of ranks. */
   LA::Vector
   arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed);
 
-  /** A bound of the round-off in
+  /** A bound of the round-off in the product
    * @f$\mathbf x^T\mathbf K\mathbf x@f$. */
   double
   roundoff(const ShellMesh        &mesh,

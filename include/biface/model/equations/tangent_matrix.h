@@ -37,7 +37,7 @@ namespace Biface
                   const dealii::AffineConstraints<double> &constraints,
                   const std::vector<ForceTerm::Coupling>  &couplings = {});
 
-    /** It points into the values of its matrix. */
+    /** Not copied: it points into the values of its matrix. */
     TangentMatrix(const TangentMatrix &) = delete;
 
     /** Set all entries to zero. */
@@ -64,7 +64,7 @@ namespace Biface
     void
     add(const ForceTerm::Coupling &coupling);
 
-    /** Collect what other ranks have added. */
+    /** Collect the entries that other ranks have added. */
     void
     compress()
     {
@@ -78,33 +78,34 @@ namespace Biface
     }
 
   private:
-    /** Add what refers to the unknowns of the nodes, in the order of
-     * Cell::dofs, the matrix row by row. */
+    /** Add a matrix, row by row, and a vector for the unknowns of the nodes of
+     * a cell, in the order of Cell::dofs. */
     void
     add_to_nodes(const unsigned int cell,
                  const double      *cell_matrix,
                  const double      *cell_vector,
                  LA::Vector        &global_vector);
 
-    /** The same by AffineConstraints. */
+    /** Add a matrix and a vector for the unknowns of the nodes of a cell by
+     * AffineConstraints. */
     void
     add_with_constraints(const Cell   &cell,
                          const double *cell_matrix,
                          const double *cell_vector,
                          LA::Vector   &global_vector);
 
-    /** For each row of a cell and each of its four nodes, the position of the
-     * first column of the node among the values of the matrix. */
+    /** The position of the first column of each of the four nodes of a cell
+     * among the values of the matrix, for each row of the cell. */
     using Places = std::vector<std::array<int, 4>>;
 
     const ShellMesh                         &mesh;
     const dealii::AffineConstraints<double> &constraints;
     LA::SparseMatrix                         matrix;
     std::vector<Places>                      places;
-    /** Position of the cell in @p places, or an invalid number; the same for
-     * all elements on a cell of the triangulation. */
+    /** The position of the cell in @p places, or an invalid number; the same
+     * for all elements on a cell of the triangulation. */
     std::vector<unsigned int> fast_cell;
-    /** The nodes of the couplings. */
+    /** The pairs of nodes that are coupled. */
     std::set<decltype(ForceTerm::Coupling::nodes)> coupled;
     /** The values of the matrix, as Epetra stores them. */
     double *values = nullptr;

@@ -50,7 +50,7 @@ namespace Biface
     void
     vmult(LA::Vector &product, const LA::Vector &v) const;
 
-    /** Likewise with the transposed matrix. */
+    /** The product with the transposed matrix, see vmult(). */
     void
     Tvmult(LA::Vector &product, const LA::Vector &v) const;
 
@@ -60,7 +60,7 @@ namespace Biface
   };
 
 
-  /** The matrix if the shell rolls; null otherwise. */
+  /** The velocity matrix if the shell rolls; null otherwise. */
   std::unique_ptr<const VelocityMatrix>
   make_velocity_matrix(const ContactInteraction &contact,
                        const State              &state,

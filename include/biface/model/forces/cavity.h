@@ -41,11 +41,11 @@ namespace Biface
     /** Entries of the section 'Gas' on the cavity. */
     struct Parameters
     {
-      /** The volume under the undeformed shell; computed if not set. Unit:
-       * length^3. */
+      /** The volume under the undeformed shell; computed from its shape if not
+       * set. Unit: length^3. */
       std::optional<double> volume;
-      /** @f$r_0@f$; if not set, the smallest radius of the face at the edges of
-       * the first coordinate. Unit: length. */
+      /** The radius @f$r_0@f$ of the rim; if not set, the smallest radius of
+       * the face at the edges of the first coordinate. Unit: length. */
       std::optional<double> rim_radius;
 
       void
@@ -58,14 +58,15 @@ namespace Biface
       check(const bool has_axis) const;
     };
 
-    /** Throws InputError on all ranks if the volume is not positive.
+    /** The space under a face. Throws InputError on all ranks if its volume is
+     * not positive.
      * @param mesh kept by reference.
      * @param face the face under pressure. */
     Cavity(const ShellMesh       &mesh,
            const Parameters      &parameters,
            const Resultants::Face face);
 
-    /** The volume, on all ranks. Unit: length^3. */
+    /** The volume of the cavity, on all ranks. Unit: length^3. */
     double
     volume(const State &state) const;
 
@@ -74,7 +75,7 @@ namespace Biface
     volume_gradient(const State &state) const;
 
   private:
-    /** @f$\mathbf F@f$ and its derivative. */
+    /** The vector field @f$\mathbf F@f$ at a point, and its derivative. */
     std::pair<dealii::Tensor<1, 3>, dealii::Tensor<2, 3>>
     field(const dealii::Point<3> &x) const;
 
@@ -90,7 +91,8 @@ namespace Biface
     double
     exact_flux(const Cell &cell) const;
 
-    /** The height of the face of a cell at a vertex. */
+    /** The height of the face of a cell at a vertex above the reference
+     * surface. Unit: length. */
     double
     height(const Cell &cell, const unsigned int vertex) const;
 
@@ -104,7 +106,8 @@ namespace Biface
     /** The axis of revolution; zero if there is none. */
     const dealii::Tensor<1, 3> axis;
     const double               rim_radius;
-    /** What is added to the flux. */
+    /** The volume that is added to the flux through the shell. Unit:
+     * length^3. */
     double constant = 0;
   };
 } // namespace Biface

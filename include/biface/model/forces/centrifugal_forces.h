@@ -56,7 +56,7 @@ namespace Biface
     using MassMoments = std::array<std::array<double, 2>, 2>;
 
     const ShellMesh &mesh;
-    /** By ShellMesh::strips. */
+    /** The mass moments by ShellMesh::strips. */
     std::vector<MassMoments> mass_moments;
   };
 } // namespace Biface

@@ -22,26 +22,29 @@ namespace Biface
   struct DeadForce
   {
     dealii::Tensor<1, 3> components;
-    /** Whether the components refer to the frame @f$\mathbf e_i@f$. */
+    /** Whether the components refer to the frame @f$\mathbf e_i@f$ of the
+     * surface. */
     bool local = false;
-    /** The fractions on the two faces. */
+    /** The fractions of the force on the inner and the outer face. */
     std::array<double, 2> faces{{0.5, 0.5}};
-    /** The position of its factor in Loads::factors. */
+    /** The position of the load factor in Loads::factors. */
     unsigned int factor = 0;
   };
 
+  /** A force at a named point. */
   struct PointForce
   {
     std::string point;
     DeadForce   force;
   };
 
+  /** A force along an edge. */
   struct EdgeForce
   {
     /** The text of the user. */
     std::string text;
     Edge        edge;
-    /** Per length. */
+    /** The force per length, for the load factor 1. Unit: force/length. */
     DeadForce force;
     /** The ply in whose middle the force acts, counted from 1 at the inner
      * face; 0 for the faces of the force. */
@@ -54,18 +57,21 @@ namespace Biface
   /** A force on a face: formulas of the position for its components. */
   struct Traction
   {
-    /** Three, or none for no force. */
+    /** The formulas of the three components, or none for no force. Unit:
+     * force/area. */
     std::vector<Formula> components;
     bool                 local = false;
-    /** See DeadForce. */
+    /** The position of the load factor in Loads::factors. */
     unsigned int factor = 0;
   };
 
 
-  /** Read a comma-separated list of forces, 'name: F_1 F_2 F_3' and so on.
-   * Throw InputError if it is malformed. */
+  /** Read a comma-separated list of forces at points, 'name: F_1 F_2 F_3'.
+   * Throws InputError if it is malformed. */
   std::vector<PointForce>
   parse_point_forces(const std::string &entry, const std::string &text);
+  /** Read a comma-separated list of forces along edges, 'edge: F_1 F_2 F_3' and
+   * so on. Throws InputError if it is malformed. */
   std::vector<EdgeForce>
   parse_edge_forces(const std::string &entry, const std::string &text);
 
@@ -85,10 +91,10 @@ namespace Biface
     std::vector<PointForce> point_forces;
     std::vector<EdgeForce>  edge_forces;
     std::vector<EdgeMoment> edge_moments;
-    /** By the face. */
+    /** The tractions on the inner and the outer face. */
     std::array<Traction, 2> tractions;
     dealii::Tensor<1, 3>    area_force;
-    /** The position of its factor in Loads::factors. */
+    /** The position of the load factor of the area force in Loads::factors. */
     unsigned int factor_of_area_force = 0;
 
     void
@@ -113,7 +119,9 @@ namespace Biface
   class DeadForces : public ForceTerm
   {
   public:
-    /** @param area see DeadLoads::assemble(), which throws. */
+    /** The forces of loads on a mesh. Throws InputError, see
+     * DeadLoads::assemble().
+     * @param area see DeadLoads::assemble(), which throws. */
     DeadForces(const ShellMesh  &mesh,
                const DeadLoads  &loads,
                const AreaMeasure area)

@@ -20,13 +20,13 @@ namespace Biface
     /** The text of the user. */
     std::string text;
     Edge        edge;
-    /** Per length on the reference surface, for the load factor 1. Unit:
-     * force. */
+    /** The moment per length on the reference surface, for the load factor 1.
+     * Unit: force. */
     double moment;
-    /** Whether it does work on the rotation of the director, or is a couple of
-     * forces with constant directions. */
+    /** Whether the moment does work on the rotation of the director, or is a
+     * couple of forces with constant directions. */
     bool follower;
-    /** The position of its factor in Loads::factors. */
+    /** The position of the load factor in Loads::factors. */
     unsigned int factor = 0;
   };
 
@@ -48,7 +48,7 @@ namespace Biface
      * outer face outward beyond the edge, in the direction
      * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
     dealii::Tensor<1, 3> axis;
-    /** See EdgeMoment. */
+    /** The position of the load factor in Loads::factors. */
     unsigned int factor;
   };
 
@@ -73,7 +73,7 @@ namespace Biface
   struct FollowerCouple
   {
     dealii::Tensor<1, 3> force;
-    /** With respect to the director. */
+    /** The derivative of the force by the director. */
     dealii::Tensor<2, 3> derivative;
 
     FollowerCouple(const double                moment,
@@ -110,7 +110,7 @@ namespace Biface
     static FollowerCouple
     couple(const CellState &at, const VertexMoment &moment);
 
-    /** By cell. */
+    /** The moments by the position of their cell in ShellMesh::cells. */
     std::map<unsigned int, std::vector<VertexMoment>> moments;
   };
 } // namespace Biface

@@ -18,7 +18,8 @@
 
 namespace Biface
 {
-  /** An interval of time between two equilibria. A stage takes the time 1. */
+  /** An interval of time between two equilibria. Each stage takes the time
+   * 1. */
   struct TimeInterval
   {
     double start = 0, end = 0;
@@ -30,7 +31,8 @@ namespace Biface
   struct DependentLoads
   {
     /** The change of the loads per unit of a quantity, and the derivative of
-     * this quantity with respect to the nodal unknowns. */
+     * this quantity with respect to the nodal unknowns (locally owned
+     * entries). */
     LoadRates  rates;
     LA::Vector gradient;
   };
@@ -56,10 +58,11 @@ namespace Biface
     /** A cell with everything its forces may depend on. */
     struct CellState
     {
-      /** Its position in ShellMesh::cells. */
+      /** The position of the cell in ShellMesh::cells. */
       unsigned int index;
       const Cell  &cell;
-      /** Its nodal displacements in the state, see MixedElement::dof(). */
+      /** The nodal displacements of the cell in the state, see
+       * MixedElement::dof(). */
       const MixedElement::NodalVector &V;
       const State                     &state;
       const Loads                     &loads;
@@ -74,12 +77,12 @@ namespace Biface
       /** Loads, which do not cancel between the cells at a node. */
       MixedElement::NodalVector load;
 
-      /** Minus the derivative of both with respect to the nodal displacements.
-       */
+      /** Minus the derivative of @p force and @p load with respect to the nodal
+       * displacements. */
       MixedElement::NodalMatrix tangent;
 
-      /** Sum of the squares of everything added to @p force: the forces that
-       * cancel in equilibrium. */
+      /** The sum of the squares of everything added to @p force: the forces
+       * that cancel in equilibrium. */
       double square;
 
       /** Whether @p tangent is needed. */
@@ -113,15 +116,15 @@ namespace Biface
                         MixedElement::NodalVector & /*force*/) const
     {}
 
-    /** How the forces of a term on a node depend on another node, with which it
-     * need not share a cell. */
+    /** The dependence of the forces of a term on a node on the displacements of
+     * another node, with which it need not share a cell. */
     struct Coupling
     {
-      /** Their numbers, see Node. */
+      /** The numbers of both nodes, see Node. */
       std::pair<dealii::types::global_cell_index,
                 dealii::types::global_cell_index>
         nodes;
-      /** Free unknowns of both. */
+      /** The free unknowns of the first and of the second node. */
       std::vector<dealii::types::global_dof_index> rows, columns;
       /** Minus the derivative of the forces; empty if it is zero at
        * present. */
@@ -129,22 +132,23 @@ namespace Biface
     };
 
     /** Add forces on the nodes of this rank that do not follow from single
-     * cells, regardless of supports. Called on all ranks, like the following
-     * two. */
+     * cells, regardless of supports. Called on all ranks. */
     virtual void
     add_coupled_forces(const State & /*state*/,
                        const Loads & /*loads*/,
                        LA::Vector & /*nodal_forces*/) const
     {}
 
-    /** Add their derivatives. */
+    /** Add the derivatives of the forces of add_coupled_forces() by the
+     * displacements. Called on all ranks. */
     virtual void
     add_couplings(const State & /*state*/,
                   const Loads & /*loads*/,
                   std::vector<Coupling> & /*couplings*/) const
     {}
 
-    /** Add their derivative for the given rates of the loads. */
+    /** Add the derivative of the forces of add_coupled_forces() for the given
+     * rates of the loads. Called on all ranks. */
     virtual void
     add_load_derivative_of_couplings(const State & /*state*/,
                                      const Loads & /*loads*/,
@@ -173,8 +177,8 @@ namespace Biface
       return {};
     }
 
-    /** Set what the term remembers at the start of a stage, given the loads
-     * there. */
+    /** Set what the term remembers at the start of a stage with the given
+     * loads. */
     virtual void
     start_stage(const Loads & /*loads*/, State & /*state*/) const
     {}
@@ -204,15 +208,16 @@ namespace Biface
     set_dependent_loads(const State & /*state*/, Loads & /*loads*/) const
     {}
 
-    /** Add these loads with their derivatives in a state with these loads: a
-     * part of the tangent of low rank, see LowRankStiffness. */
+    /** Add the loads that follow from the displacements of the whole shell,
+     * with their derivatives in a state with these loads: a part of the tangent
+     * of low rank, see LowRankStiffness. */
     virtual void
     add_dependent_loads(const State & /*state*/,
                         const Loads & /*loads*/,
                         std::vector<DependentLoads> & /*dependent*/) const
     {}
 
-    /** What exerts the forces. */
+    /** The kinds of bodies that exert the forces. */
     enum class Source
     {
       shell,

@@ -30,10 +30,10 @@ namespace Biface
     /** Entries of the section 'Gas'. */
     struct Parameters
     {
-      /** @f$p_a@f$; if not set, there is no gas to be sealed. Unit:
-       * force/area. */
+      /** The ambient pressure @f$p_a@f$; if not set, there is no gas to be
+       * sealed. Unit: force/area. */
       std::optional<double> ambient_pressure;
-      /** @f$n@f$: 1 at constant temperature. */
+      /** The exponent @f$n@f$ of the volume: 1 at constant temperature. */
       double             exponent = 1;
       Cavity::Parameters cavity;
 
@@ -46,7 +46,8 @@ namespace Biface
       check(const bool has_axis) const;
     };
 
-    /** @param parameters with an ambient pressure.
+    /** The gas of a cavity.
+     * @param parameters with an ambient pressure.
      * @param cavity kept by reference. */
     Gas(const Parameters &parameters, const Cavity &cavity);
 

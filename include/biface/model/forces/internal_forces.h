@@ -43,7 +43,8 @@ namespace Biface
     add(const CellState &at, CellForces &forces) const override;
 
     /** Add the forces of linear strain theory to a cell. Laws that are not
-     * linear, as of cords that go slack, take the linearized strains.
+     * linear, such as those of cords that go slack, take the linearized
+     * strains.
      * @param at the cell in the state about which the strains are linearized.
      * @param dV the displacements since then. */
     void
@@ -60,8 +61,8 @@ namespace Biface
       return Source::shell;
     }
 
-    /** Not empty if stresses relax: then the internal variables of
-     * NonlinearPlies are remembered at the cells. */
+    /** The name of the term; not empty if stresses relax: then the internal
+     * variables of NonlinearPlies are remembered at the cells. */
     std::string
     name() const override;
 
@@ -71,13 +72,13 @@ namespace Biface
     std::string
     prepare(const Loads &loads, State &state) const override;
 
-    /** See RelaxationInFlow::losses(); in an equilibrium of a wheel that
-     * rolls. */
+    /** The energies that plies lose in a turn of a wheel that rolls, in an
+     * equilibrium, see RelaxationInFlow::losses(). */
     std::vector<std::vector<double>>
     losses(const State &state, const double angular_velocity) const;
 
-    /** What tangent() lacks where stresses relax in a wheel that rolls; null
-     * for nothing. Must be called on all ranks. */
+    /** The part that the tangent lacks where stresses relax in a wheel that
+     * rolls; null for nothing. Must be called on all ranks. */
     std::unique_ptr<const NonlocalStiffness>
     nonlocal_stiffness(const State &state) const;
 
@@ -95,12 +96,12 @@ namespace Biface
     unlisted_forces(const State &state) const;
 
     /** The part of unlisted_forces() that balances the shell since
-     * take_as_prestress(), without what belongs to the initial resultants and
-     * stresses of the laminate. */
+     * take_as_prestress(), without the part that belongs to the initial
+     * resultants and stresses of the laminate. */
     LA::Vector
     unbalanced_forces(const State &state) const;
 
-    /** Add the constant forces that add() does not contain: those of
+    /** Add the constant forces that add() does not contain,
      * Prestress::balancing_forces. The work of initial resultants on the linear
      * part of the strains cancels with the other unlisted_forces(). */
     void
@@ -110,9 +111,9 @@ namespace Biface
     static void
     set_theory(const StrainTheory theory, State &state);
 
-    /** The state in the shape in which the tangent is taken, with the same
-     * resultants and slack cords, in nonlinear theory: that about which the
-     * strains are linearized, or the state itself. */
+    /** The state, in nonlinear theory, in the shape in which the tangent is
+     * taken, with the same resultants and slack cords: the shape about which
+     * the strains are linearized, or that of the state itself. */
     State
     in_shape_of_tangent(const State &state) const;
 
@@ -141,16 +142,16 @@ namespace Biface
     void
     predict_resultants(State &state, const LA::Vector &increment) const;
 
-    /** Strains of a cell, including those that caused the prestress. */
+    /** The strains of a layer, including those that caused the prestress. */
     Modes::Vector
     total_strains(const State &state, const unsigned int cell) const;
 
-    /** These at the vertices of a layer, as the plies have them: see
-     * NonlinearPlies::strains_at_vertices(). */
+    /** The total strains at the vertices of a layer, as the plies have them:
+     * see NonlinearPlies::strains_at_vertices(). */
     std::array<StrainsOfPlies, 4>
     strains_at_vertices(const State &state, const unsigned int cell) const;
 
-    /** Resultants of a cell, including initial ones. */
+    /** The resultants of a layer, including initial ones. */
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
     {
@@ -158,16 +159,16 @@ namespace Biface
     }
 
     /** The fraction of the cords in a cell that are slack, by thickness, at the
-     * Gauss point next to each vertex. Refers to cords that can go slack. */
+     * Gauss point next to each vertex. It refers to cords that can go slack. */
     std::array<double, Modes::n_gauss_points>
     slack_fractions(const State &state, const unsigned int cell) const;
 
-    /** The fraction of the cords that are slack on all ranks, by volume. Refers
-     * to cords that can go slack; 0 if there are none. */
+    /** The fraction of the cords that are slack on all ranks, by volume. It
+     * refers to cords that can go slack; 0 if there are none. */
     double
     slack_fraction(const State &state) const;
 
-    /** Strain energy of the state on all ranks, whose derivative is the
+    /** The strain energy of the state on all ranks, whose derivative is the
      * internal force: @f$\frac12\mathbf H\cdot\mathbf E@f$ plus the work of
      * initial resultants on the nonlinear part of the strains. In linear strain
      * theory it is of second order in the displacements since the
@@ -178,11 +179,12 @@ namespace Biface
     strain_energy(const State &state) const;
 
   private:
-    /** The initial resultants of the laminate, of a cell each. */
+    /** The initial resultants of the laminate, one for each cell. */
     std::vector<Modes::Vector>
     resultants_of_laminate() const;
 
-    /** By cell: those of the laminate until there is another prestress. */
+    /** The initial resultants by cell: those of the laminate until there is
+     * another prestress. */
     const std::vector<Modes::Vector> &
     initial_resultants(const State &state) const
     {
@@ -200,7 +202,7 @@ namespace Biface
     LA::Vector
     forces_of(const std::vector<Modes::Vector> &resultants) const;
 
-    /** In nonlinear theory. */
+    /** The strain energy of a cell in nonlinear theory. */
     double
     strain_energy(const State                     &state,
                   const unsigned int               cell,
@@ -216,7 +218,8 @@ namespace Biface
       return E;
     }
 
-    /** These in the current theory. */
+    /** The strains of a cell since its stress-free shape, in the current strain
+     * theory. */
     Modes::Vector
     strains(const State &state, const unsigned int cell) const;
 
@@ -237,14 +240,14 @@ namespace Biface
     bool
     is_nonlinear() const;
 
-    /** The resultants of strains of a cell. Laws that are not linear depend on
-     * all strains, including those that caused the prestress. */
+    /** The resultants of the strains @p E of a cell. Laws that are not linear
+     * depend on all strains, including those that caused the prestress. */
     Modes::Vector
     resultants_of(const State         &state,
                   const unsigned int   cell,
                   const Modes::Vector &E) const;
 
-    /** The energy of these resultants, per area. */
+    /** The energy of the strains @p E of a cell per area. */
     double
     energy_of(const State         &state,
               const unsigned int   cell,
@@ -258,14 +261,15 @@ namespace Biface
                 const Modes::Vector &E,
                 CellForces          &forces) const;
 
-    /** The product of the tangent of a cell with the law of ModeStiffness alone
-     * and @p dV, see MixedElement::tangent_product(). */
+    /** The product of the tangent of a cell, with the law of ModeStiffness
+     * alone, and @p dV, see MixedElement::tangent_product(). */
     MixedElement::NodalVector
     linear_tangent_product(const CellState                 &at,
                            const MixedElement::NodalVector &dV) const;
 
     const ShellMesh &mesh;
-    /** By ShellMesh::strips. */
+    /** The laws of the layers and of their plies that are not linear, by
+     * ShellMesh::strips. */
     std::vector<ModeStiffness>  stiffness;
     std::vector<NonlinearPlies> nonlinear;
     RelaxationInFlow            flow;
@@ -273,7 +277,7 @@ namespace Biface
     /** The initial resultants of the laminate, by cell. */
     std::vector<Modes::Vector> of_laminate;
     /** The strains from the surface to the stress-free shape, by cell; empty if
-     * that is the surface. */
+     * the surface is the stress-free shape. */
     std::vector<Modes::Vector> of_imperfection;
   };
 } // namespace Biface

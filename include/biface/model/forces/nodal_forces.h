@@ -13,14 +13,14 @@
 
 namespace Biface
 {
-  /** The forces on the nodes in one state by what exerts them, regardless of
-   * supports, whose forces are what is missing for equilibrium: see
+  /** The forces on the nodes in one state, sorted by their sources, regardless
+   * of supports, whose forces are what is missing for equilibrium: see
    * ShellEquations::nodal_forces(). The vectors contain the locally owned
    * entries. */
   class NodalForces
   {
   public:
-    /** No forces. */
+    /** Forces of zero. */
     explicit NodalForces(const ShellMesh &mesh)
       : forces{{mesh.owned_vector(),
                 mesh.owned_vector(),
@@ -40,11 +40,11 @@ namespace Biface
       return forces[static_cast<unsigned int>(source)];
     }
 
-    /** Those of the bodies beside the foundation, by name; they are not among
-     * the others. */
+    /** The forces of the bodies beside the foundation, by name; they are not
+     * among the other forces. */
     std::map<std::string, LA::Vector> of_bodies;
 
-    /** Collect what other ranks have added. */
+    /** Collect the entries that other ranks have added. */
     void
     compress()
     {

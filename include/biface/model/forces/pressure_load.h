@@ -18,14 +18,14 @@
 
 namespace Biface
 {
-  /** How a pressure depends on the motion of the face. */
+  /** The dependence of a pressure on the motion of the face. */
   enum class PressureKind
   {
-    /** It keeps its initial direction and acts on an undeformed area, see
-     * AreaMeasure. */
+    /** The pressure keeps its initial direction and acts on an undeformed area,
+     * see AreaMeasure. */
     dead,
-    /** True pressure on the deformed face, along its normal. The tangent is not
-     * symmetric. */
+    /** The pressure acts on the deformed face, along its normal. The tangent is
+     * not symmetric. */
     follower
   };
 
@@ -48,10 +48,10 @@ namespace Biface
     PressureKind     kind = PressureKind::follower;
     Resultants::Face face = Resultants::inner;
     AreaMeasure      area = AreaMeasure::middle;
-    /** Edges of alpha_1 that a rigid plate closes, on which the pressure acts,
-     * too. */
+    /** The edges of alpha_1 that a rigid plate closes, on which the pressure
+     * acts, too. */
     std::vector<Edge> end_plates;
-    /** Formula of the position that multiplies the pressure. */
+    /** The formula of the position that multiplies the pressure. */
     Formula distribution =
       parse_position_formula("Loads/Pressure distribution", "1");
 
@@ -111,16 +111,17 @@ namespace Biface
     }
 
   private:
-    /** The unit pressure on the deformed face. */
+    /** The forces of a unit pressure on the deformed face of a cell. */
     FollowerPressure
     unit_pressure(const CellState &at) const;
 
     const ShellMesh       &mesh;
     const PressureKind     kind;
     const Resultants::Face face;
-    /** At the nodes of this rank, see PressureLoad::values(). */
+    /** The distribution of the pressure at the nodes of this rank, see
+     * PressureLoad::values(). */
     const std::vector<double> distribution;
-    /** Nodal forces of a dead unit pressure. */
+    /** The nodal forces of a dead unit pressure. */
     LA::Vector at_unit_pressure;
   };
 

@@ -27,9 +27,8 @@ namespace Biface
 
   /**
    * The relaxation of stresses in a wheel that rolls steadily: the material
-   * flows through the mesh around the axle, and what a Gauss point remembers is
-   * what the one behind it has, a moment ago; see
-   * Relaxation::around_closed_line().
+   * flows through the mesh around the axle, and a Gauss point remembers what
+   * the one behind it has had a moment ago; see RelaxationAroundLine.
    *
    * So the stresses at a point depend on the strains of all cells around the
    * axle, but by the internal variables alone: with these a cell has the law of
@@ -40,20 +39,21 @@ namespace Biface
   class RelaxationInFlow
   {
   public:
-    /** The objects are kept by reference.
+    /** The relaxation in the plies of a mesh. The objects are kept by
+     * reference.
      * @param plies by ShellMesh::strips. */
     RelaxationInFlow(const ShellMesh                   &mesh,
                      const std::vector<NonlinearPlies> &plies);
 
-    /** The internal variables of a cell with what passes while the material
-     * flows to each of its Gauss points from the one behind it, or in the step
-     * of the state if it does not. */
+    /** The internal variables of a cell with the step in which the material
+     * flows to each of its Gauss points from the one behind it, or with the
+     * step of the state if it does not flow. */
     HistoryOfPlies
     history(const State                    &state,
             const dealii::Table<2, double> &internal,
             const unsigned int              cell) const;
 
-    /** The strains of a locally owned cell. */
+    /** A function that returns the strains of a locally owned cell. */
     using Strains = std::function<Modes::Vector(unsigned int cell)>;
 
     /** Set the internal variables of the cells to those of the Gauss points
@@ -69,10 +69,9 @@ namespace Biface
                            dealii::Table<2, double> &internal) const;
 
     /** The energy per area of the middle surface that the plies lose in a turn:
-     * the integral of what their stresses have relaxed over their strains. By
-     * locally owned cell, and by the plies of its laminate. Unit: force/length.
-     * @param internal the variables of the cells' own points in equilibrium.
-     */
+     * the integral of the relaxed stresses over their strains. By locally owned
+     * cell, and by the plies of its laminate. Unit: force/length.
+     * @param internal the variables of the cells' own points in equilibrium. */
     std::vector<std::vector<double>>
     losses(const Strains                  &strains,
            const dealii::Table<2, double> &internal,
@@ -92,7 +91,7 @@ namespace Biface
      * number at each, in the order of its RelaxingStress. */
     class Ring;
 
-    /** Sets the values of a locally owned cell. */
+    /** A function that sets the values of a locally owned cell. */
     using Fill =
       std::function<void(unsigned int cell, std::vector<double> &values)>;
     Ring
@@ -100,19 +99,21 @@ namespace Biface
            const unsigned int n_per_point,
            const Fill        &fill) const;
 
-    /** How the plies of a strip relax while the material flows around it. */
+    /** The relaxation of the plies of a strip while the material flows around
+     * it. */
     struct Lines
     {
       /** The points of a row in the order in which the material passes them. */
       std::vector<unsigned int> places;
-      /** By their positions in the laminate. */
+      /** The recursions of the plies that relax, by their positions in the
+       * laminate. */
       std::map<unsigned int, RelaxationAroundLine> of_plies;
     };
     Lines
     lines(const State &state, const unsigned int strip) const;
 
-    /** The internal variables of all points for the components of their elastic
-     * stresses. */
+    /** The internal variables of all points of a strip, from the components of
+     * their elastic stresses. */
     Ring
     internal_variables(const Lines       &lines,
                        const unsigned int strip,
@@ -121,7 +122,7 @@ namespace Biface
     std::array<TimeStep, Modes::n_gauss_points>
     steps(const State &state, const Cell &cell) const;
 
-    /** From the Gauss point behind to each of a row of cells. */
+    /** The step from the Gauss point behind to each point of a row of cells. */
     TimeStep
     step_to(const State       &state,
             const unsigned int around,
@@ -136,16 +137,16 @@ namespace Biface
     const std::vector<RelaxingStress> &
     relaxing(const unsigned int strip) const;
 
-    /** Of the plies of a strip, if they follow from the heat; otherwise
-     * empty. */
+    /** The temperatures of the plies of a strip, if they follow from the heat;
+     * otherwise empty. */
     std::vector<double>
     temperatures(const State &state, const unsigned int strip) const;
 
     const ShellMesh                   &mesh;
     const std::vector<NonlinearPlies> &plies;
-    /** By strip. */
+    /** The locally owned cells of each strip. */
     std::vector<std::vector<unsigned int>> own_cells;
-    /** The strip of the wall to which each belongs. */
+    /** The strip of the wall to which each strip belongs. */
     std::vector<unsigned int> columns;
   };
 } // namespace Biface

@@ -63,7 +63,8 @@ namespace Biface
       return Source::damping;
     }
 
-    /** Steps of a linear stage start from the last equilibrium, too. */
+    /** Whether linear strain theory linearizes the term: no, since steps of a
+     * linear stage start from the last equilibrium, too. */
     bool
     is_linearized() const override
     {

@@ -26,8 +26,8 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** Where the temperatures of the plies come from: those of the stage, or
-       * computed, and then without or with an effect on the relaxation. */
+      /** The source of the temperatures of the plies: the stage, or a
+       * computation, without or with an effect on the relaxation. */
       enum class Temperatures
       {
         given,
@@ -36,7 +36,7 @@ namespace Biface
       };
 
       Temperatures temperatures = Temperatures::given;
-      /** Of the gas inside, the air, and the ground. */
+      /** The films to the gas inside, to the air, and to the ground. */
       HeatFilm inside, air, ground;
 
       void
@@ -62,12 +62,14 @@ namespace Biface
       return parameters.temperatures == Parameters::Temperatures::coupled;
     }
 
-    /** By the strips of the wall and the plies of the layup. */
+    /** The heat source and temperature of each ply, by the strips of the wall
+     * and the plies of the layup. */
     struct Field
     {
-      /** 0 where a ply does not exist. Unit: power/volume. */
+      /** The heat source; 0 where a ply does not exist. Unit: power/volume. */
       dealii::Table<2, double> source;
-      /** Empty if they are not computed; nan where a ply does not exist. */
+      /** The temperatures; empty if they are not computed; nan where a ply does
+       * not exist. */
       dealii::Table<2, double> temperature;
     };
 
@@ -113,9 +115,11 @@ namespace Biface
   private:
     const Parameters parameters;
     const ShellMesh &mesh;
-    /** Without sources and films. A ply that does not exist is thin. */
+    /** The section of the wall, without sources and films. A ply that does not
+     * exist is thin. */
     WallSection section;
-    /** By strip and ply; 0 where it does not exist. */
+    /** The volumes by strip and ply; 0 where a ply does not exist. Unit:
+     * length^3. */
     dealii::Table<2, double> volumes;
   };
 } // namespace Biface

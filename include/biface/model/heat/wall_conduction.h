@@ -15,11 +15,11 @@ namespace Biface
    * coefficient times the difference of the temperatures. */
   struct HeatFilm
   {
-    /** Unit: power/(area * temperature). */
+    /** The film coefficient. Unit: power/(area * temperature). */
     double coefficient = 0;
     double temperature = 0;
 
-    /** That of both, each during a part of the time. */
+    /** The mean of two films, each of which acts during a part of the time. */
     static HeatFilm
     mean(const HeatFilm &a, const HeatFilm &b, const double part_of_b);
   };
@@ -32,13 +32,13 @@ namespace Biface
    */
   struct WallSection
   {
-    /** (axial position, radius), by line and by face of the plies, from the
-     * inner face. */
+    /** The vertices (axial position, radius), by line and by face of the plies,
+     * from the inner face. */
     dealii::Table<2, dealii::Point<2>> vertices;
-    /** By the strip between two lines and by ply. Unit: power/(length *
-     * temperature), power/volume. */
+    /** The conductivity and the heat source by the strip between two lines and
+     * by ply. Unit: power/(length * temperature), power/volume. */
     dealii::Table<2, double> conductivity, source;
-    /** By strip: on the inner and the outer face. */
+    /** The films on the inner and on the outer face, by strip. */
     std::array<std::vector<HeatFilm>, 2> films;
   };
 

@@ -22,7 +22,8 @@ namespace Biface
    */
   struct CircumferentialSlope
   {
-    /** @param q the vertex; its neighbor is q ^ 2. */
+    /** The slope at a vertex of a cell.
+     * @param q the vertex; its neighbor is q ^ 2. */
     CircumferentialSlope(const ShellMesh   &mesh,
                          const Cell        &cell,
                          const unsigned int q)
@@ -57,7 +58,8 @@ namespace Biface
              undeformed[face];
     }
 
-    /** The two vertices on which it depends, with the derivatives. */
+    /** The two vertices on whose displacements the slope depends, with the
+     * derivatives. */
     std::array<std::pair<unsigned int, dealii::Tensor<2, 3>>, 2>
     parts() const
     {

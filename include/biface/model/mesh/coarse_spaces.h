@@ -16,11 +16,11 @@ namespace Biface
   {
     /** The local numbers of the rows of a matrix, node by node. */
     std::vector<int> rows;
-    /** Where the rows of each node start in @p rows, and where those of the
-     * last one end. */
+    /** The position in @p rows at which the rows of each node start, and that
+     * at which those of the last one end. */
     std::vector<unsigned int> begin{0};
-    /** The first nodes of the lines, and the number of nodes. Where a node of
-     * a line belongs to another rank, another line starts. */
+    /** The first nodes of the lines, and the number of nodes. A new line starts
+     * where a node of a line belongs to another rank. */
     std::vector<unsigned int> line_begin;
 
     unsigned int
@@ -39,7 +39,7 @@ namespace Biface
     GridLineNodes nodes;
 
     /**
-     * From the unknowns of this mesh to those of the next finer one.
+     * The matrix from the unknowns of this mesh to those of the next finer one.
      *
      * Mean and half differences of the faces are interpolated bilinearly, the
      * former as a Cartesian vector, the latter divided by the thicknesses of
@@ -54,12 +54,12 @@ namespace Biface
     LA::SparseMatrix interpolation;
   };
 
-  /** A mesh and coarser ones. */
+  /** A mesh and coarser ones, as spaces of displacements. */
   struct NestedSpaces
   {
     /** All unknowns of the mesh, including those with constraints. */
     GridLineNodes nodes;
-    /** From fine to coarse. */
+    /** The coarser spaces, from fine to coarse. */
     std::vector<CoarseSpace> coarse;
   };
 

@@ -30,12 +30,13 @@ namespace Biface
     circumferential
   };
 
-  /** By the component. */
+  /** The names of the components in parameter files, in the order of
+   * Component. */
   const std::vector<std::string> &
   component_names();
 
   /** The unit vector of a component at a point of the surface, in the frame of
-   * the point. @p axis is ReferenceSurface::axis(). */
+   * the point. */
   dealii::Tensor<1, 3>
   direction(const Component             component,
             const SurfacePoint         &point,

@@ -18,9 +18,9 @@ namespace Biface
   class MeshNodes;
   struct Supports;
 
-  /** A constrained unknown whose constraint is not homogeneous: @p values are
-   * multiplied by Loads::factors, and their sum is added to the entries of the
-   * constraint. */
+  /** A constrained unknown whose constraint is not homogeneous: the sum of
+   * @p values, each multiplied by one of Loads::factors, is added to the
+   * entries of the constraint. */
   struct PrescribedDisplacement
   {
     dealii::types::global_dof_index dof;
@@ -31,19 +31,19 @@ namespace Biface
   /** An equation of a support for the displacements of the faces at a node. */
   struct SupportEquation
   {
-    /** The coefficients of the displacements of all faces, those of
-     * @f$v_1@f$ from the inner to the outer face, then those of @f$v_2@f$ and
-     * @f$v_3@f$. The forces of the support on the faces are a multiple of
-     * them. */
+    /** The coefficients of the displacements of all faces, those of @f$v_1@f$
+     * from the inner to the outer face, then those of @f$v_2@f$ and @f$v_3@f$.
+     * The forces of the support on the faces are a multiple of the
+     * coefficients. */
     std::valarray<double> coefficients;
-    /** The right-hand side is their sum, each multiplied by one of
-     * Loads::factors. */
+    /** The parts of the right-hand side, which is their sum, each multiplied by
+     * one of Loads::factors. */
     std::valarray<double> values;
-    /** Which support: a position in SupportedNodes::bodies; invalid if a layer
+    /** The support: a position in SupportedNodes::bodies; invalid if a layer
      * does not exist at the node, whose faces stay together. */
     unsigned int body;
-    /** Between cyclic edges, the fraction of its forces on the node itself; the
-     * rest acts on the partner. */
+    /** The fraction of the forces of the support on the node itself; the rest
+     * acts on the partner of a node on a cyclic edge. */
     double share;
   };
 
@@ -53,13 +53,14 @@ namespace Biface
   {
     struct Item
     {
-      /** Position in MeshNodes::nodes. */
+      /** The position of the node in MeshNodes::nodes. */
       unsigned int node;
-      /** Between cyclic edges: the node with the same displacements on the
-       * second edge, while @p node is on the first; invalid otherwise. */
+      /** The node with the same displacements on the second of two cyclic
+       * edges, while @p node is on the first; invalid if there is none. */
       unsigned int partner;
-      /** Linearly independent. If several supports hold a displacement, the
-       * equation is that of the first one, in the order of @p bodies. */
+      /** The linearly independent equations. If several supports hold a
+       * displacement, the equation is that of the first one, in the order of
+       * @p bodies. */
       std::vector<SupportEquation> equations;
     };
 

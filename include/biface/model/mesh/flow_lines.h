@@ -28,16 +28,17 @@ namespace Biface
   class FlowLines
   {
   public:
-    /** @param mesh any mesh; only one of a closed surface has flow lines. */
+    /** The flow lines of a mesh, which has some only if its surface is closed.
+     * @param mesh any mesh; only one of a closed surface has flow lines. */
     explicit FlowLines(const ShellMesh &mesh);
 
     /** The neighbors of a node along its line, behind and ahead in the
      * direction of @f$\varphi@f$. */
     struct Stencil
     {
-      /** Positions in ShellMesh::nodes. */
+      /** The positions of the neighbors in ShellMesh::nodes. */
       std::array<unsigned int, 2> neighbors;
-      /** @f$h^-,h^+@f$ in radians */
+      /** The angles @f$h^-,h^+@f$ to the neighbors, in radians. */
       std::array<double, 2> angles;
 
       /** The derivative of the slope by the position of the neighbor ahead,
@@ -49,8 +50,9 @@ namespace Biface
       }
     };
 
-    /** None if the mesh is not closed, or if a neighbor is not on this rank,
-     * which is possible for nodes that no cell of this rank has. */
+    /** The neighbors of a node; none if the mesh is not closed, or if a
+     * neighbor is not on this rank, which is possible for nodes that no cell of
+     * this rank has. */
     const std::optional<Stencil> &
     at(const unsigned int node) const
     {

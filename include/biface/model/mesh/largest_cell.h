@@ -21,18 +21,19 @@ namespace Biface
   {
     /** The value of a cell that has none. */
     static constexpr double none = -std::numeric_limits<double>::infinity();
-    /** Relative; well above the round-off of a solution, below what matters. */
+    /** The relative difference of values that are taken as equal: well above
+     * the round-off of a solution, below what matters. */
     static constexpr double tolerance = 1e-6;
 
     /** The largest value of all cells. */
     double value = none;
-    /** See ChartGrid::cell_number(). */
+    /** The number of the cell in the grid, see ChartGrid::cell_number(). */
     dealii::types::global_cell_index number = 0;
 
     /** The layer, from the inner face. */
     unsigned int layer = 0;
-    /** The place of the element among those of this rank, on the one rank that
-     * owns it. */
+    /** The position of the element among those of this rank, set on the one
+     * rank that owns it. */
     std::optional<unsigned int> position;
 
     /** The minimum value that is taken as equal to the largest. */
@@ -43,8 +44,8 @@ namespace Biface
     }
   };
 
-  /** Find it among all ranks; nothing if no cell has a value. Must be called on
-   * all ranks.
+  /** Find the cell with the largest value among all ranks; nothing if no cell
+   * has a value. Must be called on all ranks.
    * @param values of the elements of this rank, see ShellMesh::cells. */
   std::optional<LargestCell>
   find_largest_cell(const ShellMesh &mesh, const std::vector<double> &values);

@@ -40,7 +40,8 @@ namespace Biface
     /** The lines of the grid that meet at the node. */
     GridIndex grid_index;
 
-    /** See ChartGrid::node_number(): independent of the number of ranks. */
+    /** The number of the node, see ChartGrid::node_number(), which does not
+     * depend on the number of ranks. */
     dealii::types::global_cell_index number;
 
     /** The coordinates @f$(\alpha_1,\alpha_2)@f$, in the internal unit of the
@@ -49,19 +50,21 @@ namespace Biface
 
     SurfacePoint surface;
 
-    /** @f$\delta^-,\delta^+@f$ of the inner and the outer face, see
-     * Laminate::face_heights(): the mean of both sides if a ply ends here.
-     * Unit: length. */
+    /** The heights @f$\delta^-,\delta^+@f$ of the inner and the outer face
+     * above the reference surface, see Laminate::face_heights(): the means of
+     * both sides if a ply ends here. Unit: length. */
     std::array<double, 2> face_heights;
 
-    /** Half the thickness of each layer, inner layer first, likewise; zero
-     * where a layer does not exist. Unit: length. */
+    /** Half the thickness of each layer, inner layer first: the mean of both
+     * sides if a ply ends here; zero where a layer does not exist. Unit:
+     * length. */
     std::vector<double> half_thickness;
 
-    /** Global indices of the unknowns, in the order of dof(). */
+    /** The global indices of the unknowns, in the order of dof(). */
     std::vector<dealii::types::global_dof_index> dofs;
 
-    /** Their positions among the entries of a vector with ghosts. */
+    /** The positions of the unknowns among the entries of a vector with
+     * ghosts. */
     std::vector<unsigned int> entries;
 
     unsigned int
@@ -70,8 +73,8 @@ namespace Biface
       return half_thickness.size();
     }
 
-    /** The unknowns per component: the mean is part 0, half the difference over
-     * the layer k is part k + 1. */
+    /** The number of unknowns per component: the mean is part 0, half the
+     * difference over the layer k is part k + 1. */
     unsigned int
     n_parts() const
     {
@@ -92,14 +95,15 @@ namespace Biface
     }
 
     /** The derivative of the displacement of the face @p face, from 0 to L, by
-     * a part. */
+     * a part of the unknowns. */
     static double
     sign_of_part(const unsigned int face, const unsigned int part)
     {
       return part == 0 || part <= face ? 1. : -1.;
     }
 
-    /** The height of a face. Unit: length. */
+    /** The height of a face, from 0 to L, above the reference surface. Unit:
+     * length. */
     double
     height(const unsigned int face) const
     {
@@ -111,10 +115,10 @@ namespace Biface
       return height;
     }
 
-    /** The parts of the thickness below and above each layer, weighted so that
-     * what is spread evenly over the thickness does work on the part k + 1: its
-     * @f$k@f$-th entry is the derivative of the mean displacement of the wall
-     * by @f$d_k@f$. */
+    /** The parts of the thickness below and above each layer, weighted such
+     * that a force that is spread evenly over the thickness does work on the
+     * part k + 1: the @f$k@f$-th entry is the derivative of the mean
+     * displacement of the wall by @f$d_k@f$. */
     std::vector<double>
     spread() const;
 
@@ -130,7 +134,7 @@ namespace Biface
   class MeshNodes
   {
   public:
-    /** Without nodes yet. */
+    /** A mesh without nodes yet. */
     MeshNodes(const MPI_Comm                          communicator,
               std::shared_ptr<const ReferenceSurface> surface,
               const ChartGrid                        &grid,
@@ -143,21 +147,21 @@ namespace Biface
     const MPI_Comm  communicator;
     const ChartGrid grid;
 
-    /** Those of this rank: of its cells and of their neighbors, also across
-     * cyclic edges. */
+    /** The nodes of this rank: those of its cells and of their neighbors, also
+     * across cyclic edges. */
     std::vector<Node> nodes;
 
-    /** Their unknowns. */
+    /** The unknowns of the nodes of this rank. */
     dealii::IndexSet locally_relevant;
 
-    /** Named points, with the coordinates of their nodes, which differ by a
+    /** The named points, with the coordinates of their nodes, which differ by a
      * period or by round-off from those that were given, and the positions of
      * these nodes; invalid numbers for nodes that exist only on other ranks. */
     std::vector<NamedPoint>   points;
     std::vector<unsigned int> nodes_of_points;
 
-    /** The node of a named point. Throws InputError, naming @p entry, if there
-     * is no such point. */
+    /** The position of the node of a named point. Throws InputError that names
+     * @p entry if there is no such point. */
     unsigned int
     node_of_point(const std::string &entry, const std::string &name) const;
 
@@ -175,8 +179,8 @@ namespace Biface
     }
 
   protected:
-    /** Find the nodes of the named points. Throws InputError, naming the
-     * nearest node, if a point is not a node. */
+    /** Find the nodes of the named points. Throws InputError that names the
+     * nearest node if a point is not a node. */
     void
     find_points();
 

@@ -21,7 +21,8 @@ namespace Biface
   struct NamedPoint
   {
     std::string name;
-    /** In the internal unit of the surface or in that of parameter files. */
+    /** The coordinates of the point, in the internal unit of the surface or in
+     * that of parameter files. */
     dealii::Point<2> alpha;
     /** The first coordinate, if it depends on the `end` of the surface. */
     std::optional<Coordinate> alpha_1 = {};
@@ -34,18 +35,18 @@ namespace Biface
   parse_points(const std::string &entry, const std::string &text);
 
 
-  /** The position of a named point in a list. Throws InputError, naming
-   * @p entry, if there is no such point. */
+  /** The position of a named point in a list. Throws InputError that names
+   * @p entry if there is no such point. */
   unsigned int
   find_point(const std::vector<NamedPoint> &points,
              const std::string             &entry,
              const std::string             &name);
 
 
-  /** The points of a shell. */
+  /** The named points of a shell. */
   struct NamedPoints
   {
-    /** In the unit of parameter files. */
+    /** The points as they are given, in the unit of parameter files. */
     std::vector<NamedPoint> list;
 
     void

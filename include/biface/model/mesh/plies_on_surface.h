@@ -11,7 +11,7 @@
 
 namespace Biface
 {
-  /** What plies know of a surface, with the crown of the part covered by a
+  /** The surface as plies know it, with the crown of the part covered by a
    * grid. */
   SurfaceOfPlies
   plies_on_surface(const std::shared_ptr<const ReferenceSurface> &surface,

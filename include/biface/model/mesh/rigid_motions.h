@@ -33,12 +33,13 @@ namespace Biface
   /** A rigid motion of the deformed shell. */
   struct RigidMotion
   {
-    /** In words, as above. */
+    /** The name of the motion, such as "translation along y", see
+     * free_rigid_motions(). */
     std::string name;
     /** The displacements of the locally owned unknowns, for a shell of unit
      * size; zero where constraints determine them. */
     LA::Vector displacement;
-    /** The vector of its rotation; zero for a translation. */
+    /** The vector of the rotation; zero for a translation. */
     dealii::Tensor<1, 3> rotation;
   };
 

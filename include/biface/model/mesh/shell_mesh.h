@@ -45,54 +45,57 @@ namespace Biface
    */
   struct Cell
   {
-    /** Of the nodes, vertex by vertex, in the order of Node::dofs. */
+    /** The global indices of the unknowns of the nodes, vertex by vertex, in
+     * the order of Node::dofs. */
     std::vector<dealii::types::global_dof_index> dofs;
-    /** The positions of the dofs in ShellMesh::locally_relevant, and so among
-     * the entries of a vector with ghosts. */
+    /** The positions of the dofs in ShellMesh::locally_relevant, which are
+     * those among the entries of a vector with ghosts. */
     std::vector<unsigned int> positions;
-    /** Positions in ShellMesh::nodes. */
+    /** The positions of the nodes in ShellMesh::nodes, by vertex. */
     std::array<unsigned int, 4> nodes;
-    /** Position in ShellMesh::strips. */
+    /** The position of the strip in ShellMesh::strips. */
     unsigned int    strip;
     ElementGeometry geometry;
-    /** See ChartGrid::cell_number(): the same for the wall and its layers. */
+    /** The number of the cell in the grid, see ChartGrid::cell_number(): the
+     * same for the wall and its layers. */
     dealii::types::global_cell_index column;
     /** The number of the element, independent of the number of ranks. */
     dealii::types::global_cell_index number;
     bool                             is_wall, is_layer;
-    /** Counted from the inner face. */
+    /** The number of the layer, counted from the inner face. */
     unsigned int layer;
 
-    /** The half differences over one of the layers at a node contribute to the
-     * mean and to the half difference of the faces of the element. */
+    /** The contribution of the half difference over one of the layers at a node
+     * to the mean and to the half difference of the faces of the element. */
     struct Contribution
     {
       double mean = 0, half_difference = 1;
     };
 
-    /** By vertex and layer; empty if the unknowns of the element are those of
-     * the nodes. */
+    /** The contributions by vertex and layer; empty if the unknowns of the
+     * element are those of the nodes. */
     std::vector<Contribution> contributions;
 
-    /** From the unknowns of the nodes, in the order of @p dofs, to those of the
-     * element. */
+    /** The unknowns of the element from those of the nodes, which are in the
+     * order of @p dofs. */
     MixedElement::NodalVector
     own_values(const std::vector<double> &values) const;
 
-    /** From forces on the faces of the element to those on the nodes, in the
-     * order of @p dofs. */
+    /** Convert forces on the faces of the element into those on the unknowns of
+     * the nodes, in the order of @p dofs. */
     void
     to_nodes(const MixedElement::NodalVector &forces,
              std::vector<double>             &of_nodes) const;
 
-    /** From a tangent for the faces of the element to one for the nodes, row by
-     * row. */
+    /** Convert a tangent for the faces of the element into one for the unknowns
+     * of the nodes, row by row. */
     void
     to_nodes(const MixedElement::NodalMatrix &K,
              std::vector<double>             &of_nodes) const;
 
-    /** Of a wall: the derivative of the displacement of the inner or the outer
-     * face of the node by the half difference of the faces of the element. */
+    /** The derivative of the displacement of the inner or the outer face of the
+     * node by the half difference of the faces of the element, which is a
+     * wall. */
     double
     sign_of_face(const unsigned int vertex, const unsigned int face) const;
   };
@@ -102,13 +105,13 @@ namespace Biface
   struct BoundarySegment
   {
     Edge edge;
-    /** Position in ShellMesh::cells. */
+    /** The position of the cell in ShellMesh::cells. */
     unsigned int cell;
     /** The numbers of the vertices in the cell. */
     std::array<unsigned int, 2> vertices;
-    /** Positions in ShellMesh::nodes. */
+    /** The positions of the nodes in ShellMesh::nodes. */
     std::array<unsigned int, 2> nodes;
-    /** On the reference surface. */
+    /** The length of the side on the reference surface. */
     double length;
   };
 
@@ -145,8 +148,8 @@ namespace Biface
     void
     deviate_by(const Imperfection &imperfection);
 
-    /** The same mesh with other plies, of which it shares all but these; null
-     * if they place the faces elsewhere. Throws InputError if a ply ends
+    /** A mesh with other plies, which shares everything else with this one;
+     * null if they place the faces elsewhere. Throws InputError if a ply ends
      * between two lines. */
     std::shared_ptr<const ShellMesh>
     with_layup(const Layup &other) const;
@@ -161,19 +164,19 @@ namespace Biface
 
     const StrainSampling sampling;
     const Interpolation  interpolation;
-    /** Never by_layers. */
+    /** The source of the thickness strain of the elements; never by_layers. */
     const ThicknessStrain thickness_strain;
 
-    /** Of the whole wall between the lines of the first coordinate, in
-     * ascending order, followed by those of single layers if there are several.
-     */
+    /** The strips of the whole wall between the lines of the first coordinate,
+     * in ascending order, followed by those of single layers if there are
+     * several. */
     std::vector<Strip> strips;
 
     /** The elements, those on the same cell of the triangulation next to each
      * other: the wall first, then the layers that exist there. */
     std::vector<Cell> cells;
 
-    /** Positions in @p cells of the layers, and of the walls. */
+    /** The positions in @p cells of the layers, and of the walls. */
     std::vector<unsigned int> layers, walls;
 
     /** The elements on which loads and contact act, to loop over. */
@@ -185,12 +188,12 @@ namespace Biface
         boost::make_permutation_iterator(cells.begin(), walls.end()));
     }
 
-    /** The first of the layers of a wall, given by its position in @p cells,
-     * and the one after the last. */
+    /** The positions in @p cells of the first layer of a wall, and of the one
+     * after its last. */
     std::pair<unsigned int, unsigned int>
     layers_of(const unsigned int wall) const;
 
-    /** The wall to which a layer belongs. */
+    /** The position in @p cells of the wall to which a layer belongs. */
     unsigned int
     wall_of(unsigned int layer) const
     {
@@ -199,7 +202,7 @@ namespace Biface
       return layer;
     }
 
-    /** The number of layers, where all exist. */
+    /** The number of layers at places where all exist. */
     unsigned int
     n_layers() const
     {
@@ -213,18 +216,19 @@ namespace Biface
       return 3 * (n_layers() + 1);
     }
 
-    /** The number of strips across the shell. */
+    /** The number of strips of cells across the shell. */
     unsigned int
     n_strips() const
     {
       return grid.n_cells(0);
     }
 
-    /** Nodes that share a cell with the node of the same position, including
-     * itself. Complete for locally owned nodes. Not across cyclic edges. */
+    /** The nodes that share a cell with each node, including itself, by their
+     * positions in @p nodes. Complete for locally owned nodes. Not across
+     * cyclic edges. */
     std::vector<std::vector<unsigned int>> neighbors;
 
-    /** Sides of locally owned cells on the edges of the shell. */
+    /** The sides of locally owned cells on the edges of the shell. */
     std::vector<BoundarySegment> boundary;
 
     dealii::IndexSet locally_owned;
@@ -233,7 +237,8 @@ namespace Biface
      * at all nodes of this rank: its imperfections. Empty if there are none. */
     LA::Vector imperfection;
 
-    /** See make_constraints(). */
+    /** The supports as constraints, prescribed displacements, and equations,
+     * see make_constraints(). */
     dealii::AffineConstraints<double>   constraints;
     std::vector<PrescribedDisplacement> prescribed;
     SupportedNodes                      supported;
@@ -264,7 +269,7 @@ namespace Biface
     bool
     prescribes_displacements() const;
 
-    /** Whether they prescribe some that have a given factor, see
+    /** Whether supports prescribe displacements that have a given factor, see
      * SupportEquation. */
     bool
     prescribes_displacements(const unsigned int factor) const;
@@ -305,40 +310,43 @@ namespace Biface
     LA::Vector
     owned_vector() const;
 
-    /** Displacement of the inner or outer face at a node, in the frame of the
-     * node. */
+    /** The displacement of the inner or outer face at a node, in the frame of
+     * the node. */
     dealii::Tensor<1, 3>
     displacement(const LA::Vector  &V,
                  const Node        &node,
                  const unsigned int face) const;
 
-    /** Displacement of any face at a node, from 0 to L, see Node. */
+    /** The displacement of any face at a node, from 0 to L, in the frame of the
+     * node, see Node. */
     dealii::Tensor<1, 3>
     displacement_of_any_face(const LA::Vector  &V,
                              const Node        &node,
                              const unsigned int face) const;
 
-    /** Position of a face at a node in the deformed shell. */
+    /** The position of the inner or outer face at a node in the deformed
+     * shell. */
     dealii::Point<3>
     deformed_position(const LA::Vector  &V,
                       const Node        &node,
                       const unsigned int face) const;
 
-    /** Position of any face at a node in the deformed shell. */
+    /** The position of any face at a node, from 0 to L, in the deformed
+     * shell. */
     dealii::Point<3>
     position_of_any_face(const LA::Vector  &V,
                          const Node        &node,
                          const unsigned int face) const;
 
-    /** Position in the deformed shell of the point of a node at a height, see
-     * Node::face_heights. */
+    /** The position in the deformed shell of the point of a node at a height,
+     * see Node::face_heights. */
     dealii::Point<3>
     position_at_height(const LA::Vector &V,
                        const Node       &node,
                        const double      height) const;
 
-    /** Add forces on the faces of a cell at its vertices to those of all nodes,
-     * regardless of supports. */
+    /** Add forces on the faces of a cell at its vertices to a vector of the
+     * forces on all nodes, regardless of supports. */
     void
     add_nodal_forces(const Cell                      &cell,
                      const MixedElement::NodalVector &force,
@@ -356,7 +364,8 @@ namespace Biface
                       const Node        &node,
                       const unsigned int face) const;
 
-    /** The displacements of the faces of a cell, see MixedElement::Part.
+    /** The unknowns of the faces of a cell at its vertices, see
+     * MixedElement::Part.
      * @param V a vector with ghosts. */
     MixedElement::NodalVector
     cell_values(const LA::Vector &V, const Cell &cell) const;
@@ -394,9 +403,9 @@ namespace Biface
   };
 
 
-  /** Formulas of the position, see parse_position_formula(), at all nodes of
-   * this rank: `[node][i]` is the i-th formula's value. Throws InputError on
-   * all ranks where one is not finite at any node. */
+  /** The values of formulas of the position, see parse_position_formula(), at
+   * all nodes of this rank: `[node][i]` is that of the i-th formula. Throws
+   * InputError on all ranks where one is not finite at any node. */
   std::vector<std::vector<double>>
   evaluate_at_nodes(const std::vector<Formula> &formulas,
                     const ShellMesh            &mesh);

@@ -9,13 +9,14 @@
 
 namespace Biface
 {
-  /** The plies of an element between two lines of the first coordinate. */
+  /** The plies of an element between two neighboring lines of the first
+   * coordinate. */
   struct Strip
   {
-    /** The plies at the middle of the strip, which give the stiffness of the
-     * cells. */
+    /** The laminate at the middle of the strip, which gives the stiffness of
+     * the cells. */
     Laminate laminate;
-    /** The same plies at both lines. */
+    /** The laminates of the same plies at both lines of the strip. */
     std::array<Laminate, 2> at_lines;
   };
 } // namespace Biface

@@ -23,18 +23,18 @@ namespace Biface
   struct SupportCondition
   {
     Component component;
-    /** @f$(c^-, c^+)@f$ */
+    /** The coefficients @f$(c^-, c^+)@f$ of the inner and the outer face. */
     std::array<double, 2> coefficients;
-    /** @f$\bar v@f$ for the load factor 1. Unit: length. */
+    /** The displacement @f$\bar v@f$ for the load factor 1. Unit: length. */
     double value;
     /** Whether the value was given. */
     bool is_prescribed = false;
-    /** The position of its factor in Loads::factors. */
+    /** The position of the load factor in Loads::factors. */
     unsigned int factor = 0;
     /** Whether the faces between layers are held like the outer one. */
     bool holds_all_faces = false;
-    /** Instead of the value, a formula of the undeformed position of the face,
-     * or of the middle of the wall; see parse_position_formula(). */
+    /** The formula of the undeformed position of the face, or of the middle of
+     * the wall, that replaces the value; see parse_position_formula(). */
     std::optional<Formula> formula = {};
   };
 
@@ -87,7 +87,7 @@ namespace Biface
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Whether the edges of alpha_2 are coupled. Both must be cyclic. */
+    /** Whether the edges of alpha_2 are coupled: both are cyclic. */
     bool
     is_cyclic() const
     {

@@ -17,11 +17,11 @@ namespace Biface
     /** The number of waves around the axis in which most of the square of the
      * displacements lies. */
     unsigned int circumferential;
-    /** Half waves along the meridian: one more than the changes of sign of the
-     * largest component of these waves. */
+    /** The number of half waves along the meridian: one more than the changes
+     * of sign of the largest component of the waves around the axis. */
     unsigned int meridional;
-    /** The part of these waves that travels right-handed about the axis, less
-     * the part that travels the other way, between -1 and 1; zero for standing
+    /** The part of the waves that travels right-handed about the axis, less the
+     * part that travels the other way, between -1 and 1; zero for standing
      * waves. */
     double travel;
   };

@@ -16,15 +16,16 @@ namespace Biface
   struct ContactResultant
   {
     double value = 0;
-    /** The sum of the absolute values of what adds up to it. */
+    /** The sum of the absolute values of the contributions that add up to the
+     * value. */
     double magnitude = 0;
-    /** With respect to the displacements. */
+    /** The derivative of the value with respect to the displacements. */
     LA::Vector gradient;
-    /** With respect to load parameters: for each of the given rates of the
-     * loads. */
+    /** The derivatives of the value with respect to load parameters: one for
+     * each of the given rates of the loads. */
     std::vector<double> per_load;
 
-    /** Add that of another body, for the same rates. */
+    /** Add the resultant of another body, for the same rates. */
     ContactResultant &
     operator+=(const ContactResultant &other)
     {

@@ -32,7 +32,8 @@ namespace Biface
   class CyclicLoss
   {
   public:
-    /** @param angles in ascending order, within a turn. Unit: radians.
+    /** The form for cycles between given angles.
+     * @param angles in ascending order, within a turn. Unit: radians.
      * @param n_harmonics how many are counted, all by default. */
     CyclicLoss(const std::vector<double>        &angles,
                const std::optional<unsigned int> n_harmonics = {});

@@ -10,16 +10,16 @@ namespace Biface
   /** How far a body is in the shell between the points that make contact. */
   struct DepthBetweenPoints
   {
-    /** Deeper than in the mean of the points around, and divided by the
-     * thickness of wall and tread; 0 outside. */
+    /** The depth beyond the mean of the depths of the points around, and its
+     * ratio to the thickness of wall and tread; 0 outside the body. */
     double depth = 0, relative = 0;
   };
 
-  /** The largest between nodes at the middle of cells and of their sides, where
-   * the face bulges as its directors turn; between points in cells at the
-   * corners of their parts of the cell, with the depth at the points
-   * extrapolated linearly, and 0 if there is a single one in a cell. Must be
-   * called on all ranks. */
+  /** The largest depth of a body: between nodes at the middle of cells and of
+   * their sides, where the face bulges as its directors turn; between points in
+   * cells at the corners of their parts of the cell, with the depth at the
+   * points extrapolated linearly, and 0 if there is a single one in a cell.
+   * Must be called on all ranks. */
   DepthBetweenPoints
   depth_between_points(const ContactPair &pair,
                        const State       &state,

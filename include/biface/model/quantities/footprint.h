@@ -29,11 +29,11 @@ namespace Biface
    */
   struct Footprint
   {
-    /** Extent in the wheel plane, normal to the y axis, and across it, along
-     * the projection of the y axis. Unit: length. */
+    /** The extent in the wheel plane, normal to the y axis, and across it,
+     * along the projection of the y axis. Unit: length. */
     double length = 0, width = 0;
 
-    /** Area of the deformed face within the edge. Unit: area. */
+    /** The area of the deformed face within the edge. Unit: area. */
     double area = 0;
 
     /**

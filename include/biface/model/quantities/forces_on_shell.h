@@ -19,7 +19,7 @@ namespace Biface
   {
     std::string          body;
     dealii::Tensor<1, 3> force;
-    /** About the origin. */
+    /** The moment about the origin. Unit: force times length. */
     dealii::Tensor<1, 3> moment;
 
     /** The moment about another point. */
@@ -65,7 +65,7 @@ namespace Biface
                   const NodalForces    &forces);
 
 
-  /** The one of the foundation among forces_on_shell(). */
+  /** The resultant of the foundation among those of forces_on_shell(). */
   const ForceOnShell &
   force_of_foundation(const std::vector<ForceOnShell> &forces);
 } // namespace Biface

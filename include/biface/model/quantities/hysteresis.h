@@ -28,32 +28,37 @@ namespace Biface
      * whether the mesh resolves the cycles. */
     static constexpr unsigned int n_first_harmonics = 8;
 
-    /** Unit: force times length. */
+    /** The energies that a ply dissipates in a turn. Unit: force times
+     * length. */
     struct OfPly
     {
       double energy = 0;
-      /** The part of @p energy that belongs to the first harmonics; not a
+      /** The part of the energy that belongs to the first harmonics; not a
        * number with relaxation. */
       double of_first_harmonics = 0;
     };
 
-    /** Their energies by the strips of the wall. */
+    /** The energy that each ply dissipates in each strip of the wall, by strip
+     * and ply. Unit: force times length. */
     dealii::Table<2, double> by_strip;
 
-    /** The part of the energy() that stresses lose by relaxation. */
+    /** The part of energy() that stresses lose by relaxation. Unit: force times
+     * length. */
     double of_relaxation = 0;
 
-    /** By the plies of the layup. */
+    /** The energies by the plies of the layup. */
     std::vector<OfPly> plies;
 
-    /** The power of an energy per turn. Unit: force times length per time. */
+    /** The power of an energy that is dissipated per turn. Unit: force times
+     * length per time. */
     static double
     power(const double energy, const double angular_velocity)
     {
       return energy * std::abs(angular_velocity) / (2 * dealii::numbers::PI);
     }
 
-    /** The sum over all plies. */
+    /** The energy that all plies dissipate in a turn. Unit: force times
+     * length. */
     double
     energy() const;
   };

@@ -16,7 +16,7 @@ namespace Biface
    */
   struct InvertedLayer
   {
-    /** See ChartGrid::cell_number(). */
+    /** The number of the cell in the grid, see ChartGrid::cell_number(). */
     dealii::types::global_cell_index cell;
     unsigned int                     layer;
   };

@@ -27,29 +27,30 @@ namespace Biface
     /** The distance of the contact center from the center of the wheel. */
     double loaded_radius = 0;
 
-    /** See axle_moment(). */
+    /** The moment of the axle on the wheel, see axle_moment(). Unit: force
+     * times length. */
     double axle_moment = 0;
 
     /** The component of the velocity over the ground in the plane of the wheel,
      * per angular velocity; not a number without one. Unit: length. */
     double rolling_radius = 0;
 
-    /** Powers: of the axle on the wheel, of the ground on the wheel, and what
-     * friction turns into heat. Their balance is @p mismatch, axle + ground -
-     * friction - what relaxes: the error of the mesh, which is zero in the
-     * limit. Most of it is @p normal, the power of the contact pressure on
-     * particles that cross the surface of the ground at the edge of contact,
-     * where a segment of the mesh is half in contact; @p mismatch plus @p
-     * normal is the rest. */
+    /** The powers of the axle on the wheel, of the ground on the wheel, and
+     * that which friction turns into heat. Their balance is @p mismatch, axle +
+     * ground - friction - what relaxes: the error of the mesh, which is zero in
+     * the limit. Most of it is @p normal_power, the power of the contact
+     * pressure on particles that cross the surface of the ground at the edge of
+     * contact, where a segment of the mesh is half in contact; @p mismatch plus
+     * @p normal_power is the rest. */
     double axle_power = 0, ground_power = 0, friction_power = 0,
            normal_power = 0, mismatch = 0;
 
-    /** The parts of @p friction of nodes that slip and of bristles that leave
-     * the ground, see BristleLines::Powers; but for an error of the mesh they
-     * are all of it. Without bristles all is sliding. */
+    /** The parts of @p friction_power of nodes that slip and of bristles that
+     * leave the ground, see BristleLines::Powers; but for an error of the mesh
+     * they are all of it. Without bristles all is sliding. */
     double sliding_power = 0, release_power = 0;
 
-    /** If any ply has a loss factor, or relaxes. */
+    /** The hysteresis, if any ply has a loss factor, or relaxes. */
     std::optional<Hysteresis> hysteresis;
 
     /** The power of the hysteresis, and the drag that has this power at the
@@ -76,7 +77,8 @@ namespace Biface
                                 const State       &state,
                                 const Loads       &loads);
 
-  /** The figures of a converged state. Must be called on all ranks.
+  /** The figures of a converged state of a rolling wheel. Must be called on all
+   * ranks.
    * @param exerted the force of the ground. */
   RollingSummary
   summarize_rolling(const ShellEquations &equations,

@@ -18,7 +18,7 @@ namespace Biface
     double foundation = 0;
     /** The part of @p foundation that friction dissipates. */
     double friction = 0;
-    /** What ViscousDamping dissipates. */
+    /** The work that ViscousDamping dissipates. */
     double damping = 0;
 
     Work &
@@ -40,7 +40,8 @@ namespace Biface
   };
 
 
-  /** A converged state, its loads, and the forces on its nodes. */
+  /** A converged state, its loads, and the forces on its nodes, kept by
+   * reference. */
   struct LoadedState
   {
     const State       &state;

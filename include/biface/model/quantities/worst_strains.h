@@ -17,15 +17,16 @@ namespace Biface
   struct ValueAtPlace
   {
     double value = 0;
-    /** The inner or the outer face; none for the thickness strain. */
+    /** The inner or the outer face; not set for the thickness strain. */
     std::optional<unsigned int> face;
-    /** The layer, if there are several. */
+    /** The layer, counted from the inner face; not set if there is a single
+     * one. */
     std::optional<unsigned int> layer;
-    /** Coordinates in the unit of parameter files. */
+    /** The coordinates of the place, in the unit of parameter files. */
     dealii::Point<2> alpha;
-    /** Position on the undeformed reference surface. */
+    /** The position of the place on the undeformed reference surface. */
     dealii::Point<3> position;
-    /** See ChartGrid::cell_number(). */
+    /** The number of the cell in the grid, see ChartGrid::cell_number(). */
     dealii::types::global_cell_index cell = 0;
   };
 
@@ -43,22 +44,23 @@ namespace Biface
     /** A wave of one face that is short against the thickness. */
     struct ShortWave
     {
-      /** The stiffness against it, relative to that without resultants. */
+      /** The stiffness against the wave, relative to that without
+       * resultants. */
       ValueAtPlace stiffness;
-      /** Of the wave, from @f$\mathbf e_1@f$ toward @f$\mathbf e_2@f$.
-       * Unit: degrees. */
+      /** The direction of the wave, from @f$\mathbf e_1@f$ toward
+       * @f$\mathbf e_2@f$. Unit: degrees. */
       double direction = 0;
     };
 
     /**
-     * The one with the least stiffness in cells that are shorter than the layer
-     * is thick; none if there are no such cells. With the unit vector n along
-     * the wave, it is the lowest eigenvalue of
-     * @f$\mathbf D_n^{-1}(\mathbf D_n+\mathbf N)@f$, where
-     * @f$D_n^{pq}@f$ are the stiffnesses against the transverse shear strains
-     * of the faces along n, and @f$\mathbf N@f$ has the diagonal entries
-     * @f$H_{ab}^pn_an_b@f$. A face wrinkles where it is negative: the gradient
-     * factor of the laminate raises it.
+     * The short wave with the least stiffness in cells that are shorter than
+     * the layer is thick; none if there are no such cells. With the unit vector
+     * n along the wave, the stiffness is the lowest eigenvalue of
+     * @f$\mathbf D_n^{-1}(\mathbf D_n+\mathbf N)@f$, where @f$D_n^{pq}@f$ are
+     * the stiffnesses against the transverse shear strains of the faces along
+     * n, and @f$\mathbf N@f$ has the diagonal entries @f$H_{ab}^pn_an_b@f$. A
+     * face wrinkles where it is negative: the gradient factor of the laminate
+     * raises it.
      */
     std::optional<ShortWave> short_wave;
 
@@ -66,7 +68,8 @@ namespace Biface
     bool linear_law = true;
   };
 
-  /** See WorstStrains::short_wave. Must be called on all ranks. */
+  /** The short wave with the least stiffness, see WorstStrains::short_wave.
+   * Must be called on all ranks. */
   std::optional<WorstStrains::ShortWave>
   softest_short_wave(const ShellMesh      &mesh,
                      const InternalForces &forces,
@@ -87,9 +90,9 @@ namespace Biface
                 const InternalForces &forces,
                 const State          &state);
 
-  /** "the shell is compressed most at ..." and further sentences for the user;
-   * they name the material if the compression is close to
-   * @p least_stable_strain, and a face that is about to wrinkle. */
+  /** Sentences for the user such as "the shell is compressed most at ..."; they
+   * name the material if the compression is close to @p least_stable_strain,
+   * and a face that is about to wrinkle. */
   std::string
   describe(const WorstStrains &worst);
 } // namespace Biface

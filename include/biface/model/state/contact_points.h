@@ -29,7 +29,7 @@ namespace Biface
   class ContactPoints
   {
   public:
-    /** The mesh is kept by reference.
+    /** The points of a face.
      * @param per_side the number k; 0 for the nodes.
      * @param mass that of the multipliers of nodes. */
     ContactPoints(const ShellMesh       &mesh,
@@ -37,8 +37,8 @@ namespace Biface
                   const unsigned int     per_side,
                   const MultiplierMass   mass);
 
-    /** The points of a state, in which the mass of multipliers does not
-     * show. */
+    /** The points of a state, in which the kind of the mass of multipliers does
+     * not show. */
     ContactPoints(const ShellMesh       &mesh,
                   const Resultants::Face face,
                   const ContactState    &state);
@@ -46,22 +46,24 @@ namespace Biface
     /** A point of a cell. */
     struct OnCell
     {
-      /** The parts of the vertices in its position, whose sum is 1. */
+      /** The weights of the vertices in the position of the point, whose sum is
+       * 1. */
       std::array<double, 4> position;
-      /** The parts of the area of the cell by which a traction at the point
+      /** The fractions of the area of the cell by which a traction at the point
        * acts on the vertices, and their sum. */
       std::array<double, 4> forces;
       double                area;
     };
 
-    /** The points of any cell. Nodes belong to all cells around. */
+    /** The points of a cell, which are the same in all cells. Nodes belong to
+     * all cells around. */
     const std::vector<OnCell> &
     on_cell() const
     {
       return points_on_cell;
     }
 
-    /** The number of a point of a cell.
+    /** The number of a point of a cell among the points of this rank.
      * @param i its position in on_cell(). */
     unsigned int
     number(const Cell &cell, const unsigned int i) const
@@ -83,7 +85,7 @@ namespace Biface
       return points_per_side * points_per_side;
     }
 
-    /** Its square root. */
+    /** The number of points along a side of a cell; 0 if they are the nodes. */
     unsigned int
     per_side() const
     {
@@ -133,8 +135,8 @@ namespace Biface
     dealii::Tensor<1, 3>
     motion(const LA::Vector &increment, const unsigned int point) const;
 
-    /** The nodes of this rank around marked points of any rank, or the points
-     * themselves if these are nodes. Must be called on all ranks. */
+    /** The nodes of this rank around marked points of any rank, or the marked
+     * points themselves if these are nodes. Must be called on all ranks. */
     ActiveSet
     nodes_around(const ActiveSet &marked) const;
 

@@ -29,10 +29,10 @@ namespace Biface
     /** The undeformed state of a grid. */
     explicit GridState(const ChartGrid &grid, const unsigned int n_layers = 1);
 
-    /** Must be called on all ranks. */
+    /** The state of a mesh. Must be called on all ranks. */
     GridState(const ShellMesh &mesh, const State &state);
 
-    /** The unknowns of a node that belong to a part, see Node::n_parts(), at a
+    /** The part @p part of the unknowns of a node, see Node::n_parts(), at a
      * position within the grid. Unit: length. */
     dealii::Tensor<1, 3>
     displacement(const dealii::Point<2> &alpha, const unsigned int part) const;
@@ -65,11 +65,11 @@ namespace Biface
 
     ChartGrid    grid;
     unsigned int n_layers;
-    /** Part by part, by node numbers. */
+    /** The unknowns, part by part, by node numbers. */
     std::vector<dealii::Tensor<1, 3>> displacements;
-    /** By node numbers. */
+    /** The indicators of contact by node numbers. */
     std::vector<double> contacts;
-    /** By cell numbers, layer by layer. */
+    /** The resultants by cell numbers, layer by layer. */
     std::vector<Modes::Vector> resultants_of_layers;
   };
 } // namespace Biface

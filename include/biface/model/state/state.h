@@ -28,9 +28,11 @@ namespace Biface
    * InternalForces::take_as_prestress(). */
   struct Prestress
   {
-    /** One per locally owned cell, those of the laminate included. */
+    /** The resultants of each locally owned cell, those of the laminate
+     * included. */
     std::vector<Modes::Vector> resultants;
-    /** The strains that caused them. */
+    /** The strains of each locally owned cell that have caused the
+     * resultants. */
     std::vector<Modes::Vector> strains;
     /** Constant forces on the owned nodes, see InternalForces::balance(); none
      * if empty. */
@@ -41,10 +43,10 @@ namespace Biface
   /** What a ForceTerm remembers of earlier steps: its internal variables. */
   struct TermState
   {
-    /** The same on all ranks. */
+    /** Numbers that are the same on all ranks. */
     std::vector<double> numbers;
-    /** A row for each node of this rank, and for each locally owned cell; empty
-     * if the term does not need it. */
+    /** The numbers of each node of this rank, and of each locally owned cell, a
+     * row each; empty if the term does not need them. */
     dealii::Table<2, double> at_nodes, at_cells;
   };
 
@@ -58,7 +60,7 @@ namespace Biface
     /** An empty state, to be assigned to. */
     State() = default;
 
-    /** The unloaded shell.
+    /** The state of the unloaded shell.
      * @param n_contacts the number of pairs in contact, see
      * ContactInteraction.
      * @param contacts_per_cell see ContactPoints::per_cell(). */
@@ -70,8 +72,8 @@ namespace Biface
      * this rank. */
     LA::Vector displacement;
 
-    /** The velocities of the unknowns, likewise, if the state moves; empty
-     * otherwise. Unit: length/time. */
+    /** The velocities of the unknowns, readable at all nodes of this rank, if
+     * the state moves; empty otherwise. Unit: length/time. */
     LA::Vector velocity;
 
     /** The resultants @f$\mathbf H@f$ of each locally owned cell, an unknown
@@ -84,13 +86,14 @@ namespace Biface
      * states. */
     std::vector<Modes::Vector> predicted_strains;
 
-    /** What passes between the last equilibrium and this state; no time in
-     * converged states. */
+    /** The time that passes between the last equilibrium and this state, and
+     * the temperature; no time in converged states. */
     TimeStep time_step;
 
-    /** In that, the angular velocity at which the material flows through the
-     * mesh around the axle, so that each point has the past of the one behind
-     * it; none where the material stays in its cells. Unit: radians/time. */
+    /** The angular velocity at which the material flows through the mesh around
+     * the axle during the step, so that each point has the past of the one
+     * behind it; none where the material stays in its cells. Unit:
+     * radians/time. */
     std::optional<double> flow;
 
     /** What happens between the shell and each body, by ContactPair::number;
@@ -108,7 +111,7 @@ namespace Biface
      * theory. */
     std::shared_ptr<const State> linearization_point;
 
-    /** The contact with the ground. */
+    /** The contact state of the ground. */
     const ContactState &
     ground() const
     {
@@ -117,21 +120,22 @@ namespace Biface
   };
 
 
-  /** A rigid body at its present place, and how it holds the nodes of the shell
-   * sideways. */
+  /** A rigid body at its present place, and the law by which it holds the nodes
+   * of the shell sideways. */
   struct PlacedBody
   {
     RigidBody body;
-    /** Not null. */
+    /** The tangential law; never null. */
     std::shared_ptr<const TangentialLaw> law =
       std::make_shared<const TangentialLaw>();
-    /** The face that it touches. */
+    /** The face of the shell that the body touches. */
     Resultants::Face face = Resultants::outer;
     std::string      name = "foundation";
   };
 
 
-  /** The factor at a position; what has none of its own has the first one. */
+  /** The factor at a position, or the common one, which is the first, if there
+   * is none. */
   template <typename Number>
   const Number &
   factor_at(const std::vector<Number> &factors, const unsigned int position)
@@ -143,12 +147,12 @@ namespace Biface
   /** The loads on the shell. */
   struct Loads
   {
-    /** See PressureLoad. Unit: force/area. */
+    /** The pressure, see PressureLoad. Unit: force/area. */
     double pressure = 0;
 
     /** The factors of the dead loads and prescribed displacements: first the
-     * common one, of all those without a factor of their own, see factor_at().
-     */
+     * common one, that of all loads without a factor of their own, see
+     * factor_at(). */
     std::vector<double> factors = {0};
 
     /** The factors at which prescribed displacements vanish, see
@@ -159,18 +163,18 @@ namespace Biface
      * pressure follows from the state, see Gas. */
     bool sealed_gas = false;
 
-    /** See ViscousDamping. Unit: force/volume. */
+    /** The viscous damping, see ViscousDamping. Unit: force/volume. */
     double damping = 0;
 
     /** The part of the stage that passes between the last equilibrium and the
      * one that is sought; 0 for the loads in an equilibrium. */
     double part_of_stage = 0;
 
-    /** The bodies that are there, by ContactPair::number; the first is the
-     * ground. */
+    /** The bodies that are there, by ContactPair::number; that of number 0 is
+     * the ground. */
     std::map<unsigned int, PlacedBody> bodies;
 
-    /** Set if the shell rolls. */
+    /** The motion of wheel and ground, if the shell rolls. */
     std::optional<Rolling> rolling;
 
     /** Put the body of a pair in a place. */
@@ -197,17 +201,17 @@ namespace Biface
   };
 
 
-  /** Derivatives of the loads by a parameter. */
+  /** The derivatives of the loads by a parameter. */
   struct LoadRates
   {
     double              pressure = 0;
     std::vector<double> factors  = {0};
-    /** Travel of the foundation. */
+    /** The rate of the travel of the foundation. */
     double travel = 0;
-    /** See Rolling. */
+    /** The rate of the angular velocity of a rolling wheel, see Rolling. */
     double angular_velocity = 0;
 
-    /** Add a multiple of others. */
+    /** Add a multiple of other rates. */
     void
     add(const double scale, const LoadRates &other)
     {
@@ -229,7 +233,7 @@ namespace Biface
       });
     }
 
-    /** The change of this velocity, at a point that does not move, as the body
+    /** The change of velocity_of(), at a point that does not move, as the body
      * moves by other rates. */
     dealii::Tensor<1, 3>
     change_of_velocity(const RigidBody        &body,
@@ -256,11 +260,11 @@ namespace Biface
   };
 
 
-  /** Strain-displacement relations of a stage. */
+  /** The strain-displacement relations of a stage. */
   enum class StrainTheory
   {
     nonlinear,
-    /** Linearized about the state at the start of the stage. */
+    /** The relations linearized about the state at the start of the stage. */
     linear
   };
 

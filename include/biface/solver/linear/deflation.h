@@ -60,10 +60,12 @@ namespace Biface
     n_negative(const unsigned int of_matrix) const;
 
   private:
-    /** @f$\mathbf R@f$, @f$\mathbf C\mathbf R@f$ and the solutions for these.
-     */
+    /** The vectors @f$\mathbf R@f$, orthonormal in the product with
+     * @f$\mathbf C@f$, the products @f$\mathbf C\mathbf R@f$, and the solutions
+     * @f$\mathbf A^{-1}\mathbf C\mathbf R@f$ of prepare(). */
     std::vector<LA::Vector> vectors, products, solutions;
-    /** The products of the last two, and the inverse of this matrix. */
+    /** The matrix @f$(\mathbf C\mathbf R)^T\mathbf A^{-1}\mathbf C\mathbf R@f$,
+     * with a row for each vector, and its inverse. */
     dealii::FullMatrix<double> matrix, inverse;
   };
 
@@ -84,7 +86,7 @@ namespace Biface
     /** @param vectors linearly independent. Must be called on all ranks. */
     explicit NullSpace(const std::vector<LA::Vector> &vectors);
 
-    /** An orthonormal basis. */
+    /** An orthonormal basis of the null space. */
     const std::vector<LA::Vector> &
     get_vectors() const
     {
@@ -102,7 +104,8 @@ namespace Biface
 
   private:
     std::vector<LA::Vector> vectors;
-    /** One for each vector, on all ranks. */
+    /** The unknown that is pinned for each of the vectors, the same on all
+     * ranks. */
     std::vector<dealii::types::global_dof_index> pinned;
   };
 } // namespace Biface

@@ -80,7 +80,8 @@ namespace Biface
      * @f$-\omega@f$ is an eigenvalue, too. */
     bool conservative = true;
 
-    /** As of EigenvalueProblem. */
+    /** The tolerance of the eigenvalues relative to their magnitude, see
+     * EigenvalueProblem::tolerance. */
     double tolerance = 1e-12;
   };
 
@@ -97,7 +98,8 @@ namespace Biface
   Eigenpair
   product(const Multiply &multiply, const Eigenpair &x);
 
-  /** @f$\mathbf y^T\mathbf x@f$ of the vectors of two pairs. */
+  /** The product @f$\mathbf y^T\mathbf x@f$ of the vectors of two pairs,
+   * without conjugation. */
   std::complex<double>
   product(const Eigenpair &y, const Eigenpair &x);
 
@@ -161,9 +163,10 @@ namespace Biface
                      const Multiply       &multiply_b,
                      const BothEigenpairs &neighbors);
 
-  /** Likewise the roots @f$\omega@f$ of
-   * @f$\mathbf y^T(\mathbf K+i\omega\,\mathbf G-\omega^2\,\mathbf M)\mathbf
-   * x=0@f$ closest to those of the other problem. */
+  /** The roots @f$\omega@f$ of @f$\mathbf y^T(\mathbf K+i\omega\,\mathbf
+   * G-\omega^2\,\mathbf M)\mathbf x=0@f$ closest to those of a slightly
+   * different problem, whose eigenvectors are given, see
+   * rayleigh_quotients(). */
   std::vector<std::complex<double>>
   rayleigh_roots(const Multiply       &multiply_k,
                  const Multiply       &multiply_g,
@@ -171,6 +174,7 @@ namespace Biface
                  const BothEigenpairs &neighbors);
 
 
+  /** The result of an eigenvalue solver. */
   struct Eigenpairs
   {
     bool success = false;

@@ -27,7 +27,8 @@ namespace Biface
   class LineGaussSeidel
   {
   public:
-    /** @param A,nodes kept by reference.
+    /** Copy a matrix and eliminate along its lines.
+     * @param A,nodes kept by reference.
      * @return whether no line has a singular matrix. */
     bool
     initialize(const LA::SparseMatrix &A, const GridLineNodes &nodes);
@@ -44,7 +45,8 @@ namespace Biface
     backward(LA::Vector &x, const LA::Vector &b) const;
 
   private:
-    /** Where an unknown is among those of its node. */
+    /** The place of an unknown: its node, and its number among the unknowns of
+     * the node. */
     struct Place
     {
       unsigned int node, unknown;
@@ -86,12 +88,12 @@ namespace Biface
                std::vector<float> &right_hand_side,
                std::vector<float> &values) const;
 
-    /** Subtract the product with the unknowns of other ranks.
+    /** Subtract the product of the matrix with the unknowns of other ranks.
      * @param rest @p n_max for each node. */
     void
     subtract_others(const LA::Vector &x, std::vector<float> &rest) const;
 
-    /** The entries of a vector, @p n_max for each node. */
+    /** The entries of a vector in single precision, @p n_max for each node. */
     std::vector<float>
     by_nodes(const LA::Vector &x) const;
 
@@ -106,9 +108,10 @@ namespace Biface
     unsigned int n_max      = 0;
     std::size_t  block_size = 0;
 
-    /** What couples a node of this rank with others than its neighbors on the
-     * line, block by block and by columns. The blocks of the node @p n with
-     * earlier lines start at number @p lower[n], all others at @p upper[n]. */
+    /** The blocks that couple a node of this rank with others than its
+     * neighbors on the line, each by columns, and the node of each block. The
+     * blocks of the node @p n with earlier lines start at number @p lower[n],
+     * all others at @p upper[n]. */
     std::vector<float>        blocks;
     std::vector<unsigned int> columns;
     std::vector<std::size_t>  lower, upper;
@@ -123,7 +126,8 @@ namespace Biface
       back
     };
     static constexpr unsigned int n_factors = 3;
-    /** Node by node. */
+    /** The factors of all nodes, node by node: three blocks each, in the order
+     * of Factor. */
     std::vector<float> factors;
 
     float *

@@ -28,28 +28,28 @@ namespace Biface
     /** The number of negative pivots of the last matrix that was factorized, or
      * of its symmetric part, if that was, if the solver counts them. */
     std::optional<unsigned int> n_negative_pivots;
-    /** Whether that is the given matrix, in double precision, and not a similar
-     * one or a rounded one. */
+    /** Whether the pivots are those of the given matrix, in double precision,
+     * and not of a similar or a rounded one. */
     bool pivots_are_exact = false;
   };
 
 
-  /** What is known of a matrix. */
+  /** What is known of the symmetry of a matrix. */
   enum class Symmetry
   {
     none,
-    /** Its symmetric part is close to it. */
+    /** The matrix is close to its symmetric part. */
     nearly,
     full
   };
 
 
-  /** Which of two systems with the same factors is solved. */
+  /** Which of two systems is solved with the same factors. */
   enum class LinearSystem
   {
-    /** @f$A x = b@f$ */
+    /** The system @f$A x = b@f$. */
     original,
-    /** @f$A^T x = b@f$ */
+    /** The system @f$A^T x = b@f$. */
     transposed
   };
 
@@ -71,10 +71,10 @@ namespace Biface
 
       Type type = Type::direct;
 
-      /** See MumpsSolver. */
+      /** Whether factors in single precision are tried, see MumpsSolver. */
       bool single_precision = true;
 
-      /** See MultigridSolver. */
+      /** Parameters of MultigridSolver. */
       struct Multigrid
       {
         unsigned int max_iterations    = 300;
@@ -108,8 +108,9 @@ namespace Biface
      * another. */
     using Correction = std::function<void(LA::Vector &x)>;
 
-    /** Like factorize(), with the factors of another matrix, which is similar
-     * or made so by a correction, as a preconditioner if the solver has any. */
+    /** Prepare to solve systems with the matrix @p A, with the factors of
+     * another matrix, which is similar or made so by a correction, as a
+     * preconditioner if the solver has any. */
     virtual LinearSolverResult
     keep_factors(const LA::SparseMatrix &A,
                  const Symmetry          symmetry,
@@ -142,8 +143,8 @@ namespace Biface
       return false;
     }
 
-    /** Likewise for so many systems that each of them should be solved as fast
-     * and as exactly as possible. */
+    /** Prepare for so many systems with one matrix that each of them should be
+     * solved as fast and as exactly as possible. */
     virtual LinearSolverResult
     factorize_for_many(const LA::SparseMatrix &A, const bool symmetric)
     {
@@ -173,21 +174,22 @@ namespace Biface
     virtual LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) = 0;
 
-    /** Likewise for several right hand sides, which a direct solver handles
-     * faster at once.
+    /** Solve @f$A x_i = b_i@f$ for several right hand sides, which a direct
+     * solver handles faster at once.
      * @return that of the first system that was not solved, if any. */
     virtual LinearSolverResult
     solve_all(std::vector<LA::Vector>       &x,
               const std::vector<LA::Vector> &b,
               const double                   tolerance);
 
-    /** Likewise solve @f$A^T x = b@f$. */
+    /** Solve @f$A^T x = b@f$ with the last matrix passed to factorize(), see
+     * solve(). */
     virtual LinearSolverResult
     solve_transposed(LA::Vector       &x,
                      const LA::Vector &b,
                      const double      tolerance) = 0;
 
-    /** Solve one of both systems. */
+    /** Solve @f$A x = b@f$ or @f$A^T x = b@f$. */
     LinearSolverResult
     solve_system(const LinearSystem system,
                  LA::Vector        &x,
@@ -201,7 +203,7 @@ namespace Biface
   };
 
 
-  /** The matrix of one of the systems, kept by reference. */
+  /** The matrix of a system or its transpose, kept by reference. */
   struct SystemMatrix
   {
     const LA::SparseMatrix &A;

@@ -50,22 +50,23 @@ namespace Biface
     LinearSolverResult
     factorize(const LA::SparseMatrix &A, const Symmetry symmetry) override;
 
-    /** The matrices of the coarser meshes are kept as long as a few iterations
-     * are sufficient. */
+    /** Keep the matrices of the coarser meshes as long as a few iterations are
+     * sufficient with them. */
     LinearSolverResult
     keep_factors(const LA::SparseMatrix &A,
                  const Symmetry          symmetry,
                  const Correction       &correction = {}) override;
 
-    /** Only where there are no coarser meshes. */
+    /** The number of negative pivots, only where there are no coarser
+     * meshes. */
     std::optional<unsigned int>
     count_negative_pivots(const LA::SparseMatrix &A, const bool often) override;
 
     LinearSolverResult
     solve(LA::Vector &x, const LA::Vector &b, const double tolerance) override;
 
-    /** With the preconditioner of the matrix itself: that of a shell is nearly
-     * symmetric. */
+    /** Solve @f$A^T x = b@f$ with the preconditioner of the matrix itself: that
+     * of a shell is nearly symmetric. */
     LinearSolverResult
     solve_transposed(LA::Vector       &x,
                      const LA::Vector &b,
@@ -76,7 +77,7 @@ namespace Biface
     vmult(LA::Vector &x, const LA::Vector &b) const;
 
   private:
-    /** All but the coarsest one. */
+    /** A level of the multigrid method; the coarsest one is none. */
     struct Level
     {
       Level(LA::SparseMatrix &&interpolation)
@@ -85,13 +86,13 @@ namespace Biface
 
       GridLineNodes   nodes;
       LineGaussSeidel smoother;
-      /** From the next coarser level. */
+      /** The interpolation from the next coarser level. */
       LA::SparseMatrix interpolation;
-      /** Its part that does not move nodes against the foundation; null if that
-       * is all of it. */
+      /** The part of the interpolation that does not move nodes against the
+       * foundation; null if that is all of it. */
       std::unique_ptr<LA::SparseMatrix> truncated;
       std::unique_ptr<LA::SparseMatrix> coarse_matrix;
-      /** For cycle(). */
+      /** Vectors in which cycle() works. */
       mutable LA::Vector residual, correction;
       mutable LA::Vector coarse_residual, coarse_correction;
 
@@ -106,7 +107,7 @@ namespace Biface
     LinearSolverResult
     set_up();
 
-    /** @return whether it is regular on all ranks. */
+    /** Compute the factors of the smoother of a level. */
     bool
     initialize_smoother(Level &level, const LA::SparseMatrix &A);
 
@@ -142,10 +143,10 @@ namespace Biface
     dealii::TimerOutput           coarse_timer;
     std::unique_ptr<LinearSolver> coarsest;
 
-    /** From the finest one on. */
+    /** The levels from the finest one on. */
     std::deque<Level> levels;
     bool              coarse_matrices_exist = false;
-    /** Whether they are those of a similar matrix. */
+    /** Whether the coarse matrices are those of a similar matrix. */
     bool coarse_matrices_are_kept = false;
     /** The rigid translations of the mesh. */
     std::array<LA::Vector, 3> translations;

@@ -66,7 +66,8 @@ namespace Biface
     solve_by_factors(std::vector<LA::Vector>       &x,
                      const std::vector<LA::Vector> &b) override;
 
-    /** In double precision. */
+    /** Factorize a matrix in double precision, see
+     * LinearSolver::factorize_for_many(). */
     LinearSolverResult
     factorize_for_many(const LA::SparseMatrix &A,
                        const bool              symmetric) override;
@@ -82,18 +83,18 @@ namespace Biface
               const std::vector<LA::Vector> &b,
               const double                   tolerance) override;
 
-    /** By factors of the matrix in double precision. */
+    /** Solve @f$A^T x = b@f$ by factors of the matrix in double precision. */
     LinearSolverResult
     solve_transposed(LA::Vector       &x,
                      const LA::Vector &b,
                      const double      tolerance) override;
 
   private:
-    /** What of a matrix is factorized. */
+    /** The part of a matrix that is factorized. */
     enum class Part
     {
       whole,
-      /** Half of a symmetric one. */
+      /** One half of a symmetric matrix. */
       half,
       symmetric_part
     };
@@ -111,7 +112,7 @@ namespace Biface
       matrix
     };
 
-    /** What new factors are of. */
+    /** The part of the matrix that new factors are of. */
     Part
     wanted_part() const;
 
@@ -136,8 +137,8 @@ namespace Biface
     LinearSolverResult
     factorized() const;
 
-    /** Solve with the factors, which may be those of another matrix, as a
-     * preconditioner.
+    /** Solve by GMRES, with the factors, which may be those of another matrix,
+     * as a preconditioner.
      * @param tolerance of the residual, relative to @p b.
      * @return whether GMRES converged. */
     bool
@@ -155,10 +156,12 @@ namespace Biface
     const LA::SparseMatrix  *matrix                  = nullptr;
     Symmetry                 symmetry                = Symmetry::none;
     std::unique_ptr<Factors> factors;
-    /** Those of count_negative_pivots(). */
+    /** The factors that count_negative_pivots() keeps from one call to the
+     * next. */
     std::unique_ptr<Factors> counting_factors;
     FactorsOf                factors_of = FactorsOf::nothing;
-    /** Of what the factors of a similar matrix give; may be empty. */
+    /** What corrects the solutions with the factors of a similar matrix; may be
+     * empty. */
     Correction correction;
   };
 } // namespace Biface

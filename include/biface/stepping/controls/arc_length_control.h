@@ -36,8 +36,8 @@ namespace Biface
     Trial
     propose(const Equilibrium &from) const override;
 
-    /** If a step went beyond the loads of the stage: a step that ends at these
-     * loads. */
+    /** A step that ends at the loads of the stage, if a step went beyond
+     * them. */
     std::optional<Trial>
     replace(const Trial &trial, const LoadParameters &mu) const override;
 

@@ -110,16 +110,18 @@ namespace Biface
       /** The loads, as a function of the load parameters: as many as there are
        * equations, one if there are none. */
       std::function<LoadLevel(const LoadParameters &)> level;
-      /** Their values or, with equations, the initial guess. */
+      /** The values of the load parameters or, with equations, the initial
+       * guess. */
       LoadParameters mu;
-      /** The equations that determine them; null if they are prescribed. */
+      /** The equations that determine the load parameters; null if they are
+       * prescribed. */
       std::shared_ptr<const ControlEquations> equations = nullptr;
       /** The size of the step as a fraction of the stage, for predictors, if
        * states change in proportion to it; otherwise 0. */
       double size = 0;
     };
 
-    /** The next step. */
+    /** Propose the next step. */
     virtual Trial
     propose(const Equilibrium &from) const = 0;
 
@@ -135,12 +137,12 @@ namespace Biface
     struct Step
     {
       const Trial &trial;
-      /** The final load parameters. */
+      /** The final load parameters of the step. */
       LoadParameters mu;
       /** Number of iterations in all attempts at the step. */
       unsigned int iterations;
       const State &before, &after;
-      /** Whether it has left the path for another branch. */
+      /** Whether the step has left the path for another branch. */
       bool to_branch = false;
     };
 
@@ -210,15 +212,16 @@ namespace Biface
       /** The loads at the start of the stage. */
       LoadLevel start;
       StepSize  size;
-      /** See Control::done(). */
+      /** The completed fraction of the stage, see Control::done(). */
       double done = 0;
       /** Data of the derived class by name. */
       std::map<std::string, double> numbers;
-      /** Locally owned entries of displacements. */
+      /** Displacements that the derived class keeps, by name (locally owned
+       * entries). */
       std::map<std::string, LA::Vector> vectors;
 
-      /** The numbers and the names of vectors, which are distributed and stored
-       * separately. */
+      /** Archive the numbers and the names of vectors, which are distributed
+       * and stored separately. */
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
@@ -251,17 +254,19 @@ namespace Biface
     change_stage(const Stage &now, const LoadLevel &reached);
 
   protected:
-    /** The path of a number through the stage. */
+    /** The values of a load or of the controlled quantity at the start of the
+     * stage, now, and at its end. */
     struct Progression
     {
       double start, now, end;
     };
 
-    /** The completed fraction of all paths, if it is the same for all. */
+    /** The completed fraction of all progressions, if it is the same for
+     * all. */
     static std::optional<double>
     common_part(const std::vector<Progression> &progressions);
 
-    /** The paths of the loads. */
+    /** The progressions of all loads and motions. */
     std::vector<Progression>
     progressions_of_loads(const LoadLevel &reached, const LoadLevel &end) const;
 

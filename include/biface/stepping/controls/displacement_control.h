@@ -47,7 +47,7 @@ namespace Biface
     change_path(const Stage &now, const LoadLevel &reached) override;
 
   private:
-    /** The displacement at a part of the stage. */
+    /** The prescribed displacement at a fraction of the stage. */
     double
     value_at(const double fraction) const;
 

@@ -21,18 +21,18 @@ namespace Biface
   public:
     virtual ~ControlledResultant() = default;
 
-    /** Its name in Control::Memory. */
+    /** The name of the resultant in Control::Memory. */
     virtual std::string
     name() const = 0;
 
-    /** See Control::check(). */
+    /** Check the entries of a stage, see Control::check(). */
     virtual void
     check(const Stage & /*stage*/,
           const std::string & /*section*/,
           const Control::KnownStart & /*start*/) const
     {}
 
-    /** The value at the end of a stage. */
+    /** The prescribed value of the resultant at the end of a stage. */
     virtual double
     end(const Stage &stage) const = 0;
 
@@ -42,18 +42,18 @@ namespace Biface
              const Loads                  &loads,
              const std::vector<LoadRates> &rates) const = 0;
 
-    /** What the violation of a prescribed value is relative to.
+    /** The value to which the violation of a prescribed resultant is relative.
      * @param now the resultant. */
     virtual double
     scale(const double                       prescribed,
           const ContactResultant            &now,
           const ControlEquations::Iteration &iteration) const = 0;
 
-    /** The unknown load. */
+    /** The unknown load in a level. */
     virtual double &
     load(LoadLevel &level) const = 0;
 
-    /** The same before the run. */
+    /** The unknown load as far as it is known before the run. */
     virtual std::optional<double> &
     known_load(Control::KnownStart &start) const = 0;
 
@@ -61,14 +61,14 @@ namespace Biface
     virtual LoadRates
     rate() const = 0;
 
-    /** The initial value of the unknown load in a step.
+    /** The initial guess of the unknown load in a step.
      * @param next the other loads at its end. */
     virtual double
     guess(const Control::Equilibrium &from, const LoadLevel &next) const = 0;
 
     /** The change of the unknown load that lets the resultant appear where it
-     * is zero, whatever the loads: then no other load changes. None if it does
-     * not know. */
+     * is zero, whatever the loads: then no other load changes. None if the
+     * resultant is not zero or the change is not known. */
     virtual std::optional<double>
     change_to_appear(const double /*prescribed*/,
                      const ControlEquations::Iteration & /*iteration*/) const
@@ -84,7 +84,8 @@ namespace Biface
       return std::numeric_limits<double>::infinity();
     }
 
-    /** Whether it depends on its load only in contact with the ground. */
+    /** Whether the resultant depends on its load only in contact with the
+     * ground. */
     virtual bool
     needs_contact() const
     {
@@ -129,7 +130,7 @@ namespace Biface
     change_path(const Stage &now, const LoadLevel &reached) override;
 
   private:
-    /** The values at a fraction of the stage. */
+    /** The prescribed resultants at a fraction of the stage. */
     std::vector<double>
     values_at(const double fraction) const;
 

@@ -29,7 +29,7 @@ namespace Biface
       return n_cuts < max_cuts;
     }
 
-    /** @return whether another attempt is allowed. */
+    /** Halve the size. */
     bool
     failed(const unsigned int max_cuts);
 
