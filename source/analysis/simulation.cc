@@ -23,6 +23,7 @@
 #include <biface/stepping/stage_modes.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_warnings.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -5,6 +5,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/force_curve.h>
 
 // pchip.hpp takes isnan() from math.h

@@ -11,6 +11,7 @@
 #include <biface/model/mesh/strip.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

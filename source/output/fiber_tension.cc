@@ -11,6 +11,7 @@
 #include <biface/model/mesh/largest_cell.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -7,6 +7,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/heat_file.h>
 #include <biface/output/rolling_file.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

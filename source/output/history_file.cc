@@ -9,6 +9,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -13,6 +13,7 @@
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
+#include <biface/surface/reference_surface.h>
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>
 

@@ -5,6 +5,7 @@
 
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/circumferential_slope.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

@@ -12,6 +12,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/cavity.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

@@ -2,6 +2,7 @@
 
 #include <biface/model/forces/centrifugal_forces.h>
 #include <biface/model/mesh/circumferential_slope.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

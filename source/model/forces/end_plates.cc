@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <biface/model/forces/end_plates.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

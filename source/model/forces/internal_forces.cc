@@ -7,6 +7,7 @@
 
 #include <biface/element/nonlinear_plies.h>
 #include <biface/input/formula.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/mesh/strip.h>
 

@@ -12,6 +12,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

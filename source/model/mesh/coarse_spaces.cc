@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <biface/model/mesh/coarse_spaces.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

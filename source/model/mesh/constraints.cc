@@ -15,6 +15,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/constraints.h>
+#include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/reference_surface.h>
 

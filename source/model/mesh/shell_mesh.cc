@@ -23,6 +23,7 @@
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/imperfection.h>
+#include <biface/surface/reference_surface.h>
 
 #include <boost/signals2/connection.hpp>
 

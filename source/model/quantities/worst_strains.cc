@@ -13,6 +13,7 @@
 #include <biface/model/mesh/largest_cell.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/quantities/worst_strains.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {

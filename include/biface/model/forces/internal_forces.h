@@ -14,6 +14,7 @@ namespace Biface
 {
   struct HistoryOfPlies;
   class NonlinearPlies;
+  struct StrainsOfPlies;
 
   /**
    * The internal forces of the layers, including those of initial resultants,

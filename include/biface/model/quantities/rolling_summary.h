@@ -15,6 +15,8 @@
 
 namespace Biface
 {
+  class ContactPair;
+
   /** The forces and powers of a wheel that rolls over a plane or a drum. */
   struct RollingSummary
   {
