@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/supports.h>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/depth_between_points.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>

@@ -5,6 +5,7 @@
 // edge; so are those of a follower moment in the undeformed shell.
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/dead_loads.h>

@@ -9,6 +9,8 @@
 
 #include <map>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/grid_parameters.h>
@@ -40,7 +42,8 @@ namespace
                          std::move(surface),
                          grid,
                          Layup(Layup::Parameters(), cord_ply()),
-                         Supports());
+                         Supports(),
+                         {});
 
     // where the triangulation has its vertices, by their first unknown
     std::map<types::global_dof_index, Point<3>> vertices;

@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/quantities/cyclic_loss.h>
 #include <biface/model/quantities/hysteresis.h>
@@ -94,7 +96,8 @@ namespace
                          std::move(surface),
                          grid,
                          Layup(layup, materials),
-                         Supports());
+                         Supports(),
+                         {});
     const ShellEquations equations(mesh);
 
     // both faces move by cos(n phi) along the normal: small strains of a

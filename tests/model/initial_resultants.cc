@@ -4,9 +4,12 @@
 // the nonlinear part of the strains: on a plate whose nodes go up by w = a x +
 // b y, 2 eta_11 = a^2, 2 eta_22 = b^2 and eta_12 = a b on both faces.
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
@@ -38,7 +41,8 @@ namespace
                          std::move(surface),
                          grid,
                          Layup(layup, cord_ply()),
-                         Supports());
+                         Supports(),
+                         {});
 
     const ContactInteraction contact(mesh, ContactPair::Parameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));

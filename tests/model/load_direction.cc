@@ -6,7 +6,9 @@
 // motion that turns a body, without and with friction. So are the derivatives
 // of the power of the body in this motion.
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/dead_loads.h>

@@ -4,6 +4,7 @@
 // with dampers in series, relaxes as the implicit Euler method says,
 // 1/(1+T/(n tau))^n in n steps of the time T, also from a copy of the state.
 
+#include <biface/laminate/layup.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/pressure_load.h>
 

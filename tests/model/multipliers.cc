@@ -4,6 +4,11 @@
 // those of the clearance at nodes in contact, and integrate, as a bilinear
 // field, to the reported force and the forces on the shell.
 
+#include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/force_terms.h>
+
 #include "coarse_torus.h"
 #include <cord_ply.h>
 #include <tests.h>

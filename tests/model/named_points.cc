@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/supports.h>

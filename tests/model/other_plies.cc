@@ -4,6 +4,8 @@
 // these plies from the start; plies that place the faces elsewhere do not
 // replace any.
 
+#include <biface/laminate/layup.h>
+
 #include "coarse_torus.h"
 #include <cord_ply.h>
 #include <tests.h>

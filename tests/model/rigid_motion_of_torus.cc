@@ -8,8 +8,10 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/grid_parameters.h>

@@ -11,7 +11,9 @@
 #include <array>
 #include <cmath>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
 

@@ -4,6 +4,13 @@
 // strain energy, with the nonlinear and with the linear theory; a pressure adds
 // its work on the inner face.
 
+#include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/force_terms.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
+
 #include "coarse_torus.h"
 #include <cord_ply.h>
 #include <tests.h>

@@ -4,6 +4,13 @@
 // consistent multiplier mass, or a follower pressure that is not zero, or the
 // law is not symmetric.
 
+#include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/force_terms.h>
+#include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/pressure_load.h>
+
 #include "coarse_torus.h"
 #include <cord_ply.h>
 #include <tests.h>

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>

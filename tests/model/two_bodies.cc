@@ -7,6 +7,7 @@
 #include <deal.II/base/timer.h>
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>

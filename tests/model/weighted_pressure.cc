@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 
 #include "cord_shells.h"
 #include <tests.h>

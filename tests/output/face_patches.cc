@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include <biface/laminate/layup.h>
 #include <biface/output/shell_vtu.h>
 
 #include "../cord_ply.h"

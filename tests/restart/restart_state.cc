@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+#include <biface/laminate/layup.h>
 #include <biface/restart/checkpoint.h>
 
 #include "../model/coarse_torus.h"

@@ -5,7 +5,9 @@
 
 #include <iostream>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/solver/active_set_iteration.h>
 
 #include "../model/coarse_torus.h"

@@ -9,7 +9,9 @@
 
 #include <cmath>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/solver/condensed_contact.h>
 #include <biface/solver/linear/mumps_solver.h>

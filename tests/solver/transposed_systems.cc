@@ -10,6 +10,7 @@
 #include <string>
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dead_loads.h>

@@ -7,7 +7,9 @@
 
 #include <iostream>
 
+#include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>

@@ -11,6 +11,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_manifold.h>
 
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/circular_arc.h>
@@ -47,7 +49,8 @@ main(int argc, char *argv[])
                        std::make_unique<SurfaceOfRevolution>(surface),
                        grid,
                        layup,
-                       Supports());
+                       Supports(),
+                       {});
 
   // the first moment tells where the section lies
   const MappingManifold<2, 3> mapping;
