@@ -34,7 +34,7 @@ namespace Biface
 
   namespace
   {
-    constexpr unsigned int inner = 0, outer = 1, ends = 2;
+    constexpr unsigned int inner_side = 0, outer_side = 1, ends = 2;
 
     void
     make_triangulation(const WallSection &section, Triangulation<2> &wall)
@@ -62,10 +62,10 @@ namespace Biface
               cell.material_id = 0;
               cells.push_back(cell);
             }
-          for (const unsigned int face : {inner, outer})
+          for (const unsigned int face : {inner_side, outer_side})
             {
               CellData<1>        segment;
-              const unsigned int p = (face == inner ? 0 : n_faces - 1);
+              const unsigned int p = (face == inner_side ? 0 : n_faces - 1);
               segment.vertices     = {number(i, p), number(i + 1, p)};
               segment.boundary_id  = face;
               boundary.boundary_lines.push_back(segment);
