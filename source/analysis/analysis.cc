@@ -38,6 +38,7 @@ namespace Biface
       const RunRecord &before = checkpoint->get_record();
       check_continuation(before.parameters,
                          record.parameters,
+                         parameters.attributes,
                          before.files,
                          record.files,
                          before.run.last.progress);

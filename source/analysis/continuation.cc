@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include <biface/analysis/continuation.h>
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -77,42 +79,40 @@ namespace Biface
     }
 
 
-    /** Whether an entry may change when a run is continued.
-     * @param with_derivatives whether the run carries them along. */
-    bool
-    may_change(const std::string &entry,
-               const Progress    &progress,
-               const bool         with_derivatives)
+    /** The run that is continued. */
+    struct EarlierRun
     {
-      // the contents of the files are compared
-      if (entry == "Surface/Spline/File" || entry == "Laminate/Tables" ||
-          std::regex_match(entry,
-                           std::regex("Body .*/(Profile|Height) file")) ||
-          std::regex_match(entry, std::regex("Material .*/Cord curve")))
-        return true;
-      // columns of history.csv
-      if (entry == "Output/Failure criteria")
-        return false;
-      if (entry == "Mesh/Distribution" || entry == "Number of stages" ||
-          entry == "Units")
-        return true;
-      for (const std::string section : {"Linear solver/",
-                                        "Newton/",
-                                        "Step control/",
-                                        "Output/",
-                                        "Checkpoint/"})
-        if (entry.rfind(section, 0) == 0)
-          return true;
+      const Progress &progress;
+      /** Whether it has started the tire test. */
+      bool in_tire_test;
+      /** Whether it carries derivatives along. */
+      bool has_derivatives;
+    };
 
-      std::smatch match;
-      if (!std::regex_match(entry, match, std::regex("Stage ([0-9]+)/(.*)")))
-        return false;
-      const unsigned int stage = std::stoul(match[1]) - 1;
-      if (stage != progress.stage)
-        return stage > progress.stage;
+
+    /** Whether an entry may still change when a run is continued. */
+    bool
+    may_change(const EntryAttributes &entry, const EarlierRun &run)
+    {
+      const RestartChange change = entry.get_restart_change();
+      switch (change)
+        {
+          case RestartChange::never:
+            return false;
+          case RestartChange::always:
+            return true;
+          case RestartChange::before_tire_test:
+            return !run.in_tire_test;
+          default:
+            break;
+        }
+      Assert(entry.get_stage() > 0, ExcInternalError());
+      const unsigned int stage = entry.get_stage() - 1;
+      if (stage != run.progress.stage)
+        return stage > run.progress.stage;
       // a restart does not know the settings of the perturbed runs
-      return !progress.stage_begun ||
-             (!with_derivatives && Stage::may_change(match[2]));
+      return !run.progress.stage_begun ||
+             (change == RestartChange::within_stage && !run.has_derivatives);
     }
 
 
@@ -159,11 +159,12 @@ namespace Biface
 
 
   void
-  check_continuation(const std::string  &before,
-                     const std::string  &now,
-                     const PairsByEntry &files_before,
-                     const PairsByEntry &files_now,
-                     const Progress     &progress)
+  check_continuation(const std::string       &before,
+                     const std::string       &now,
+                     const AttributesByEntry &attributes,
+                     const PairsByEntry      &files_before,
+                     const PairsByEntry      &files_now,
+                     const Progress          &progress)
   {
     std::map<std::string, std::string> values;
     for (const auto &entry : entries_of(before))
@@ -175,6 +176,7 @@ namespace Biface
     const bool in_tire_test =
       values.count("Number of stages") > 0 &&
       progress.stage >= std::stoul(values["Number of stages"]);
+    const EarlierRun run{progress, in_tire_test, with_derivatives};
     for (const auto &entry : entries_of(now))
       {
         const auto old = values.find(entry.first);
@@ -192,8 +194,7 @@ namespace Biface
                            "the run to be continued has reached stage " +
                              std::to_string(progress.stage + 1));
         check_named_loads(progress, values, entry.first, entry.second);
-        if (may_change(entry.first, progress, with_derivatives) ||
-            (entry.first.rfind("Tire test/", 0) == 0 && !in_tire_test))
+        if (may_change(attributes.at(entry.first), run))
           continue;
         if (old == values.end())
           throw InputError("the entry " + in_quotes(entry.first) + " is " +

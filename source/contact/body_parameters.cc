@@ -12,6 +12,7 @@
 #include <biface/contact/friction.h>
 #include <biface/contact/height_field.h>
 #include <biface/contact/implicit_body.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 
@@ -104,9 +105,8 @@ namespace Biface
 
 
   void
-  BodyParameters::add_parameters(ParameterHandler &prm)
+  BodyParameters::add_parameters(EntryDeclarations &prm)
   {
-    const std::string section = "Body " + name + "/";
     // the entries of all shapes: make() asks for those that the shape needs;
     // files are only named here, since one rank reads them for all
     add_choice(prm,
@@ -137,48 +137,53 @@ namespace Biface
                       point,
                       "A point x, y, z of the axis or of the plane, the edge "
                       "of a step before it is rounded, or the origin of "
-                      "'Profile', 'Height file' or 'Formula'. Unit: length.");
+                      "'Profile', 'Height file' or 'Formula'.",
+                      Unit("length"));
     prm.add_parameter("Direction",
                       direction,
                       "Direction from the shell into the body, for planes, "
                       "steps, extruded profiles and height fields: components "
-                      "x, y, z of any nonzero vector.");
+                      "x, y, z of any nonzero vector.",
+                      Unit::none());
     prm.add_parameter("Axis",
                       axis,
                       "Direction of the axis of the other shapes, of extruded "
                       "profiles, of height fields and of the edge of a step, "
                       "and that about which motions turn the body: components "
                       "x, y, z of any nonzero vector; for extruded profiles, "
-                      "height fields and steps orthogonal to 'Direction'.");
+                      "height fields and steps orthogonal to 'Direction'.",
+                      Unit::none());
     add_optional_number(prm,
                         "Radius",
                         radius,
                         "none",
                         "Radius of a sphere or cylinder, negative for a hollow "
                         "one with the shell inside, or of the center line of a "
-                        "torus. Unit: length.");
+                        "torus.",
+                        Unit("length"));
     add_optional_number(prm,
                         "Tube radius",
                         tube_radius,
                         "none",
                         "Radius of the tube of a torus. A number from 0 to "
-                        "'Radius'. Unit: length.");
+                        "'Radius'.",
+                        Unit("length"));
     add_optional_number(prm,
                         "Half angle",
                         half_angle,
                         "none",
                         "Angle between the axis and the surface of a cone. A "
-                        "number between 0 and 90. Unit: degrees.");
+                        "number between 0 and 90.",
+                        Unit::degrees());
     prm.add_parameter(
       "Edge radius",
       edge_radius,
       "Radius that rounds the edge of a step or the tip of a "
       "cone. It should not be far below the distance of the points "
-      "that make contact, nodes or 'Points in cells'. Unit: "
-      "length.",
-      Patterns::Double());
+      "that make contact, nodes or 'Points in cells'.",
+      Patterns::Double(),
+      Unit("length"));
     add_parsed(prm,
-               section,
                "Profile",
                "",
                profile,
@@ -190,9 +195,9 @@ namespace Biface
                "Revolved: along the axis, and the distance from it. If the "
                "first corner is repeated at the end, the body is inside; else "
                "it is to the right of one who walks along the polygon, which "
-               "goes on along its first and last line. Unit: length.");
+               "goes on along its first and last line.",
+               Unit("length"));
     add_parsed(prm,
-               section,
                "Profile file",
                "",
                profile_file,
@@ -200,9 +205,10 @@ namespace Biface
                "A CSV file with the corners of the profile in place of "
                "'Profile': two coordinates, and a radius in a third column "
                "where the corner is rounded. Relative to the parameter file; "
-               "see 'Tables' for names in double quotes. Unit: length.");
+               "see 'Tables' for names in double quotes.",
+               // the contents of the files are compared
+               Unit("length") | RestartChange::always);
     add_parsed(prm,
-               section,
                "Height file",
                "",
                height_file,
@@ -215,14 +221,16 @@ namespace Biface
                "bicubic spline through the points; it is level across the "
                "edges of the grid and has the height of the edge beyond. "
                "Relative to the parameter file; see 'Tables' for names in "
-               "double quotes. Unit: length.");
+               "double quotes.",
+               Unit("length") | RestartChange::always);
     prm.add_parameter("Formula",
                       formula,
                       "A smooth function of x, y and z, along the global axes "
                       "from 'Point', that is negative in the body and positive "
                       "outside, such as z - 2*sin(x/30). Its value does not "
-                      "matter otherwise. Units: x, y, z length.",
-                      Patterns::Anything());
+                      "matter otherwise.",
+                      Patterns::Anything(),
+                      Unit::several("x, y, z length"));
     add_optional_number(prm,
                         "Size",
                         size,
@@ -230,7 +238,8 @@ namespace Biface
                         "The size of the smallest detail of 'Formula', such as "
                         "the smallest radius of its surface: derivatives are "
                         "differences over 1/50 of it, which lose digits if it "
-                        "is far smaller. A positive number. Unit: length.");
+                        "is far smaller. A positive number.",
+                        Unit("length"));
     prm.declare_entry("Face",
                       "outer",
                       Patterns::Selection("outer|inner"),
@@ -252,11 +261,10 @@ namespace Biface
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction between shell and body: a "
-                      "number, or a formula of the contact pressure p. No "
-                      "unit.",
-                      Patterns::Anything());
+                      "number, or a formula of the contact pressure p.",
+                      Patterns::Anything(),
+                      Unit::none());
     add_parsed(prm,
-               section,
                "Motions",
                "",
                motions,
@@ -270,17 +278,19 @@ namespace Biface
                "the list. Their factors "
                "are those of 'Load factors' of the stages, by the names "
                "'bodies', 'bodies NAME' or 'bodies NAME name', or 'Load "
-               "factor'; or 'Forces on bodies' find them. Unit: length.");
-    add_parsed(prm,
-               section,
-               "Springs",
-               "",
-               springs,
-               parse_springs,
-               "Springs against motions that 'Forces on bodies' of a stage "
-               "find, without force at the factor 0: a comma-separated list of "
-               "'name: stiffness'. Unit: force/length, for a motion that only "
-               "turns force*length per radian.");
+               "factor'; or 'Forces on bodies' find them.",
+               Unit("length"));
+    add_parsed(
+      prm,
+      "Springs",
+      "",
+      springs,
+      parse_springs,
+      "Springs against motions that 'Forces on bodies' of a stage "
+      "find, without force at the factor 0: a comma-separated list of "
+      "'name: stiffness'.",
+      Unit(
+        "force/length, for a motion that only turns force*length per radian"));
   }
 
 

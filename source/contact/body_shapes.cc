@@ -7,6 +7,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/body_shapes.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -35,7 +36,7 @@ namespace Biface
 
 
   void
-  RigidSphere::Parameters::add_parameters(ParameterHandler &prm)
+  RigidSphere::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,
@@ -44,7 +45,8 @@ namespace Biface
       "none",
       "Radius of the sphere; negative for a hollow sphere with the "
       "shell inside. A number other than 0, which 'Foundation "
-      "= sphere' needs. Unit: length.");
+      "= sphere' needs.",
+      Unit("length"));
   }
 
 
@@ -87,7 +89,7 @@ namespace Biface
 
 
   void
-  RigidDrum::Parameters::add_parameters(ParameterHandler &prm)
+  RigidDrum::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,
@@ -96,11 +98,13 @@ namespace Biface
       "none",
       "Radius of the drum; negative for a hollow drum with the "
       "shell inside. A number other than 0, which 'Foundation "
-      "= drum' needs. Unit: length.");
+      "= drum' needs.",
+      Unit("length"));
     prm.add_parameter("Axis",
                       axis,
                       "Direction of the axis of the drum: components x, y, z "
-                      "of any nonzero vector, not parallel to 'Direction'.");
+                      "of any nonzero vector, not parallel to 'Direction'.",
+                      Unit::none());
   }
 
 

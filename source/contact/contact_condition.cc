@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/contact_condition.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -27,7 +28,7 @@ namespace Biface
 
 
   void
-  ContactCondition::Parameters::add_parameters(ParameterHandler &prm)
+  ContactCondition::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(prm,
                "Multiplier mass",
@@ -58,7 +59,8 @@ namespace Biface
       "direction. The penetration is then 1/7000 of what the pressure takes "
       "off the thickness. In a shell as thin as a membrane k is at most "
       "1000 sum(h E)/L^2 with the highest modulus of each ply in its plane and "
-      "the diagonal L of the box around the shell. Unit: pressure/length.");
+      "the diagonal L of the box around the shell.",
+      Unit("pressure/length"));
   }
 
 

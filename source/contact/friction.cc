@@ -6,6 +6,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/friction.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -13,7 +14,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  FrictionLaw::Parameters::add_parameters(ParameterHandler &prm)
+  FrictionLaw::Parameters::add_parameters(EntryDeclarations &prm)
   {
     // no number with a unit is built in: the regularization follows from the
     // wall, and a critical velocity must be given where a wheel needs one
@@ -23,9 +24,9 @@ namespace Biface
                       "the foundation: a number, or a formula of the contact "
                       "pressure p and of the slip velocity s, such as "
                       "(0.8 - 0.5*p)*exp(-s/2000); below 0 it counts as 0. s "
-                      "is 0 unless the wheel rolls. Stages may have their own. "
-                      "No unit.",
-                      Patterns::Anything());
+                      "is 0 unless the wheel rolls. Stages may have their own.",
+                      Patterns::Anything(),
+                      Unit::none());
     add_optional_number(
       prm,
       "Tangential regularization",
@@ -33,8 +34,8 @@ namespace Biface
       "automatic",
       "The parameter epsilon_t of friction: a node that sticks under a "
       "tangential traction t moves by t/epsilon_t. A positive number, or "
-      "'automatic': 70 k with the stiffness k of 'Regularization'. Unit: "
-      "pressure/length.");
+      "'automatic': 70 k with the stiffness k of 'Regularization'.",
+      Unit("pressure/length"));
     add_choice(prm,
                "Rolling friction",
                rolling,
@@ -52,8 +53,9 @@ namespace Biface
       "wheel, t = -mu p s/sqrt(|s|^2 + s_c^2) with the slip "
       "velocity s: nodes that stick creep more slowly than "
       "s_c. About 5e-3 times the ground velocity; stages "
-      "that roll with this law need it. Unit: length/time.",
-      Patterns::Double());
+      "that roll with this law need it.",
+      Patterns::Double(),
+      Unit("length/time"));
   }
 
 

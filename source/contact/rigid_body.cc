@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/contact/rigid_body.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  RigidBody::Parameters::add_parameters(ParameterHandler &prm)
+  RigidBody::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(prm,
                "Foundation",
@@ -27,12 +28,14 @@ namespace Biface
                       "Direction from the shell toward the foundation, for a "
                       "plane its normal: components x, y, z of any nonzero "
                       "vector. The foundation travels against it, and the "
-                      "reported force is the component along it.");
+                      "reported force is the component along it.",
+                      Unit::none());
     prm.add_parameter("Point on path",
                       line.point,
                       "A point x, y, z of the line along which the center of "
                       "a sphere or the axis of a drum travels, parallel to "
-                      "'Direction'; without effect for a plane. Unit: length.");
+                      "'Direction'; without effect for a plane.",
+                      Unit("length"));
     prm.enter_subsection("Drum");
     drum.add_parameters(prm);
     prm.leave_subsection();

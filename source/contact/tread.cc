@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/tread.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
 namespace Biface
@@ -22,7 +23,7 @@ namespace Biface
 
 
   void
-  TreadParameters::add_parameters(ParameterHandler &prm)
+  TreadParameters::add_parameters(EntryDeclarations &prm)
   {
     prm.enter_subsection("Tread");
     add_optional_number(
@@ -35,17 +36,20 @@ namespace Biface
       "'Regularization' and 'Tangential regularization' by 4/3 E (1 - v)/h and "
       "1/3 E (1 - v)/h, with the modulus E and the void ratio v; with given "
       "ones it is in series. The face of the shell touches where the tread "
-      "does. A positive number, or 'none' for no tread. Unit: length.");
+      "does. A positive number, or 'none' for no tread.",
+      Unit("length"));
     prm.add_parameter("Modulus",
                       modulus,
                       "Young's modulus of the rubber of the tread. A positive "
-                      "number if there is a tread. Unit: force/area.",
-                      Patterns::Double());
+                      "number if there is a tread.",
+                      Patterns::Double(),
+                      Unit("force/area"));
     prm.add_parameter("Void ratio",
                       void_ratio,
                       "The part of the area of the tread that grooves take "
-                      "away. A number from 0 to below 1. No unit.",
-                      Patterns::Double());
+                      "away. A number from 0 to below 1.",
+                      Patterns::Double(),
+                      Unit::none());
     prm.leave_subsection();
   }
 

@@ -6,7 +6,7 @@
 namespace Biface
 {
   void
-  ElementParameters::add_parameters(dealii::ParameterHandler &prm)
+  ElementParameters::add_parameters(EntryDeclarations &prm)
   {
     // the element of the paper remains a choice, with which its results can be
     // repeated

@@ -369,16 +369,18 @@ namespace Biface
 
 
   void
-  add_optional_number(dealii::ParameterHandler &prm,
-                      const std::string        &name,
-                      std::optional<double>    &value,
-                      const std::string        &word,
-                      const std::string        &documentation)
+  add_optional_number(EntryDeclarations     &prm,
+                      const std::string     &name,
+                      std::optional<double> &value,
+                      const std::string     &word,
+                      const std::string     &documentation,
+                      const EntryAttributes &attributes)
   {
     prm.declare_entry(name,
                       value ? number_to_string(*value) : word,
                       NumberOrWord(word),
-                      documentation);
+                      documentation,
+                      attributes);
     prm.add_action(name, [&value, word](const std::string &text) {
       if (text == word)
         value.reset();
@@ -389,12 +391,12 @@ namespace Biface
 
 
   void
-  add_optional_vector(dealii::ParameterHandler            &prm,
-                      const std::string                   &section,
+  add_optional_vector(EntryDeclarations                   &prm,
                       const std::string                   &name,
                       std::optional<dealii::Tensor<1, 3>> &value,
                       const std::string                   &word,
-                      const std::string                   &documentation)
+                      const std::string                   &documentation,
+                      const EntryAttributes               &attributes)
   {
     const auto parse =
       [word](const std::string &entry,
@@ -412,11 +414,11 @@ namespace Biface
       return vector;
     };
     add_parsed(prm,
-               section,
                name,
                value ? vector_to_string(*value) : word,
                value,
                parse,
-               documentation);
+               documentation,
+               attributes);
   }
 } // namespace Biface

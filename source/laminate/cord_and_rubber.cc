@@ -3,6 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/cord_and_rubber.h>
 
@@ -11,16 +12,16 @@ namespace Biface
   using namespace dealii;
 
   void
-  CordAndRubber::add_parameters(ParameterHandler &prm, const std::string &name)
+  CordAndRubber::add_parameters(EntryDeclarations &prm)
   {
     // 0 stands for what is not given; check() asks for it where the material is
     // of this type
     prm.add_parameter("E_cord",
                       E_cord,
-                      "Young's modulus of the cords. Unit: force/area.",
-                      Patterns::Double());
+                      "Young's modulus of the cords.",
+                      Patterns::Double(),
+                      Unit("force/area"));
     add_parsed(prm,
-               "Material " + name + "/",
                "Cord curve",
                "",
                curve.name,
@@ -30,26 +31,30 @@ namespace Biface
                "with 'Matrix = neo-Hooke'; in compression the slope at the "
                "stretch 1 remains. Relative to the parameter file; see "
                "'Tables' for names in double quotes. Unit of the forces: "
-               "force.");
+               "force.",
+               // the contents of the file are compared
+               RestartChange::always);
     prm.add_parameter("nu_cord",
                       nu_cord,
-                      "Poisson's ratio of the cords; it has little effect. "
-                      "No unit.",
-                      Patterns::Double());
+                      "Poisson's ratio of the cords; it has little effect.",
+                      Patterns::Double(),
+                      Unit::none());
     prm.add_parameter("E_rubber",
                       E_rubber,
-                      "Young's modulus of the rubber. Unit: force/area.",
-                      Patterns::Double());
+                      "Young's modulus of the rubber.",
+                      Patterns::Double(),
+                      Unit("force/area"));
     prm.add_parameter("nu_rubber",
                       nu_rubber,
                       "Poisson's ratio of the rubber, at least 0.4 and less "
-                      "than 0.5. No unit.",
-                      Patterns::Double());
+                      "than 0.5.",
+                      Patterns::Double(),
+                      Unit::none());
     prm.add_parameter("Cord diameter",
                       cord_diameter,
-                      "Diameter of a cord, taken as a full circle. Unit: "
-                      "length.",
-                      Patterns::Double());
+                      "Diameter of a cord, taken as a full circle.",
+                      Patterns::Double(),
+                      Unit("length"));
     prm.add_parameter("Cord pitch",
                       cord_pitch,
                       "Distance between the centers of neighboring cords, "
@@ -58,8 +63,9 @@ namespace Biface
                       "is the same everywhere, so that their distance is "
                       "proportional to r sin(beta) with the angle beta from "
                       "the circumference; on a plane, and for cords along the "
-                      "circumference, it is constant. Unit: length.",
-                      Patterns::Double());
+                      "circumference, it is constant.",
+                      Patterns::Double(),
+                      Unit("length"));
     add_choice(prm,
                "Homogenization",
                homogenization,

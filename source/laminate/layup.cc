@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 #include <biface/laminate/layup.h>
@@ -18,12 +19,11 @@ namespace Biface
   using namespace dealii;
 
   void
-  Layup::Parameters::add_parameters(ParameterHandler &prm)
+  Layup::Parameters::add_parameters(EntryDeclarations &prm)
   {
     // texts are parsed as they are read, so that a message names the entry; the
     // names in them are known only to check()
     add_parsed(prm,
-               "Laminate/",
                "Plies",
                "cord: 1.2 @ 52, cord: 1.2 @ -52, cord: 1.2 @ 52, "
                "cord: 1.2 @ -52",
@@ -47,11 +47,10 @@ namespace Biface
                "crown, the largest radius of the mesh, and pantograph: "
                "the cosine of their angle from the circumference is "
                "proportional to r. With the meridian 'cord equilibrium' "
-               "they know its crown cord angle beta_c. Units: length, "
-               "degrees, alpha_1 as in 'Mesh'.");
+               "they know its crown cord angle beta_c.",
+               Unit::several("length, degrees, alpha_1 as in 'Mesh'"));
     add_parsed(
       prm,
-      "Laminate/",
       "Plies file",
       "",
       plies_file,
@@ -72,7 +71,6 @@ namespace Biface
                "'meridian', from alpha_1 toward alpha_2, or 'circumference', "
                "from alpha_2 toward alpha_1, as usual for tires.");
     add_parsed(prm,
-               "Laminate/",
                "Tables",
                "",
                tables,
@@ -83,9 +81,10 @@ namespace Biface
                "interpolated linearly and constant beyond the ends. "
                "Paths are relative to the parameter file. A name with "
                "a comma must be put in double quotes, in which %XX "
-               "stands for the byte with this hexadecimal number.");
+               "stands for the byte with this hexadecimal number.",
+               // the contents of the files are compared
+               RestartChange::always);
     add_parsed(prm,
-               "Laminate/",
                "Initial ply stresses",
                "",
                initial_stresses,
@@ -95,11 +94,10 @@ namespace Biface
                "by commas; empty for none. Each is a number or a formula, "
                "without blanks, as in 'Plies'. They act only through the "
                "nonlinear part of the strains: the loads that balance them "
-               "in the undeformed shell are not part of the model. Unit: "
-               "force/area.");
+               "in the undeformed shell are not part of the model.",
+               Unit("force/area"));
     add_parsed(
       prm,
-      "Laminate/",
       "Initial resultants",
       "",
       initial_resultants,
@@ -111,7 +109,8 @@ namespace Biface
       "'H_33 = FORMULA'. A membrane force N is N/2 on both faces. The "
       "formulas are those of 'Loads/Pressure distribution'. They act "
       "like initial stresses, but are not part of the stresses of "
-      "plies. Unit: force/length.");
+      "plies.",
+      Unit("force/length"));
     add_choice(prm,
                "Thickness law",
                law,
@@ -121,7 +120,6 @@ namespace Biface
                "'asymmetric' (the paper's law, with an unsymmetric tangent) "
                "or 'full' (three-dimensional law; locks in bending).");
     add_parsed(prm,
-               "Laminate/",
                "Transverse shear",
                "constant strain",
                shear_law,
@@ -135,7 +133,6 @@ namespace Biface
                "number or formula above 0 and at most 1 such as 5/6, by which "
                "'constant strain' is multiplied.");
     add_parsed(prm,
-               "Laminate/",
                "Gradient factor",
                "by layers",
                gradient_factor,
@@ -148,7 +145,6 @@ namespace Biface
                "there are several 'Layers', 1 otherwise.");
     add_parsed(
       prm,
-      "Laminate/",
       "Layers",
       "one",
       layers,
@@ -174,7 +170,6 @@ namespace Biface
       "stiffness on the two sides of a thick wall, by terms of the "
       "order of the thickness over the radius.");
     add_parsed(prm,
-               "Laminate/",
                "Reference surface",
                "inner",
                reference,
@@ -182,7 +177,8 @@ namespace Biface
                "The surface of the shell that 'Surface' describes: "
                "'inner', 'middle', 'outer', 'ply N' (the outer side of "
                "ply N, counted from the inner face), or its distance "
-               "from the inner face. Unit: length.");
+               "from the inner face.",
+               Unit("length"));
   }
 
 

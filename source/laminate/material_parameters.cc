@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/material.h>
@@ -43,7 +44,7 @@ namespace Biface
 
 
   void
-  MaterialParameters::add_parameters(ParameterHandler &prm)
+  MaterialParameters::add_parameters(EntryDeclarations &prm)
   {
     // 0 stands for a constant that is not given, since a material has only
     // those of its type; check() asks for these and refuses others
@@ -81,12 +82,12 @@ namespace Biface
                                                                {"G_13", &G_13},
                                                                {"G_23", &G_23}};
     for (const auto &modulus : moduli)
-      prm.add_parameter(modulus.first,
-                        *modulus.second,
-                        (modulus.first[0] == 'E'
-                           ? "Young's modulus. Unit: force/area."
-                           : "Shear modulus. Unit: force/area."),
-                        Patterns::Double());
+      prm.add_parameter(
+        modulus.first,
+        *modulus.second,
+        (modulus.first[0] == 'E' ? "Young's modulus." : "Shear modulus."),
+        Patterns::Double(),
+        Unit("force/area"));
 
     const std::vector<std::pair<std::string, double *>> ratios{
       {"nu", &nu},
@@ -99,8 +100,9 @@ namespace Biface
       prm.add_parameter(ratio.first,
                         *ratio.second,
                         "Poisson's ratio: the strain along the second axis "
-                        "under a stress along the first. No unit.",
-                        Patterns::Double());
+                        "under a stress along the first.",
+                        Patterns::Double(),
+                        Unit::none());
 
     const std::vector<std::tuple<std::string, double *, std::string>> of_rubber{
       {"K", &K, "The bulk modulus; 0: by nu"},
@@ -112,11 +114,10 @@ namespace Biface
     for (const auto &constant : of_rubber)
       prm.add_parameter(std::get<0>(constant),
                         *std::get<1>(constant),
-                        std::get<2>(constant) +
-                          " of rubber, see 'Type'. Unit: force/area.",
-                        Patterns::Double());
+                        std::get<2>(constant) + " of rubber, see 'Type'.",
+                        Patterns::Double(),
+                        Unit("force/area"));
     add_parsed(prm,
-               "Material " + name + "/",
                "mu_i",
                "",
                mu_i,
@@ -124,17 +125,18 @@ namespace Biface
                "List of the constants mu_i of 'Ogden', with the energy "
                "mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) "
                "of the principal stretches: the shear modulus is half "
-               "the sum of mu_i alpha_i. Unit: force/area.");
+               "the sum of mu_i alpha_i.",
+               Unit("force/area"));
     add_parsed(prm,
-               "Material " + name + "/",
                "alpha_i",
                "",
                alpha_i,
                parse_constants,
                "List of the exponents alpha_i of 'Ogden', as many as "
-               "mu_i. No unit.");
+               "mu_i.",
+               Unit::none());
 
-    cord_and_rubber.add_parameters(prm, name);
+    cord_and_rubber.add_parameters(prm);
     add_choice(prm,
                "Matrix",
                matrix,
@@ -152,8 +154,9 @@ namespace Biface
                       "modulus is 'E_L compression': a number or a formula of "
                       "E_L, G_LT, not negative, or 'by matrix': 0 in a linear "
                       "one, G_LT/E_L, where cords buckle in the matrix, in "
-                      "rubber. No unit.",
-                      Patterns::Anything());
+                      "rubber.",
+                      Patterns::Anything(),
+                      Unit::none());
     prm.add_parameter("E_L compression",
                       E_L_compression,
                       "Young's modulus E_L where the strain along the cords is "
@@ -161,8 +164,9 @@ namespace Biface
                       "formula of E_L such as E_L/100, above 0 and at most "
                       "E_L, with 'Matrix = neo-Hooke' at least that of the "
                       "matrix. Only for 'transversely isotropic' and 'cord and "
-                      "rubber'. Unit: force/area.",
-                      Patterns::Anything());
+                      "rubber'.",
+                      Patterns::Anything(),
+                      Unit("force/area"));
 
     const std::vector<std::pair<std::string, double *>> all_strengths{
       {"X_t", &strengths.X_t},
@@ -176,16 +180,18 @@ namespace Biface
                         "Strength, a positive number, or 0 if not given: X_t, "
                         "X_c along axis 1 in tension and compression, Y_t, "
                         "Y_c along axis 2, S in shear between both. Give all "
-                        "five or none. Unit: force/area.",
-                        Patterns::Double(0));
+                        "five or none.",
+                        Patterns::Double(0),
+                        Unit("force/area"));
 
     prm.add_parameter("Density",
                       density,
                       "Density, of a ply as a whole for 'cord and rubber'. "
-                      "Only 'Modes' of a stage need it. Unit: mass/volume, "
-                      "where a unit of mass is that of force times time^2 per "
-                      "length: for N, mm and s it is the tonne.",
-                      Patterns::Double());
+                      "Only 'Modes' of a stage need it.",
+                      Patterns::Double(),
+                      Unit("mass/volume, where a unit of mass is that of "
+                           "force times time^2 per length: "
+                           "for N, mm and s it is the tonne"));
 
     prm.add_parameter("Loss factor",
                       loss_factor,
@@ -193,18 +199,18 @@ namespace Biface
                       "stresses in a cycle, the same at all frequencies, of a "
                       "ply as a whole for 'cord and rubber': a number not less "
                       "than 0. A rolling wheel then has a rolling resistance, "
-                      "in rolling.csv. No unit.",
-                      Patterns::Double());
+                      "in rolling.csv.",
+                      Patterns::Double(),
+                      Unit::none());
 
     prm.add_parameter("Thermal conductivity",
                       thermal_conductivity,
                       "Conductivity of heat, in all directions: a number not "
-                      "less than 0. Only 'Heat/Temperatures' needs it. Unit: "
-                      "power/(length * temperature).",
-                      Patterns::Double());
+                      "less than 0. Only 'Heat/Temperatures' needs it.",
+                      Patterns::Double(),
+                      Unit("power/(length * temperature)"));
 
     add_parsed(prm,
-               "Material " + name + "/",
                "Relaxation times",
                "",
                relaxation_times,
@@ -212,16 +218,17 @@ namespace Biface
                "List of the times of a Prony series by which the stresses "
                "relax, at the reference temperature; empty: they do not. The "
                "constants of the material are then the instantaneous ones, and "
-               "time passes in stages with a 'Duration'. Unit: time.");
+               "time passes in stages with a 'Duration'.",
+               Unit("time"));
     add_parsed(
       prm,
-      "Material " + name + "/",
       "Relaxation moduli",
       "",
       relaxation_moduli,
       parse_constants,
       "List of the parts of the instantaneous moduli, all of them, that "
-      "relax by these times, with a sum below 1. No unit.");
+      "relax by these times, with a sum below 1.",
+      Unit::none());
     add_choice(
       prm,
       "Temperature shift",
@@ -233,21 +240,23 @@ namespace Biface
       "temperatures.");
     prm.add_parameter("Reference temperature",
                       shift.reference,
-                      "T_ref. Unit: temperature.",
-                      Patterns::Double());
+                      "T_ref.",
+                      Patterns::Double(),
+                      Unit("temperature"));
     prm.add_parameter(
       "WLF C1",
       shift.C_1,
       "C1; the default is the universal constant, for T_ref the "
-      "glass transition. No unit.",
-      Patterns::Double());
+      "glass transition.",
+      Patterns::Double(),
+      Unit::none());
     prm.add_parameter(
-      "WLF C2", shift.C_2, "C2. Unit: temperature.", Patterns::Double());
+      "WLF C2", shift.C_2, "C2.", Patterns::Double(), Unit("temperature"));
     prm.add_parameter("Arrhenius constant",
                       shift.activation,
-                      "C, the activation energy over the gas constant. Unit: "
-                      "temperature.",
-                      Patterns::Double());
+                      "C, the activation energy over the gas constant.",
+                      Patterns::Double(),
+                      Unit("temperature"));
   }
 
 

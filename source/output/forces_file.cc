@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/output/csv.h>
 #include <biface/output/forces_file.h>
@@ -9,12 +10,15 @@ namespace Biface
   using namespace dealii;
 
   void
-  ForcesFile::Parameters::add_parameters(ParameterHandler &prm)
+  ForcesFile::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Moment center",
                       moment_center,
                       "The point to which the moments in forces.csv refer: "
-                      "coordinates x, y, z. Unit: length.");
+                      "coordinates x, y, z.",
+                      // it is part of what moments and their derivatives mean
+                      Unit("length") | EntryKind::problem |
+                        RestartChange::always);
   }
 
 

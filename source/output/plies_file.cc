@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/strip.h>
@@ -19,7 +20,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  PliesFile::Parameters::add_parameters(ParameterHandler &prm)
+  PliesFile::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Points per ply",
                       points_per_ply,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/plies_vtu.h>
@@ -143,7 +144,7 @@ namespace Biface
 
 
   void
-  PliesVtu::Parameters::add_parameters(ParameterHandler &prm)
+  PliesVtu::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Write ply VTU",
                       write,

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
 #include <biface/model/mesh/strip.h>
@@ -15,14 +16,16 @@ namespace Biface
   using namespace dealii;
 
   void
-  FailureCriteria::add_parameters(ParameterHandler &prm)
+  FailureCriteria::add_parameters(EntryDeclarations &prm)
   {
     prm.declare_entry("Failure criteria",
                       "",
                       Patterns::MultipleSelection("maximum stress|Tsai-Wu"),
                       "List of criteria ('maximum stress', 'Tsai-Wu') whose "
                       "failure indices are written with the stresses of plies; "
-                      "they need the strengths of the materials.");
+                      "they need the strengths of the materials.",
+                      // they have columns in history.csv
+                      RestartChange::never);
     prm.add_action("Failure criteria", [this](const std::string &text) {
       const auto asked = [&](const std::string &name) {
         return text.find(name) != std::string::npos;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
@@ -19,14 +20,14 @@ namespace Biface
   using namespace dealii;
 
   void
-  ProfileFile::Parameters::add_parameters(ParameterHandler &prm)
+  ProfileFile::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Profile alpha_2",
                       alpha_2,
                       "Coordinate line whose deformed contour is written to "
-                      "profile-NNNN.csv; the nearest grid line is used. "
-                      "Unit: degrees for an angle, length otherwise.",
-                      Patterns::Double());
+                      "profile-NNNN.csv; the nearest grid line is used.",
+                      Patterns::Double(),
+                      Unit("degrees for an angle, length otherwise"));
   }
 
 

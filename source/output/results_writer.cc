@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/contact_file.h>
@@ -24,7 +25,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  ResultsWriter::Parameters::add_parameters(ParameterHandler &prm)
+  ResultsWriter::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Directory",
                       directory,

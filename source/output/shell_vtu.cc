@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/mesh/strip.h>
@@ -138,7 +139,7 @@ namespace Biface
 
 
   void
-  ShellVtu::Parameters::add_parameters(ParameterHandler &prm)
+  ShellVtu::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Write VTU",
                       write,

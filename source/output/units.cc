@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_text.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/output/units.h>
@@ -91,17 +92,17 @@ namespace Biface
 
 
   void
-  Units::add_parameters(ParameterHandler &prm)
+  Units::add_parameters(EntryDeclarations &prm)
   {
     add_parsed(prm,
-               "",
                "Units",
                "",
                names,
                parse_units,
                "The names of the units of length, force and time in this "
                "file, as in 'mm, N, s', for the report and for ParaView. No "
-               "number depends on them. Empty: not named.");
+               "number depends on them. Empty: not named.",
+               EntryKind::output);
   }
 
 

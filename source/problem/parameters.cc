@@ -7,6 +7,7 @@
 #include <set>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/relaxation.h>
 #include <biface/model/mesh/plies_on_surface.h>
@@ -18,30 +19,40 @@ namespace Biface
 {
   using namespace dealii;
 
-  void
-  Parameters::add_parameters(ParameterHandler               &prm,
-                             const std::vector<std::string> &material_names,
-                             const std::vector<std::string> &body_names,
-                             const unsigned int              n_stages)
+  namespace
   {
-    // the names of materials and bodies, and the number of stages, must have
-    // been read before: each has a section
-    units.add_parameters(prm);
-
-    prm.enter_subsection("Surface");
-    surface.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Mesh");
-    mesh.add_parameters(prm);
-    prm.leave_subsection();
-
-    const auto listed = [](const std::vector<std::string> &names) {
+    /** Names in the form of parameter files. */
+    std::string
+    listed(const std::vector<std::string> &names)
+    {
       std::string list;
       for (const std::string &name : names)
         list += (list.empty() ? "" : ", ") + name;
       return list;
+    }
+  } // namespace
+
+
+  void
+  Parameters::add_parameters(ParameterHandler               &handler,
+                             const std::vector<std::string> &material_names,
+                             const std::vector<std::string> &body_names,
+                             const unsigned int              n_stages)
+  {
+    EntryDeclarations prm(handler);
+    const auto        add_section = [&prm](const std::string     &name,
+                                    auto                  &part,
+                                    const EntryAttributes &attributes = {}) {
+      prm.enter_subsection(name, attributes);
+      part.add_parameters(prm);
+      prm.leave_subsection();
     };
+
+    // the names of materials and bodies, and the number of stages, must have
+    // been read before: each has a section
+    units.add_parameters(prm);
+    add_section("Surface", surface, EntryKind::shape);
+    add_section("Mesh", mesh, EntryKind::shape);
     prm.declare_entry("Materials",
                       listed(material_names),
                       Patterns::Anything(),
@@ -51,42 +62,20 @@ namespace Biface
     for (unsigned int i = 0; i < materials.size(); ++i)
       {
         materials[i].name = material_names[i];
-        prm.enter_subsection("Material " + material_names[i]);
-        materials[i].add_parameters(prm);
-        prm.leave_subsection();
+        add_section(
+          "Material " + material_names[i], materials[i], EntryKind::plies);
       }
-
-    prm.enter_subsection("Laminate");
-    laminate.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Element");
-    element.add_parameters(prm);
-    prm.leave_subsection();
-
+    add_section("Laminate", laminate, EntryKind::plies);
+    add_section("Element", element);
     points.add_parameters(prm);
-
-    prm.enter_subsection("Supports");
-    supports.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Loads");
+    add_section("Supports", supports);
+    prm.enter_subsection("Loads", EntryKind::loads);
     pressure.add_parameters(prm);
     loads.add_parameters(prm);
     prm.leave_subsection();
-
-    prm.enter_subsection("Gas");
-    gas.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Contact");
-    contact.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Heat");
-    heat.add_parameters(prm);
-    prm.leave_subsection();
-
+    add_section("Gas", gas, EntryKind::loads);
+    add_section("Contact", contact, EntryKind::loads);
+    add_section("Heat", heat);
     prm.declare_entry("Bodies",
                       listed(body_names),
                       Patterns::Anything(),
@@ -98,11 +87,26 @@ namespace Biface
     for (unsigned int i = 0; i < bodies.size(); ++i)
       {
         bodies[i].name = body_names[i];
-        prm.enter_subsection("Body " + body_names[i]);
-        bodies[i].add_parameters(prm);
-        prm.leave_subsection();
+        add_section("Body " + body_names[i], bodies[i]);
       }
+    add_stages(prm, n_stages);
+    add_section("Tire test", tire_test, RestartChange::before_tire_test);
+    add_section("Linear solver", linear_solver, EntryKind::solution);
+    add_section("Newton", newton, EntryKind::solution);
+    add_section("Step control", load_stepping, EntryKind::solution);
+    add_section("Output", output, EntryKind::output);
+    add_section("Checkpoint", checkpoint, EntryKind::output);
+    // what a run carries along for derivatives is part of its state
+    add_section(
+      "Sensitivities", sensitivities, EntryKind::output | RestartChange::never);
+    attributes = prm.get_attributes();
+  }
 
+
+  void
+  Parameters::add_stages(EntryDeclarations &prm, const unsigned int n_stages)
+  {
+    // check_continuation() compares the number with the progress of the run
     prm.declare_entry("Number of stages",
                       std::to_string(n_stages),
                       Patterns::Integer(1, 1000),
@@ -110,42 +114,17 @@ namespace Biface
                       "'Stage 2', ... and starts from the end of the "
                       "previous one, or of that in 'Start from'. A smaller "
                       "number on the command line ends the run earlier: the "
-                      "other sections are ignored.");
+                      "other sections are ignored.",
+                      RestartChange::always);
     stages.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
       {
-        prm.enter_subsection("Stage " + std::to_string(i + 1));
+        prm.enter_subsection("Stage " + std::to_string(i + 1),
+                             EntryKind::loads | RestartChange::before_stage |
+                               OfStage{i + 1});
         stages[i].add_parameters(prm, i + 1);
         prm.leave_subsection();
       }
-
-    prm.enter_subsection("Tire test");
-    tire_test.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Linear solver");
-    linear_solver.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Newton");
-    newton.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Step control");
-    load_stepping.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Output");
-    output.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Checkpoint");
-    checkpoint.add_parameters(prm);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Sensitivities");
-    sensitivities.add_parameters(prm);
-    prm.leave_subsection();
   }
 
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <set>
@@ -21,9 +20,6 @@
 #include <biface/problem/design_variable.h>
 #include <biface/problem/parameters.h>
 #include <biface/surface/imperfection.h>
-
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 
 namespace Biface
 {
@@ -432,73 +428,30 @@ namespace Biface
     }
 
 
-    /** Whether an entry belongs to one of the sections that begin so. */
-    bool
-    is_in(const std::string                        &entry,
-          const std::initializer_list<const char *> sections)
-    {
-      return std::any_of(
-        sections.begin(), sections.end(), [&](const char *section) {
-          return entry.rfind(section, 0) == 0;
-        });
-    }
-
-
-    /** Whether a number describes the problem, and not how it is solved or what
-     * is written. */
-    bool
-    describes_the_problem(const std::string &entry)
-    {
-      return !is_in(entry,
-                    {"Linear solver/",
-                     "Newton/",
-                     "Step control/",
-                     "Output/",
-                     "Checkpoint/",
-                     "Sensitivities/"}) ||
-             entry == "Output/Moment center";
-    }
-
-
-    /** What entries change in the mesh. */
+    /** What a change of entries changes in the mesh. */
     SensitivityParameters::MeshChange
-    mesh_change(const std::vector<std::string> &entries)
+    mesh_change(const std::vector<EntryAttributes> &entries)
     {
       using MeshChange  = SensitivityParameters::MeshChange;
       MeshChange change = MeshChange::nothing;
-      for (const std::string &entry : entries)
-        if (is_in(entry, {"Material ", "Laminate/"}))
+      for (const EntryAttributes &entry : entries)
+        if (entry.get_kind() == EntryKind::plies)
           change = std::max(change, MeshChange::plies);
-        else if (!is_in(entry, {"Stage ", "Loads/", "Gas/", "Contact/"}))
+        else if (entry.get_kind() != EntryKind::loads)
           change = MeshChange::anything;
       return change;
     }
 
 
-    /** Whether the size of a change of an entry says nothing without a unit:
-     * no plain number and no angle. */
-    bool
-    has_unit(const ParameterHandler &prm, const std::string &entry)
-    {
-      std::stringstream text;
-      prm.print_parameters(text, ParameterHandler::JSON);
-      boost::property_tree::ptree tree;
-      boost::property_tree::read_json(text, tree);
-      const auto documentation = tree.get<std::string>(
-        boost::property_tree::ptree::path_type(entry + "/documentation", '/'));
-      return documentation.find("Unit") != std::string::npos &&
-             documentation.find("Unit: degrees.") == std::string::npos;
-    }
-
-
     /** The change of a design variable in differences.
+     * @param entries those whose numbers it changes.
      * @param automatic in parts of its value, if none is given. */
     double
-    change_of(const DesignVariable       &variable,
-              const double                value,
-              const std::optional<double> given,
-              const double                automatic,
-              const ParameterHandler     &prm)
+    change_of(const DesignVariable               &variable,
+              const std::vector<EntryAttributes> &entries,
+              const double                        value,
+              const std::optional<double>         given,
+              const double                        automatic)
     {
       const std::string entry = "Sensitivities/Relative step";
       if (value != 0)
@@ -508,8 +461,9 @@ namespace Biface
               entry, number_to_string(*given), "it must be at most 0.1");
           return given.value_or(automatic) * std::abs(value);
         }
-      for (const std::string &name : variable.get_entries())
-        if (!given && has_unit(prm, name))
+      // without a unit, the size of the change says nothing
+      for (const EntryAttributes &changed : entries)
+        if (!given && changed.get_unit().is_physical())
           throw InputError(entry,
                            "automatic",
                            "it must be a number, the change of " +
@@ -551,10 +505,11 @@ namespace Biface
           SensitivityParameters::Change change;
           change.name  = variable.get_name();
           change.value = variable.value(declared);
-          const std::vector<std::string> changed_entries =
-            variable.get_entries();
-          for (const std::string &name : changed_entries)
-            if (!describes_the_problem(name))
+          std::vector<EntryAttributes> changed_entries;
+          for (const std::string &name : variable.get_entries())
+            changed_entries.push_back(parameters.attributes.at(name));
+          for (const EntryAttributes &changed : changed_entries)
+            if (!changed.describes_the_problem())
               throw InputError(entry,
                                change.name,
                                "it must be a number that describes the shell, "
@@ -564,15 +519,15 @@ namespace Biface
           const bool of_shape =
             std::any_of(changed_entries.begin(),
                         changed_entries.end(),
-                        [](const std::string &name) {
-                          return is_in(name, {"Surface/", "Mesh/"});
+                        [](const EntryAttributes &changed) {
+                          return changed.get_kind() == EntryKind::shape;
                         });
           const double size =
             change_of(variable,
+                      changed_entries,
                       change.value,
                       parameters.sensitivities.step,
-                      has_friction || of_shape ? small_step : step,
-                      prm);
+                      has_friction || of_shape ? small_step : step);
           const std::array<double, 2> values{
             {change.value - size, change.value + size}};
           change.step = values[1] - values[0];

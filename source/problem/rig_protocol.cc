@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/rig_protocol.h>
 
@@ -47,24 +48,19 @@ namespace Biface
 
 
   void
-  RigProtocol::add_parameters(ParameterHandler &prm)
+  RigProtocol::add_parameters(EntryDeclarations &prm)
   {
     // a file without 'Loads' asks for no test, so that the other entries may
     // have values all the same
     const auto add = [&prm](const std::string   &name,
                             const std::string   &default_text,
                             std::vector<double> &values,
-                            const std::string   &documentation) {
-      add_parsed(prm,
-                 "Tire test/",
-                 name,
-                 default_text,
-                 values,
-                 parse_list,
-                 documentation);
+                            const std::string   &documentation,
+                            const Unit          &unit) {
+      add_parsed(
+        prm, name, default_text, values, parse_list, documentation, unit);
     };
     add_parsed(prm,
-               "Tire test/",
                "Start from",
                "last",
                start_from,
@@ -76,31 +72,32 @@ namespace Biface
         loads,
         "Forces between tire and ground, along the normal of the ground, at "
         "which the tire is tested; empty for no test. A list 'a, b, c', in "
-        "which 'begin:end:number' stands for so many equidistant values. Unit: "
-        "force.");
+        "which 'begin:end:number' stands for so many equidistant values.",
+        Unit("force"));
     add("Pressures",
         "",
         pressures,
-        "Inflation pressures, likewise; empty for that at the start. Unit: "
-        "stress.");
+        "Inflation pressures, likewise; empty for that at the start.",
+        Unit("stress"));
     add("Inclination angles",
         "0",
         inclination_angles,
         "Inclination angles of the wheel, likewise; see 'Stage N/Inclination "
-        "angle'. Unit: degrees.");
+        "angle'.",
+        Unit::degrees());
     add("Slip angles",
         "",
         slip_angles,
         "Slip angles, likewise, positive if the wheel moves to the left of its "
         "plane; see 'Stage N/Slip angle'. The wheel rolls freely, without a "
-        "moment of the axle. Straight rolling is always one of the points. "
-        "Unit: degrees.");
+        "moment of the axle. Straight rolling is always one of the points.",
+        Unit::degrees());
     add("Slip ratios",
         "",
         slip_ratios,
         "Longitudinal slip ratios, likewise, negative for braking: relative to "
-        "free rolling with the same load, inclination and slip angle. No "
-        "unit.");
+        "free rolling with the same load, inclination and slip angle.",
+        Unit::none());
     add_choice(
       prm,
       "Slip",
@@ -111,9 +108,9 @@ namespace Biface
       "ratio.");
     prm.add_parameter("Ground velocity",
                       ground_velocity,
-                      "Speed of the wheel over the ground, positive forward. "
-                      "Unit: length/time.",
-                      Patterns::Double());
+                      "Speed of the wheel over the ground, positive forward.",
+                      Patterns::Double(),
+                      Unit("length/time"));
     prm.add_parameter(
       "Steps",
       n_steps,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/sensitivity_parameters.h>
 
@@ -11,7 +12,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  SensitivityParameters::add_parameters(ParameterHandler &prm)
+  SensitivityParameters::add_parameters(EntryDeclarations &prm)
   {
     // as texts, which have a meaning only when the whole file is known
     prm.add_parameter("Entries",
@@ -48,8 +49,8 @@ namespace Biface
       "The change of an entry in differences, in parts of its value, from 1e-8 "
       "to 0.1; for an entry that is 0, the change itself. 'automatic': 1e-4, for "
       "entries of the sections Surface and Mesh, and with friction, 2e-5; an "
-      "entry that is 0 and has a unit other than degrees needs a number. No "
-      "unit.");
+      "entry that is 0 and has a unit other than degrees needs a number.",
+      Unit::none());
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/restart/checkpoint_writer.h>
 
@@ -10,7 +11,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  CheckpointWriter::Parameters::add_parameters(ParameterHandler &prm)
+  CheckpointWriter::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Write",
                       write,
@@ -25,8 +26,9 @@ namespace Biface
     prm.add_parameter("Every minutes",
                       every_minutes,
                       "Wall time between checkpoints, checked after each "
-                      "step; 0: not used. Unit: minutes.",
-                      Patterns::Double(0));
+                      "step; 0: not used.",
+                      Patterns::Double(0),
+                      Unit("minutes"));
   }
 
 

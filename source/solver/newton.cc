@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/quantities/inverted_layers.h>
 #include <biface/solver/active_set_iteration.h>
@@ -18,7 +19,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  Newton::Parameters::add_parameters(ParameterHandler &prm)
+  Newton::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(prm,
                "Iteration",
@@ -35,15 +36,17 @@ namespace Biface
                       residual_tolerance,
                       "A step has converged when the active set is unchanged "
                       "and the residual, relative to the forces that cancel "
-                      "in it, is at most this. At most 0.01. No unit.",
-                      Patterns::Double());
+                      "in it, is at most this. At most 0.01.",
+                      Patterns::Double(),
+                      Unit::none());
     prm.add_parameter("Update tolerance",
                       update_tolerance,
                       "A step has also converged when the active set is "
                       "unchanged, the maximum nodal update relative to the "
                       "thickness is at most this, and the relative residual "
-                      "is at most 1e-3. At most 0.01. No unit.",
-                      Patterns::Double());
+                      "is at most 1e-3. At most 0.01.",
+                      Patterns::Double(),
+                      Unit::none());
   }
 
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/stepping/branch_switching.h>
@@ -19,7 +20,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  LoadStepping::Parameters::add_parameters(ParameterHandler &prm)
+  LoadStepping::Parameters::add_parameters(EntryDeclarations &prm)
   {
     control.add_parameters(prm);
     prm.add_parameter("Predictor",

@@ -2,10 +2,10 @@
 
 
 #include <cmath>
-#include <set>
 
 #include <biface/base/errors.h>
 #include <biface/contact/friction.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage.h>
 
@@ -38,10 +38,9 @@ namespace Biface
 
 
   void
-  Stage::add_parameters(ParameterHandler &prm, const unsigned int number)
+  Stage::add_parameters(EntryDeclarations &prm, const unsigned int number)
   {
-    const std::string section = "Stage " + std::to_string(number);
-    name                      = "stage " + std::to_string(number);
+    name = "stage " + std::to_string(number);
 
     // the order of the declarations is that of printed files and of the
     // reference of parameters
@@ -49,7 +48,6 @@ namespace Biface
       "Name", name, "Name of the stage in the results.", Patterns::Anything());
     add_parsed(
       prm,
-      section + "/",
       "Start from",
       "previous",
       start_from,
@@ -60,8 +58,8 @@ namespace Biface
       "an earlier stage, so that several stages can branch from the same "
       "state. Loads that are 'unchanged' are those at the end of that "
       "stage.");
-    StageLoads::add_parameters(prm, section);
-    StageControl::add_parameters(prm, section);
+    StageLoads::add_parameters(prm);
+    StageControl::add_parameters(prm);
     add_choice(prm,
                "Strain theory",
                theory,
@@ -82,27 +80,6 @@ namespace Biface
                       "start from 0 again.",
                       Patterns::Bool());
     StageResults::add_parameters(prm);
-  }
-
-
-  bool
-  Stage::may_change(const std::string &entry)
-  {
-    const std::set<std::string> fixed{"Name",
-                                      "Start from",
-                                      "Start from prestress",
-                                      "Strain theory",
-                                      "Gas",
-                                      "Damping",
-                                      "Contact",
-                                      "Friction",
-                                      "Glued",
-                                      "Duration",
-                                      "Control",
-                                      "Forces on bodies",
-                                      "Control point",
-                                      "Control component"};
-    return fixed.count(entry) == 0;
   }
 
 

@@ -3,6 +3,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_control.h>
 
@@ -45,8 +46,7 @@ namespace Biface
 
 
   void
-  StageControl::add_parameters(ParameterHandler  &prm,
-                               const std::string &section)
+  StageControl::add_parameters(EntryDeclarations &prm)
   {
     // 'Control' decides which of the other entries count; check() refuses those
     // that do not
@@ -81,24 +81,24 @@ namespace Biface
     prm.add_parameter("Control value",
                       control_value,
                       "Value of the prescribed displacement at the end of "
-                      "the stage. Unit: length.",
-                      Patterns::Double());
+                      "the stage.",
+                      Patterns::Double(),
+                      Unit("length") | RestartChange::within_stage);
     prm.add_parameter("Force",
                       force,
                       "Compressive force on the foundation and the 'Bodies' "
                       "that move with it, along 'Contact/Direction', at the "
-                      "end of a stage whose 'Control' prescribes it. Unit: "
-                      "force.",
-                      Patterns::Double());
+                      "end of a stage whose 'Control' prescribes it.",
+                      Patterns::Double(),
+                      Unit("force") | RestartChange::within_stage);
     prm.add_parameter("Axle moment",
                       axle_moment,
                       "Moment of the axle on the wheel about the y axis at the "
                       "end of a stage whose 'Control' prescribes it: 0 for "
-                      "free rolling, negative for braking. Unit: "
-                      "force*length.",
-                      Patterns::Double());
+                      "free rolling, negative for braking.",
+                      Patterns::Double(),
+                      Unit("force*length") | RestartChange::within_stage);
     add_parsed(prm,
-               section + "/",
                "Forces on bodies",
                "",
                forces_on_bodies,
@@ -110,19 +110,21 @@ namespace Biface
                "motion; a motion that only turns has a moment about the axis. "
                "The body rests on the shell and on the spring of 'Springs', if "
                "it has one. The force at the start of the stage is what they "
-               "exert there; it changes in equal steps. Unit: force, or "
-               "force*length.");
+               "exert there; it changes in equal steps.",
+               Unit("force, or force*length"));
     prm.add_parameter("Steps",
                       n_steps,
                       "Number of steps; see 'Control'.",
-                      Patterns::Integer(1, 1000000));
+                      Patterns::Integer(1, 1000000),
+                      RestartChange::within_stage);
     prm.add_parameter("Adaptive steps",
                       adaptive,
                       "Whether steps of the loads or the force grow beyond "
                       "1/Steps after fast convergence; see 'Maximum growth'. "
                       "Otherwise all multiples of 1/Steps are reached and "
                       "written.",
-                      Patterns::Bool());
+                      Patterns::Bool(),
+                      RestartChange::within_stage);
   }
 
 

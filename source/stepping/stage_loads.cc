@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_loads.h>
 
@@ -67,7 +68,7 @@ namespace Biface
 
 
   void
-  StageLoads::add_parameters(ParameterHandler &prm, const std::string &section)
+  StageLoads::add_parameters(EntryDeclarations &prm)
   {
     // most entries have no number by default: a stage keeps what it does not
     // set
@@ -78,8 +79,8 @@ namespace Biface
       pressure,
       unchanged,
       "Pressure at the end of the stage; see the section 'Loads' for its "
-      "face and type. 'unchanged': as at the start of the stage. "
-      "Unit: force/area.");
+      "face and type. 'unchanged': as at the start of the stage.",
+      Unit("force/area") | RestartChange::within_stage);
     add_choice(prm,
                "Gas",
                sealed,
@@ -96,9 +97,9 @@ namespace Biface
       "area that opposes a motion of 1 over the whole stage. It "
       "is small enough if 'damping_work' in history.csv is a "
       "small part of the work of the loads but for snaps. The "
-      "forces vanish in the first step of the next stage. "
-      "Unit: force/volume.",
-      Patterns::Double());
+      "forces vanish in the first step of the next stage.",
+      Patterns::Double(),
+      Unit("force/volume"));
     prm.add_parameter("Contact",
                       contact,
                       "Whether the stage has contact with the rigid "
@@ -115,16 +116,17 @@ namespace Biface
       unchanged,
       "Travel of the foundation against 'Direction' at the end of the stage, "
       "measured from where it first touched the shell. 'unchanged': as at "
-      "the start of the stage. Unit: length.");
+      "the start of the stage.",
+      Unit("length") | RestartChange::within_stage);
     add_optional_vector(
       prm,
-      section + "/",
       "Slide",
       slide,
       unchanged,
       "Components x, y, z of the motion of the foundation sideways, orthogonal "
       "to 'Contact/Direction', at the end of the stage. 'unchanged': as at the "
-      "start of the stage. Unit: length.");
+      "start of the stage.",
+      Unit("length") | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Turn",
@@ -133,7 +135,8 @@ namespace Biface
       "Angle by which the foundation has turned at the end of the stage, "
       "right-handed about 'Contact/Direction' through the point where it first "
       "touched the shell; this axis slides with the foundation. 'unchanged': "
-      "as at the start of the stage. Unit: degrees.");
+      "as at the start of the stage.",
+      Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Wheel turn",
@@ -143,8 +146,8 @@ namespace Biface
       "at the end of the stage, right-handed about the y axis. The results are "
       "in axes that turn with the wheel: the foundation goes around it the "
       "other way, after 'Travel', 'Slide' and 'Turn'. To roll slowly, let the "
-      "foundation slide, too. 'unchanged': as at the start of the stage. Unit: "
-      "degrees.");
+      "foundation slide, too. 'unchanged': as at the start of the stage.",
+      Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Inclination angle",
@@ -155,7 +158,8 @@ namespace Biface
       "are in the axes of the wheel: the foundation leans the other way about "
       "a line through the origin, after 'Travel', 'Slide' and 'Turn' and "
       "before 'Wheel turn', and 'Force' is normal to it. It is added to the angle of 'Contact/Direction'. "
-      "'unchanged': as at the start of the stage. Unit: degrees.");
+      "'unchanged': as at the start of the stage.",
+      Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Angular velocity",
@@ -163,7 +167,8 @@ namespace Biface
       unchanged,
       "Angular velocity of a steadily rolling or spinning wheel at the end of "
       "the stage, right-handed about the y axis. 'unchanged': as at the start "
-      "of the stage. Unit: radians/time.");
+      "of the stage.",
+      Unit("radians/time") | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Ground velocity",
@@ -175,7 +180,8 @@ namespace Biface
       "velocity' rolls. If it or the angular velocity is not 0 at either end "
       "of the stage, friction follows from the slip velocity, see "
       "'Contact/Critical velocity', without history. 'unchanged': as at the "
-      "start of the stage. Unit: length/time.");
+      "start of the stage.",
+      Unit("length/time") | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Slip angle",
@@ -184,7 +190,8 @@ namespace Biface
       "Angle between the direction in which the wheel moves over the ground "
       "and its plane at the end of the stage, positive to the left. A drum is "
       "turned by it about 'Direction' through 'Point on path'. "
-      "'unchanged': as at the start of the stage. Unit: degrees.");
+      "'unchanged': as at the start of the stage.",
+      Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Slip ratio",
@@ -195,25 +202,26 @@ namespace Biface
       "the ground velocity V and the slip angle alpha; R is the rolling radius "
       "V cos alpha/Omega at the end of the last stage before that ended in "
       "free rolling, with a prescribed 'Axle moment' of 0. Negative for "
-      "braking, -1 for a locked wheel. 'none': see 'Angular velocity'. No "
-      "unit.");
+      "braking, -1 for a locked wheel. 'none': see 'Angular velocity'.",
+      Unit::none() | RestartChange::within_stage);
     prm.add_parameter("Friction",
                       friction,
                       "Coefficient of friction in the stage, instead of that "
                       "of the section 'Contact'; empty for that one. A number, "
                       "or a formula of the contact pressure p and the slip "
-                      "velocity s. No unit.",
-                      Patterns::Anything());
+                      "velocity s.",
+                      Patterns::Anything(),
+                      Unit::none());
     add_parsed(
       prm,
-      section + "/",
       "Bodies",
       "",
       bodies,
       parse_bodies,
       "Names of the bodies that are there in the stage, separated by "
       "commas; see the entry 'Bodies' outside the stages. Their places "
-      "follow from 'Load factors'.");
+      "follow from 'Load factors'.",
+      RestartChange::within_stage);
     prm.add_parameter(
       "Glued",
       glued,
@@ -227,8 +235,9 @@ namespace Biface
                       "The time that passes in the stage, evenly from step to "
                       "step, in which the stresses of materials with "
                       "'Relaxation times' relax. 0: as fast as they respond at "
-                      "once. Unit: time.",
-                      Patterns::Double());
+                      "once.",
+                      Patterns::Double(),
+                      Unit("time"));
     add_optional_number(
       prm,
       "Temperature",
@@ -236,7 +245,8 @@ namespace Biface
       unchanged,
       "Temperature of the shell at the end of the stage, for the 'Temperature "
       "shift' of materials; at the start of the first stage, it is that at its "
-      "end. 'unchanged': as at the start of the stage. Unit: temperature.");
+      "end. 'unchanged': as at the start of the stage.",
+      Unit("temperature") | RestartChange::within_stage);
     add_optional_number(
       prm,
       "Load factor",
@@ -245,10 +255,10 @@ namespace Biface
       "Factor of the loads of the section 'Loads', except the pressure, of "
       "prescribed displacements of supports and of the motions of bodies at the "
       "end of the stage. "
-      "'unchanged': as at the start of the stage. No unit.");
+      "'unchanged': as at the start of the stage.",
+      Unit::none() | RestartChange::within_stage);
     add_parsed(
       prm,
-      section + "/",
       "Load factors",
       "",
       own_factors,
@@ -262,8 +272,8 @@ namespace Biface
       "component of the support or the motion of the body: 'edge "
       "forces alpha_1 max', 'edge forces alpha_1 max 2', 'supports "
       "alpha_1 max v_3', 'bodies cleat lift'. The longest name of a "
-      "load counts. What a stage does not name follows its 'Load factor'. "
-      "No unit.");
+      "load counts. What a stage does not name follows its 'Load factor'.",
+      Unit::none() | RestartChange::within_stage);
   }
 
 

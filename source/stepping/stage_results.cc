@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_results.h>
 
@@ -32,7 +33,7 @@ namespace Biface
 
 
   void
-  StageResults::add_parameters(ParameterHandler &prm)
+  StageResults::add_parameters(EntryDeclarations &prm)
   {
     // nothing is on by default that takes its own time: 'report' reads the
     // pivots that the iteration has
@@ -45,7 +46,8 @@ namespace Biface
                       "sideways; on a wheel that rolls, friction follows from "
                       "the slip velocity, and there are gyroscopic terms. All "
                       "plies need a 'Density'.",
-                      Patterns::Integer(0, 1000));
+                      Patterns::Integer(0, 1000),
+                      RestartChange::within_stage);
     prm.add_parameter("Buckling",
                       n_buckling,
                       "Number of buckling loads that are predicted at the end "
@@ -57,7 +59,8 @@ namespace Biface
                       "of this load, or any load with 'Strain theory = "
                       "linear', where they change as in the whole stage. See "
                       "'Modes' for the nodes in contact.",
-                      Patterns::Integer(0, 1000));
+                      Patterns::Integer(0, 1000),
+                      RestartChange::within_stage);
     add_choice(prm,
                "Critical points",
                critical_points,
@@ -71,15 +74,17 @@ namespace Biface
                "'locate': the step ends there, by bisection of the step to "
                "0.1 % of the loads. 'switch branch': likewise, and at a "
                "bifurcation the run continues on the other branch; with "
-               "'Control = load' or 'arc length'.");
+               "'Control = load' or 'arc length'.",
+               RestartChange::within_stage);
     prm.add_parameter("Branch amplitude",
                       branch_amplitude,
                       "The largest displacement in the critical shape with "
                       "which the other branch is sought, as a multiple of the "
                       "thickness. The sign chooses the side. With 'Control = "
                       "load', it doubles until the branch has reached the "
-                      "loads of the next step. No unit.",
-                      Patterns::Double());
+                      "loads of the next step.",
+                      Patterns::Double(),
+                      Unit::none() | RestartChange::within_stage);
   }
 
 

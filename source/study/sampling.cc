@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 #include <biface/study/sampling.h>
@@ -83,13 +84,12 @@ namespace Biface
 
 
   void
-  Sampling::add_parameters(ParameterHandler &prm)
+  Sampling::add_parameters(EntryDeclarations &prm)
   {
     // values refer to variables by name, so that the order of the entries does
     // not matter
     add_parsed(
       prm,
-      "Study/",
       "Variables",
       "",
       variables,
@@ -111,7 +111,6 @@ namespace Biface
                "fill the ranges of the variables evenly. 'file': those of "
                "'Samples file'.");
     add_parsed(prm,
-               "Study/",
                "Values",
                "",
                values,
@@ -130,7 +129,6 @@ namespace Biface
                       "same seed gives the same samples.",
                       Patterns::Integer(0));
     add_parsed(prm,
-               "Study/",
                "Samples file",
                "",
                file_name,

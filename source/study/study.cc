@@ -283,9 +283,7 @@ namespace Biface
         std::filesystem::path(name).parent_path().string();
       const std::string text = read_file(name, communicator);
       ParameterHandler  prm;
-      prm.enter_subsection("Study");
       parameters.add_parameters(prm);
-      prm.leave_subsection();
       check_parameter_text(name, text);
       parse_parameter_text(prm, name, text);
       if (!options.output.empty())
@@ -674,9 +672,7 @@ namespace Biface
   {
     StudyParameters  parameters;
     ParameterHandler prm;
-    prm.enter_subsection("Study");
     parameters.add_parameters(prm);
-    prm.leave_subsection();
     prm.print_parameters(
       screen,
       (json ? ParameterHandler::JSON : ParameterHandler::PRM) |

@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_text.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/study/study_parameters.h>
@@ -71,12 +72,13 @@ namespace Biface
 
 
   void
-  StudyParameters::add_parameters(ParameterHandler &prm)
+  StudyParameters::add_parameters(ParameterHandler &handler)
   {
+    EntryDeclarations prm(handler);
+    prm.enter_subsection("Study");
     // the base file is only named here; its path is relative to the file of the
     // study
     add_parsed(prm,
-               "Study/",
                "Base file",
                "",
                base_file,
@@ -84,7 +86,6 @@ namespace Biface
                "The parameter file of the analyses. Relative to the folder of "
                "the study file.");
     add_parsed(prm,
-               "Study/",
                "Settings",
                "",
                settings,
@@ -93,7 +94,6 @@ namespace Biface
                "list of 'Section/Entry=value', separated by semicolons.");
     sampling.add_parameters(prm);
     add_parsed(prm,
-               "Study/",
                "Outputs",
                "",
                outputs,
@@ -122,5 +122,6 @@ namespace Biface
                       "the nearest sample of the same group that has the same "
                       "mesh, which saves iterations.",
                       Patterns::Bool());
+    prm.leave_subsection();
   }
 } // namespace Biface

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/circular_arc.h>
 
@@ -13,18 +14,20 @@ namespace Biface
   using namespace dealii;
 
   void
-  CircularArc::Parameters::add_parameters(ParameterHandler &prm)
+  CircularArc::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Radius",
                       radius,
-                      "Radius R_1 of the arc. Positive. Unit: length.",
-                      Patterns::Double());
+                      "Radius R_1 of the arc. Positive.",
+                      Patterns::Double(),
+                      Unit("length"));
     prm.add_parameter("Center radius",
                       center_radius,
                       "Distance of the center of the arc from the axis of "
                       "revolution (R_0 - R_1 for a torus of outer radius R_0; "
-                      "0 for a sphere). Not negative. Unit: length.",
-                      Patterns::Double());
+                      "0 for a sphere). Not negative.",
+                      Patterns::Double(),
+                      Unit("length"));
   }
 
 

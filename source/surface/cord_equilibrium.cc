@@ -9,6 +9,7 @@
 #include <string>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/cord_equilibrium.h>
 
@@ -29,24 +30,26 @@ namespace Biface
 
 
   void
-  CordEquilibrium::Parameters::add_parameters(ParameterHandler &prm)
+  CordEquilibrium::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Crown radius",
                       crown_radius,
-                      "Largest radius of the curve, at alpha_1 = 0. Positive. "
-                      "Unit: length.",
-                      Patterns::Double());
+                      "Largest radius of the curve, at alpha_1 = 0. Positive.",
+                      Patterns::Double(),
+                      Unit("length"));
     prm.add_parameter("Half width",
                       half_width,
                       "Largest distance of the curve from its plane of "
-                      "symmetry y = 0. Positive. Unit: length.",
-                      Patterns::Double());
+                      "symmetry y = 0. Positive.",
+                      Patterns::Double(),
+                      Unit("length"));
     prm.add_parameter("End radius",
                       end_radius,
                       "Radius at which the curve ends on both sides, such as "
                       "that of the rim flange. Positive, and less than the "
-                      "crown radius. Unit: length.",
-                      Patterns::Double());
+                      "crown radius.",
+                      Patterns::Double(),
+                      Unit("length"));
     add_optional_number(prm,
                         "Crown cord angle",
                         crown_cord_angle,
@@ -55,16 +58,15 @@ namespace Biface
                         "crown: above 0, at most 90 degrees, which is a "
                         "radial tire; or '" +
                           no_angle +
-                          "' if the curve must end at 'End half width'. Unit: "
-                          "degrees.");
+                          "' if the curve must end at 'End half width'.",
+                        Unit::degrees());
     add_optional_number(prm,
                         "End half width",
                         end_half_width,
                         no_width,
                         "Distance of the ends of the curve from y = 0; '" +
-                          no_width +
-                          "' if it follows from 'Crown cord angle'. Unit: "
-                          "length.");
+                          no_width + "' if it follows from 'Crown cord angle'.",
+                        Unit("length"));
   }
 
 

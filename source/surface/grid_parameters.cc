@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/reference_surface.h>
@@ -20,7 +21,7 @@ namespace Biface
 
 
   void
-  ChartGrid::Parameters::add_parameters(ParameterHandler &prm)
+  ChartGrid::Parameters::add_parameters(EntryDeclarations &prm)
   {
     // the default grid is that of the bias tire of the paper
     const std::string form =
@@ -28,25 +29,26 @@ namespace Biface
       "equal cells, 'start:end:n:q' is n cells each q times as long as the "
       "previous one, 'start:end:n:smooth' is n cells whose lengths continue "
       "those of the adjoining interval geometrically. Start and end may be "
-      "formulas, such as 360/7. Unit: degrees for an angle, length otherwise.";
+      "formulas, such as 360/7.";
+    const Unit        unit("degrees for an angle, length otherwise");
     const std::string with_end =
       " The formulas may contain 'end', the largest alpha_1 of the surface, "
       "such as 0.3*end.";
     add_parsed(prm,
-               "Mesh/",
                "Intervals alpha_1",
                intervals[0].text,
                intervals[0],
                parse_intervals,
                "Cells along the first coordinate (the meridian)." + form +
-                 with_end);
+                 with_end,
+               unit);
     add_parsed(prm,
-               "Mesh/",
                "Intervals alpha_2",
                intervals[1].text,
                intervals[1],
                parse_intervals,
-               "Cells along the second coordinate (around the axis)." + form);
+               "Cells along the second coordinate (around the axis)." + form,
+               unit);
     prm.add_parameter("Closed in alpha_2",
                       closed,
                       "Whether the second coordinate is closed, that is, "
@@ -59,7 +61,8 @@ namespace Biface
                "Distribution of the cells over the ranks: 'shared' (every "
                "rank stores all cells) or 'distributed' (every rank stores "
                "its own cells and their neighbors, for meshes too large for "
-               "one rank). Results are the same.");
+               "one rank). Results are the same.",
+               EntryKind::solution);
     prm.add_parameter("Coarse meshes",
                       n_coarse,
                       "Number of coarser meshes, each with half as many cells "

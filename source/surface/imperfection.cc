@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/grid_data.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
@@ -46,11 +47,10 @@ namespace Biface
 
 
   void
-  Imperfection::Parameters::add_parameters(ParameterHandler &prm)
+  Imperfection::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_parsed(
       prm,
-      imperfection_section,
       "Formula",
       "0",
       formula,
@@ -62,11 +62,10 @@ namespace Biface
       "outward normal: a number or a formula of the position x, y, z on the "
       "surface, of alpha_1, alpha_2 and of the 'Tables', such as 0.05*mode + "
       "0.1*dent. It is zero where supports hold the shell along the normal. "
-      "Displacements are counted from the surface, so that they contain it. "
-      "Unit: length.");
+      "Displacements are counted from the surface, so that they contain it.",
+      Unit("length"));
     add_parsed(
       prm,
-      imperfection_section,
       "Tables",
       "",
       tables,

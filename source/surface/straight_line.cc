@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/straight_line.h>
 
@@ -9,17 +10,17 @@ namespace Biface
   using namespace dealii;
 
   void
-  StraightLine::Parameters::add_parameters(ParameterHandler &prm)
+  StraightLine::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Start",
                       start,
-                      "Start point of the line: radius, axial coordinate. "
-                      "Unit: length.");
+                      "Start point of the line: radius, axial coordinate.",
+                      Unit("length"));
     prm.add_parameter("End",
                       end,
                       "End point of the line: radius, axial coordinate. The "
-                      "outward normal points to the right of the line. Unit: "
-                      "length.");
+                      "outward normal points to the right of the line.",
+                      Unit("length"));
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/surface/plane.h>
 #include <biface/surface/spline_curve.h>
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  ReferenceSurface::Parameters::add_parameters(ParameterHandler &prm)
+  ReferenceSurface::Parameters::add_parameters(EntryDeclarations &prm)
   {
     // the sections of all meridians, so that a file may keep them while another
     // one is chosen
@@ -45,15 +46,15 @@ namespace Biface
     prm.leave_subsection();
     prm.enter_subsection("Spline");
     add_parsed(prm,
-               "Surface/Spline/",
                "File",
                "",
                points_file.name,
                parse_file_name,
                "A CSV file with the points of the meridian in order: "
                "radius, axial coordinate. Relative to the parameter "
-               "file; see 'Tables' for names in double quotes. Unit: "
-               "length.");
+               "file; see 'Tables' for names in double quotes.",
+               // the contents of the file are compared, here and below
+               Unit("length") | RestartChange::always);
     prm.leave_subsection();
     prm.enter_subsection("Imperfection");
     imperfection.add_parameters(prm);

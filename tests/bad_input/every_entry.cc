@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/problem/parameters.h>
 #include <biface/program/program.h>
 
@@ -620,7 +621,9 @@ namespace
   {
     std::string name;
     /** As ParameterHandler describes it. */
-    std::string pattern;
+    std::string             pattern;
+    std::string             documentation;
+    Biface::EntryAttributes attributes;
   };
 
 
@@ -634,7 +637,10 @@ namespace
         const std::string name = path + child.first;
         if (const auto pattern =
               child.second.get_optional<std::string>("pattern_description"))
-          entries.push_back({name, *pattern});
+          entries.push_back({name,
+                             *pattern,
+                             child.second.get<std::string>("documentation"),
+                             {}});
         else
           collect(child.second, name + "/", entries);
       }
@@ -657,7 +663,68 @@ namespace
     boost::property_tree::read_json(text, tree);
     std::vector<Entry> entries;
     collect(tree, "", entries);
+    for (Entry &entry : entries)
+      entry.attributes = parameters.attributes.at(entry.name);
     return entries;
+  }
+
+
+  /** Each number has a unit, or none, which its documentation takes from the
+   * declaration. */
+  void
+  check_units(const std::vector<Entry> &entries)
+  {
+    for (const Entry &entry : entries)
+      {
+        const Biface::Unit &unit = entry.attributes.get_unit();
+        for (const char *numbers :
+             {"[Double", "[Number or ", "[List of <[Double"})
+          if (entry.pattern.rfind(numbers, 0) == 0 && !unit.is_said())
+            check_true("the unit of " + entry.name + " is declared", false);
+        for (const char *sentence : {"Unit: ", "Units: ", "No unit."})
+          {
+            const auto at = entry.documentation.find(sentence);
+            if (at != std::string::npos &&
+                entry.documentation.substr(at) != unit.sentence())
+              check_true("the unit in the text of " + entry.name +
+                           " is the declared one",
+                         false);
+          }
+      }
+  }
+
+
+  /** What is declared without a word on it may not change at a restart, and
+   * has the attributes of its section. */
+  void
+  check_defaults()
+  {
+    using namespace Biface;
+    dealii::ParameterHandler handler;
+    EntryDeclarations        prm(handler);
+    double                   value = 0;
+    prm.add_parameter("Alone", value, "A number.");
+    prm.enter_subsection("Solver", EntryKind::solution);
+    prm.enter_subsection("Inner");
+    prm.add_parameter("Count", value, "A number.");
+    prm.add_parameter(
+      "Kept", value, "A number.", Unit("force") | RestartChange::never);
+    prm.leave_subsection();
+    prm.leave_subsection();
+    const EntryAttributes alone = prm.get_attributes().at("Alone");
+    check_true("by default an entry describes the problem",
+               alone.describes_the_problem());
+    check_true("by default an entry may not change at a restart",
+               alone.get_restart_change() == RestartChange::never);
+    const EntryAttributes count = prm.get_attributes().at("Solver/Inner/Count");
+    check_true("an entry has the attributes of the sections around it",
+               !count.describes_the_problem() &&
+                 count.get_restart_change() == RestartChange::always);
+    const EntryAttributes kept = prm.get_attributes().at("Solver/Inner/Kept");
+    check_true("its own attributes take precedence",
+               kept.get_kind() == EntryKind::solution &&
+                 kept.get_restart_change() == RestartChange::never &&
+                 kept.get_unit().get_name() == "force");
   }
 
 
@@ -834,7 +901,12 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const std::vector<Entry> entries = all_entries();
-  std::set<std::string>    names;
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      check_units(entries);
+      check_defaults();
+    }
+  std::set<std::string> names;
   for (const Entry &entry : entries)
     {
       names.insert(entry.name);

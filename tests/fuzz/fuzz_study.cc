@@ -35,9 +35,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
   Fuzz::read(input, [&]() {
     StudyParameters          study;
     dealii::ParameterHandler prm;
-    prm.enter_subsection("Study");
     study.add_parameters(prm);
-    prm.leave_subsection();
     check_parameter_text("study.prm", input);
     parse_parameter_text(prm, "study.prm", input);
     if (study.sampling.type == Sampling::Type::file)

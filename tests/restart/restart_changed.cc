@@ -46,6 +46,10 @@ main(int argc, char *argv[])
   check("Named points=equator: 0 0");
   check("Stage 1/Pressure=0.16");
   check("Stage 2/Strain theory=linear");
+  check("Stage 2/Contact=false");
+  check("Stage 1/Steps=3");
+  check("Mesh/Coarse meshes=1");
+  check("Sensitivities/Entries=Stage 1/Pressure");
   check("Output/Failure criteria=Tsai-Wu");
   check("Number of stages=1");
 
@@ -57,4 +61,9 @@ main(int argc, char *argv[])
   check("Output/Profile alpha_2=90");
   check("Checkpoint/Every steps=2");
   check("Number of stages=3", "Stage 3/Pressure=0");
+  check("Stage 2/Travel=21");
+  check("Output/Moment center=0, 0, 1");
+  check("Units=mm, N, s");
+  check("Mesh/Distribution=distributed");
+  check("Tire test/Axes=SAE");
 }

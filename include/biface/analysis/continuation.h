@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/progress.h>
 
@@ -21,16 +22,19 @@ namespace Biface
    * Throws InputError that names the entry and both values.
    *
    * @param before, now all entries as the text of a parameter file.
+   * @param attributes those of the entries of @p now, which say when each may
+   * change.
    * @param files_before, files_now see Parameters::named_pairs(); only the
    * contents of files matter, not their names.
    * @param progress the progress of the run.
    */
   void
-  check_continuation(const std::string  &before,
-                     const std::string  &now,
-                     const PairsByEntry &files_before,
-                     const PairsByEntry &files_now,
-                     const Progress     &progress);
+  check_continuation(const std::string       &before,
+                     const std::string       &now,
+                     const AttributesByEntry &attributes,
+                     const PairsByEntry      &files_before,
+                     const PairsByEntry      &files_now,
+                     const Progress          &progress);
 } // namespace Biface
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef biface_contact_body_parameters_h
 #define biface_contact_body_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -21,6 +20,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A rigid body beside the foundation: an obstacle on it, a rim, a piston. */
   struct BodyParameters
   {
@@ -95,7 +97,7 @@ namespace Biface
     NamedNumbers springs;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Read the file of the profile or of heights, if there is one. Must be
      * called on all ranks. Throws InputError if it cannot be read. */

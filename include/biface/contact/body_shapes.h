@@ -3,7 +3,6 @@
 #ifndef biface_contact_body_shapes_h
 #define biface_contact_body_shapes_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -15,6 +14,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The geometry of a body at a point near it. */
   struct BodyPoint
   {
@@ -119,7 +121,7 @@ namespace Biface
       std::optional<double> radius;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** Throws InputError if the parameters are invalid. */
@@ -154,7 +156,7 @@ namespace Biface
       dealii::Tensor<1, 3>  axis{{0, 1, 0}};
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** Throws InputError if the parameters are invalid. */

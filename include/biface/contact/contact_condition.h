@@ -3,14 +3,15 @@
 #ifndef biface_contact_contact_condition_h
 #define biface_contact_contact_condition_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The points in contact, as a flag for each position. One byte each, since
    * the elements of vector<bool> cannot be written independently. */
   using ActiveSet = std::vector<char>;
@@ -68,7 +69,7 @@ namespace Biface
       unsigned int points_per_side = 0;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

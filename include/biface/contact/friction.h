@@ -3,7 +3,6 @@
 #ifndef biface_contact_friction_h
 #define biface_contact_friction_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
 #include <memory>
@@ -14,6 +13,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The way in which a body holds a node sideways. */
   enum class ContactStatus : char
   {
@@ -69,7 +71,7 @@ namespace Biface
       double critical_velocity = 0;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

@@ -4,7 +4,6 @@
 #define biface_contact_rigid_body_h
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -20,6 +19,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A motion of a body: a translation, and a turn about an axis through a
    * point of the body, which moves along. Of several turns, the first one is
    * about the axis that the later ones take along. */
@@ -88,7 +90,7 @@ namespace Biface
       RigidSphere::Parameters sphere;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

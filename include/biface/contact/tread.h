@@ -3,8 +3,6 @@
 #ifndef biface_contact_tread_h
 #define biface_contact_tread_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <optional>
 
 #include <biface/contact/contact_condition.h>
@@ -12,6 +10,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * A tread of rubber on the shell that is no ply of it: a brush whose bristles
    * do not touch each other, between the face of the shell and the body
@@ -36,7 +37,7 @@ namespace Biface
     double void_ratio = 0;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid. */
     void

@@ -3,14 +3,15 @@
 #ifndef biface_element_element_parameters_h
 #define biface_element_element_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <biface/element/interpolation.h>
 #include <biface/element/strain_sampling.h>
 #include <biface/element/thickness_strain.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** Entries of the section 'Element'. */
   struct ElementParameters
   {
@@ -19,7 +20,7 @@ namespace Biface
     ThicknessStrain thickness_strain = ThicknessStrain::by_layers;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
   };
 } // namespace Biface
 

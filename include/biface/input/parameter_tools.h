@@ -3,7 +3,6 @@
 #ifndef biface_input_parameter_tools_h
 #define biface_input_parameter_tools_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
 #include <mpi.h>
@@ -13,6 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <biface/input/entry_declarations.h>
 
 namespace Biface
 {
@@ -168,56 +169,61 @@ namespace Biface
   agree_on_errors(const MPI_Comm               communicator,
                   const std::function<void()> &function);
 
-  /** Declare the entry @p name of @p section ("Section/", empty for none),
-   * whose text is parsed into @p value when it is read, by `parse(entry, text)`
-   * with the full name of the entry. */
+  /** Declare the entry @p name, whose text is parsed into @p value when it is
+   * read, by `parse(entry, text)` with the full name of the entry. */
   template <typename Value, typename Parse>
   void
-  add_parsed(dealii::ParameterHandler &prm,
-             const std::string        &section,
-             const std::string        &name,
-             const std::string        &default_text,
-             Value                    &value,
-             const Parse              &parse,
-             const std::string        &documentation)
+  add_parsed(EntryDeclarations     &prm,
+             const std::string     &name,
+             const std::string     &default_text,
+             Value                 &value,
+             const Parse           &parse,
+             const std::string     &documentation,
+             const EntryAttributes &attributes = {})
   {
-    const std::string entry = section + name;
+    const std::string entry = prm.full_name(name);
     value                   = parse(entry, default_text);
-    prm.declare_entry(
-      name, default_text, dealii::Patterns::Anything(), documentation);
+    prm.declare_entry(name,
+                      default_text,
+                      dealii::Patterns::Anything(),
+                      documentation,
+                      attributes);
     prm.add_action(name, [&value, parse, entry](const std::string &text) {
       value = parse(entry, text);
     });
   }
 
   /** Declare the entry @p name, whose value is a number, or @p word for none.
-   */
+   * @param attributes include the unit of the number. */
   void
-  add_optional_number(dealii::ParameterHandler &prm,
-                      const std::string        &name,
-                      std::optional<double>    &value,
-                      const std::string        &word,
-                      const std::string        &documentation);
+  add_optional_number(EntryDeclarations     &prm,
+                      const std::string     &name,
+                      std::optional<double> &value,
+                      const std::string     &word,
+                      const std::string     &documentation,
+                      const EntryAttributes &attributes);
 
-  /** Declare the entry @p name of @p section ("Section/"), whose value is a
-   * vector of three components, separated by commas, or @p word for none. */
+  /** Declare the entry @p name, whose value is a vector of three components,
+   * separated by commas, or @p word for none.
+   * @param attributes include the unit of the components. */
   void
-  add_optional_vector(dealii::ParameterHandler            &prm,
-                      const std::string                   &section,
+  add_optional_vector(EntryDeclarations                   &prm,
                       const std::string                   &name,
                       std::optional<dealii::Tensor<1, 3>> &value,
                       const std::string                   &word,
-                      const std::string                   &documentation);
+                      const std::string                   &documentation,
+                      const EntryAttributes               &attributes);
 
   /** Declare the entry @p name, whose value is one of @p names, and set
    * @p value to the enumerator at the position of the text in @p names. */
   template <typename Enum>
   void
-  add_choice(dealii::ParameterHandler       &prm,
+  add_choice(EntryDeclarations              &prm,
              const std::string              &name,
              Enum                           &value,
              const std::vector<std::string> &names,
-             const std::string              &documentation)
+             const std::string              &documentation,
+             const EntryAttributes          &attributes = {})
   {
     std::string selection;
     for (const std::string &n : names)
@@ -225,7 +231,8 @@ namespace Biface
     prm.declare_entry(name,
                       names[static_cast<unsigned int>(value)],
                       dealii::Patterns::Selection(selection),
-                      documentation);
+                      documentation,
+                      attributes);
     prm.add_action(name, [&value, names](const std::string &text) {
       for (unsigned int i = 0; i < names.size(); ++i)
         if (names[i] == text)

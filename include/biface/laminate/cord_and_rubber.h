@@ -3,8 +3,6 @@
 #ifndef biface_laminate_cord_and_rubber_h
 #define biface_laminate_cord_and_rubber_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <memory>
 #include <string>
 
@@ -14,6 +12,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A ply of parallel cords in rubber, described by the data of its
    * constituents. */
   struct CordAndRubber
@@ -54,10 +55,8 @@ namespace Biface
     Homogenization homogenization = Homogenization::halpin_tsai;
     Thickness      thickness      = Thickness::constant_volume;
 
-    /** Declare the entries.
-     * @param name of the material. */
     void
-    add_parameters(dealii::ParameterHandler &prm, const std::string &name);
+    add_parameters(EntryDeclarations &prm);
 
     /** Check the numbers. Throws InputError that names the material @p name. */
     void

@@ -3,8 +3,6 @@
 #ifndef biface_laminate_layup_h
 #define biface_laminate_layup_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <functional>
 #include <limits>
@@ -22,6 +20,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A ply of a layup, whose thickness and angle depend on @f$\alpha_1@f$. */
   struct PlyDescription
   {
@@ -232,7 +233,7 @@ namespace Biface
       }
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Check the entries. Throws InputError if plies name a material that is
        * not in @p materials, or a formula a variable that there is not. */

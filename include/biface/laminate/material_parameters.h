@@ -3,7 +3,6 @@
 #ifndef biface_laminate_material_parameters_h
 #define biface_laminate_material_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <memory>
@@ -20,6 +19,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The laws of a ply at one position, see Ply. */
   struct PlyLaws
   {
@@ -84,7 +86,7 @@ namespace Biface
     Relaxation::Shift   shift;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Whether there is no direction in which fibers or cords run. */
     bool

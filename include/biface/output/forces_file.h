@@ -3,13 +3,15 @@
 #ifndef biface_output_forces_file_h
 #define biface_output_forces_file_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <biface/output/result_file.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** forces.csv: the forces and moments on the shell of each of its supports,
    * of the foundation and of the loads, a line per body and step; see
    * forces_on_shell(). */
@@ -21,7 +23,7 @@ namespace Biface
       dealii::Point<3> moment_center;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** The table for a center of moments. Throws InputError if that is

@@ -3,13 +3,14 @@
 #ifndef biface_output_plies_file_h
 #define biface_output_plies_file_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <biface/output/ply_results.h>
 #include <biface/output/result_file.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** plies-NNNN.csv: strains and stresses within the plies at the named
    * points. */
   class PliesFile : public ResultFile
@@ -21,7 +22,7 @@ namespace Biface
       unsigned int points_per_ply = 3;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     PliesFile(const Parameters      &parameters,

@@ -3,14 +3,15 @@
 #ifndef biface_output_plies_vtu_h
 #define biface_output_plies_vtu_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/vtu_series.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The plies of the deformed shell: one hexahedron per ply of every locally
    * owned cell, between the two sides of the ply. Data: the displacement, the
@@ -40,7 +41,7 @@ namespace Biface
       bool write = false;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     PliesVtu(const Parameters      &parameters,

@@ -3,7 +3,6 @@
 #ifndef biface_output_ply_results_h
 #define biface_output_ply_results_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
@@ -20,6 +19,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A failure criterion. */
   struct FailureCriterion
   {
@@ -41,7 +43,7 @@ namespace Biface
     bool tsai_wu        = false;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** The requested criteria, in the order of the files. */
     std::vector<FailureCriterion>

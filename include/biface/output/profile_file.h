@@ -3,14 +3,15 @@
 #ifndef biface_output_profile_file_h
 #define biface_output_profile_file_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <vector>
 
 #include <biface/output/result_file.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** profile-NNNN.csv: the deformed contour along a coordinate line. */
   class ProfileFile : public ResultFile
   {
@@ -22,7 +23,7 @@ namespace Biface
       double alpha_2 = 0;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     ProfileFile(const Parameters     &parameters,

@@ -3,8 +3,6 @@
 #ifndef biface_output_results_writer_h
 #define biface_output_results_writer_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +19,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The list of the files of results, see doc/output.md. All functions must be
    * called on all ranks.
@@ -39,7 +40,7 @@ namespace Biface
       FailureCriteria         criteria;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** The steps in each file, by ResultFile::name. */

@@ -3,7 +3,6 @@
 #ifndef biface_output_shell_vtu_h
 #define biface_output_shell_vtu_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -12,6 +11,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * Both faces of the deformed shell: one quadrilateral per face of every
    * locally owned cell. Data: the displacement, the contact pressure, the
@@ -39,7 +41,7 @@ namespace Biface
       bool write = true;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     ShellVtu(const Parameters     &parameters,

@@ -3,20 +3,21 @@
 #ifndef biface_output_units_h
 #define biface_output_units_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <map>
 #include <string>
 #include <vector>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The names of the units of the input. Numbers do not depend on them. */
   class Units
   {
   public:
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** The units of fields in VTU files, by their names; empty without names of
      * units. */

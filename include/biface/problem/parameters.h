@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <biface/element/element_parameters.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/contact/contact_interaction.h>
@@ -73,10 +74,14 @@ namespace Biface
     CheckpointWriter::Parameters checkpoint;
     SensitivityParameters        sensitivities;
 
+    /** What the program has to know of each of the entries, for those that
+     * add_parameters() has declared. */
+    AttributesByEntry attributes;
+
     /** Declare all entries, with a section for each of the materials, bodies
-     * and stages. The object must outlive @p prm. */
+     * and stages. The object must outlive @p handler. */
     void
-    add_parameters(dealii::ParameterHandler       &prm,
+    add_parameters(dealii::ParameterHandler       &handler,
                    const std::vector<std::string> &material_names,
                    const std::vector<std::string> &body_names,
                    const unsigned int              n_stages);
@@ -120,6 +125,10 @@ namespace Biface
     }
 
   private:
+    /** Declare the entries of the stages, and their number. */
+    void
+    add_stages(EntryDeclarations &prm, const unsigned int n_stages);
+
     /** The 'Forces on bodies' of a stage with their motions. Throws InputError
      * if there is no such motion. */
     std::vector<MotionByForce>

@@ -3,8 +3,6 @@
 #ifndef biface_problem_rig_protocol_h
 #define biface_problem_rig_protocol_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 #include <vector>
 
@@ -13,6 +11,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * A tire test, as on a test rig: a wheel that rolls at every combination of
    * pressures, inclination angles and loads, and there with slip angles and
@@ -63,7 +64,7 @@ namespace Biface
     }
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid.
      * @param stages those of the parameter file. */

@@ -3,8 +3,6 @@
 #ifndef biface_problem_sensitivity_parameters_h
 #define biface_problem_sensitivity_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <memory>
 #include <optional>
@@ -13,6 +11,7 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
   struct Parameters;
 
 
@@ -57,7 +56,7 @@ namespace Biface
     std::vector<Change> changes;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid. */
     void

@@ -3,7 +3,6 @@
 #ifndef biface_restart_checkpoint_writer_h
 #define biface_restart_checkpoint_writer_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <functional>
@@ -14,6 +13,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** Decides when checkpoints are written to the directory of results. All
    * functions must be called on all ranks. */
   class CheckpointWriter
@@ -26,7 +28,7 @@ namespace Biface
       double       every_minutes = 0.05;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

@@ -4,7 +4,6 @@
 #define biface_solver_newton_h
 
 #include <deal.II/base/conditional_ostream.h>
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <functional>
@@ -21,6 +20,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The loads as functions of load parameters. */
   struct ParametrizedLoads
   {
@@ -96,7 +98,7 @@ namespace Biface
       double          update_tolerance   = 1e-9;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

@@ -4,7 +4,6 @@
 #define biface_stepping_load_stepping_h
 
 #include <deal.II/base/conditional_ostream.h>
-#include <deal.II/base/parameter_handler.h>
 
 #include <functional>
 #include <memory>
@@ -30,6 +29,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The result of all stages. */
   struct LoadSteppingResult
   {
@@ -75,7 +77,7 @@ namespace Biface
       unsigned int last_stage = dealii::numbers::invalid_unsigned_int;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** A function that is called after every converged step. */

@@ -3,8 +3,6 @@
 #ifndef biface_stepping_stage_h
 #define biface_stepping_stage_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <optional>
 #include <string>
 
@@ -16,6 +14,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** An instant of an analysis: the position of the stage and the completed
    * fraction of it. */
   struct Instant
@@ -77,13 +78,7 @@ namespace Biface
     /** Declare the entries of the stage.
      * @param number the number of the stage, for its default name. */
     void
-    add_parameters(dealii::ParameterHandler &prm, const unsigned int number);
-
-    /** Whether an entry may change at a restart in the stage: final loads and
-     * motions, the number of steps, and results; not what is there and how the
-     * stage goes. */
-    static bool
-    may_change(const std::string &entry);
+    add_parameters(EntryDeclarations &prm, const unsigned int number);
 
     /** Throws InputError if a value is invalid. */
     void

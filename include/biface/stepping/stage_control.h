@@ -3,8 +3,6 @@
 #ifndef biface_stepping_stage_control_h
 #define biface_stepping_stage_control_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 #include <vector>
 
@@ -14,6 +12,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The quantity prescribed in every step of a stage, see Control. */
   enum class ControlKind
   {
@@ -105,10 +106,9 @@ namespace Biface
     const std::string &
     control_name() const;
 
-    /** Declare the entries of the control.
-     * @param section the name of the section of the stage. */
+    /** Declare the entries of the control. */
     void
-    add_parameters(dealii::ParameterHandler &prm, const std::string &section);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid. */
     void

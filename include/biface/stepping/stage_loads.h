@@ -3,7 +3,6 @@
 #ifndef biface_stepping_stage_loads_h
 #define biface_stepping_stage_loads_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
 #include <optional>
@@ -15,6 +14,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** Add a value that may not be set to an archive, or read it from one. */
   template <class Archive, class Value>
   void
@@ -99,10 +101,9 @@ namespace Biface
     LoadLevel
     end(const LoadLevel &start) const;
 
-    /** Declare the entries of the loads.
-     * @param section the name of the section of the stage. */
+    /** Declare the entries of the loads. */
     void
-    add_parameters(dealii::ParameterHandler &prm, const std::string &section);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid. */
     void

@@ -3,12 +3,13 @@
 #ifndef biface_stepping_stage_results_h
 #define biface_stepping_stage_results_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** What is done where the number of negative pivots of the tangent changes
    * along the path of a stage, see CriticalPoint. */
   enum class CriticalPoints
@@ -54,7 +55,7 @@ namespace Biface
     critical_points_name() const;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Throws InputError if a value is invalid. */
     void

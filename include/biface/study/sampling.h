@@ -3,8 +3,6 @@
 #ifndef biface_study_sampling_h
 #define biface_study_sampling_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <mpi.h>
 
 #include <array>
@@ -15,6 +13,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The samples of a study: the values of design variables in each of its
    * analyses.
@@ -54,7 +55,7 @@ namespace Biface
 
     /** Declare the entries in the section 'Study'. */
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /**
      * The values of the variables in each sample.

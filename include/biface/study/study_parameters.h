@@ -49,8 +49,9 @@ namespace Biface
     std::vector<Output>   outputs;
     Sampling              sampling;
 
+    /** Declare the section 'Study'. */
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &handler);
   };
 } // namespace Biface
 

@@ -3,12 +3,13 @@
 #ifndef biface_surface_circular_arc_h
 #define biface_surface_circular_arc_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <biface/surface/meridian.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * A circular arc, @f$r = r_c + R_1\cos s@f$, @f$y = R_1\sin s@f$: it
    * generates a torus (@f$r_c > 0@f$) or a sphere (@f$r_c = 0@f$). The
@@ -23,7 +24,7 @@ namespace Biface
       double center_radius = 200;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** Throws InputError if the radii are invalid. */

@@ -3,8 +3,6 @@
 #ifndef biface_surface_cord_equilibrium_h
 #define biface_surface_cord_equilibrium_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <optional>
 #include <vector>
@@ -13,6 +11,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The meridian of an inflated tire whose cords carry all of the pressure and
    * pantograph, @f$\cos\beta = \cos\beta_c\,r/r_c@f$ with the angle
@@ -45,7 +46,7 @@ namespace Biface
       std::optional<double> end_half_width;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** Compute the curve. Throws InputError if there is none for these

@@ -3,8 +3,6 @@
 #ifndef biface_surface_grid_parameters_h
 #define biface_surface_grid_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 
 #include <biface/surface/chart_grid.h>
@@ -12,6 +10,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The entries of a grid. */
   struct ChartGrid::Parameters
   {
@@ -27,7 +28,7 @@ namespace Biface
     unsigned int n_coarse = 0;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
   };
 } // namespace Biface
 

@@ -4,7 +4,6 @@
 #define biface_surface_imperfection_h
 
 #include <deal.II/base/function_lib.h>
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <mpi.h>
@@ -19,6 +18,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The deviation of the stress-free shell from its reference surface, along
    * the outward normal: a formula of the position, and of tables of measured
@@ -41,7 +43,7 @@ namespace Biface
       std::vector<Table> tables;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       bool
       is_zero() const;

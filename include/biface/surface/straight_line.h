@@ -3,12 +3,13 @@
 #ifndef biface_surface_straight_line_h
 #define biface_surface_straight_line_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <biface/surface/meridian.h>
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * A straight line: it generates a cylinder, a cone, or a flat annulus. The
    * parameter is the length from its start.
@@ -23,7 +24,7 @@ namespace Biface
       dealii::Point<2> end   = dealii::Point<2>(1, 1);
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     /** Throws InputError if the ends coincide or lie beyond the axis. */

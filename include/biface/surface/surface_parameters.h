@@ -3,8 +3,6 @@
 #ifndef biface_surface_surface_parameters_h
 #define biface_surface_surface_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <memory>
 #include <string>
 
@@ -17,6 +15,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The choice of the reference surface. */
   struct ReferenceSurface::Parameters
   {
@@ -44,7 +45,7 @@ namespace Biface
     Imperfection::Parameters imperfection;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
   };
 
 

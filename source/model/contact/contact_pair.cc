@@ -115,7 +115,7 @@ namespace Biface
 
 
   void
-  ContactPair::Parameters::add_parameters(ParameterHandler &prm)
+  ContactPair::Parameters::add_parameters(EntryDeclarations &prm)
   {
     body.add_parameters(prm);
     condition.add_parameters(prm);

@@ -9,6 +9,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/element/follower_pressure.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/cavity.h>
 #include <biface/model/mesh/strip.h>
@@ -19,7 +20,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  Cavity::Parameters::add_parameters(ParameterHandler &prm)
+  Cavity::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,
@@ -29,7 +30,8 @@ namespace Biface
       "Volume that the gas fills in the undeformed shell. 'computed', for a "
       "surface of revolution: between the face under pressure, the cylinder "
       "of 'Rim radius', and planes orthogonal to the axis or through it. Only "
-      "the part that is modeled counts. Unit: length^3.");
+      "the part that is modeled counts.",
+      Unit("length^3"));
     add_optional_number(
       prm,
       "Rim radius",
@@ -38,8 +40,8 @@ namespace Biface
       "Radius of the cylinder that closes the cavity of a surface of "
       "revolution toward the axis; 0 for a vessel without a rim. 'edges': the "
       "smallest radius of the face under pressure at the edges of alpha_1, or "
-      "0 with 'Loads/End plates'. "
-      "Unit: length.");
+      "0 with 'Loads/End plates'.",
+      Unit("length"));
   }
 
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/edge_moments.h>
@@ -17,55 +18,53 @@ namespace Biface
   using namespace dealii;
 
   void
-  DeadLoads::add_parameters(ParameterHandler &prm)
+  DeadLoads::add_parameters(EntryDeclarations &prm)
   {
     // all loads are given for the load factor 1, by which stages multiply them
     const std::string form =
       "three components, optionally followed by the face ('inner', 'outer', "
       "or by default 'middle') and by 'local' for components in the frame "
-      "e_1, e_2, e_3 instead of x, y, z. ";
+      "e_1, e_2, e_3 instead of x, y, z.";
 
     add_parsed(prm,
-               "Loads/",
                "Point forces",
                "",
                point_forces,
                parse_point_forces,
                "Forces at named points: a comma-separated list of 'name: ' "
                "and " +
-                 form + "Unit: force.");
-    add_parsed(prm,
-               "Loads/",
-               "Edge forces",
-               "",
-               edge_forces,
-               parse_edge_forces,
-               "Forces along edges: a comma-separated list of 'alpha_1 min: "
-               "' (or alpha_1 max, alpha_2 min, alpha_2 max) and " +
-                 form +
-                 "Instead of a face, 'ply N' has it act in the middle of ply "
-                 "N, counted from the inner face. Unit: force per length of "
-                 "the edge on the reference surface, or, with 'true length' at "
-                 "the end, at the height where the force acts.");
-    add_parsed(prm,
-               "Loads/",
-               "Edge moments",
-               "",
-               edge_moments,
-               parse_edge_moments,
-               "Moments along edges: a comma-separated list of 'alpha_1 min: "
-               "M dead' or 'alpha_1 min: M follower' (likewise for the other "
-               "edges). A positive moment pushes the outer face outward "
-               "beyond the edge. 'dead' is a couple of forces on the faces "
-               "with constant directions; 'follower' does work on the angle "
-               "by which the line between the faces rotates about the edge. "
-               "Several moments on one edge add up. "
-               "Unit: force (moment per length of the edge on the reference "
-               "surface).");
+                 form,
+               Unit("force"));
+    add_parsed(
+      prm,
+      "Edge forces",
+      "",
+      edge_forces,
+      parse_edge_forces,
+      "Forces along edges: a comma-separated list of 'alpha_1 min: "
+      "' (or alpha_1 max, alpha_2 min, alpha_2 max) and " +
+        form +
+        " Instead of a face, 'ply N' has it act in the middle of ply "
+        "N, counted from the inner face.",
+      Unit("force/length, of the edge on the reference surface, or, with "
+           "'true length' at the end, at the height where the force acts"));
+    add_parsed(
+      prm,
+      "Edge moments",
+      "",
+      edge_moments,
+      parse_edge_moments,
+      "Moments along edges: a comma-separated list of 'alpha_1 min: "
+      "M dead' or 'alpha_1 min: M follower' (likewise for the other "
+      "edges). A positive moment pushes the outer face outward "
+      "beyond the edge. 'dead' is a couple of forces on the faces "
+      "with constant directions; 'follower' does work on the angle "
+      "by which the line between the faces rotates about the edge. "
+      "Several moments on one edge add up.",
+      Unit("force, as moment/length of the edge on the reference surface"));
     for (const auto face : {Resultants::inner, Resultants::outer})
       add_parsed(
         prm,
-        "Loads/",
         face == Resultants::inner ? "Inner traction" : "Outer traction",
         "",
         tractions[face],
@@ -73,12 +72,14 @@ namespace Biface
         "A force on the face: three formulas, separated by semicolons, for "
         "the components x, y, z, or, followed by '; local', in the frame "
         "e_1, e_2, e_3. The variables are those of 'Pressure distribution'. "
-        "Empty for none. Unit: force/area, see 'Area of face loads'.");
-    prm.add_parameter("Area force",
-                      area_force,
-                      "A force on the whole shell, such as its weight: "
-                      "components x, y, z. Unit: force per area of the "
-                      "middle surface (halfway between the faces).");
+        "Empty for none.",
+        Unit("force/area, see 'Area of face loads'"));
+    prm.add_parameter(
+      "Area force",
+      area_force,
+      "A force on the whole shell, such as its weight: "
+      "components x, y, z.",
+      Unit("force/area, of the middle surface (halfway between the faces)"));
   }
 
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/gas.h>
 
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  Gas::Parameters::add_parameters(ParameterHandler &prm)
+  Gas::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,
@@ -21,14 +22,16 @@ namespace Biface
       "none",
       "Absolute pressure around the shell, which stages with 'Gas = sealed' "
       "need: 0.101325 MPa on the ground. If given, the volume of the cavity is "
-      "a column of history.csv. Unit: force/area.");
+      "a column of history.csv.",
+      Unit("force/area"));
     prm.add_parameter("Polytropic exponent",
                       exponent,
                       "n in (p + p_a) V^n = constant, with the gauge pressure "
                       "p, the ambient pressure p_a and the volume V of a "
                       "sealed gas: 1 if its temperature is constant, 1.4 for "
-                      "air that exchanges no heat. No unit.",
-                      Patterns::Double());
+                      "air that exchanges no heat.",
+                      Patterns::Double(),
+                      Unit::none());
     cavity.add_parameters(prm);
   }
 

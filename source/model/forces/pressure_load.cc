@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/pressure_load.h>
 
@@ -34,7 +35,7 @@ namespace Biface
 
 
   void
-  PressureLoad::add_parameters(ParameterHandler &prm)
+  PressureLoad::add_parameters(EntryDeclarations &prm)
   {
     // only how the pressure acts: its value belongs to the stages
     add_choice(prm,
@@ -52,7 +53,6 @@ namespace Biface
                "The face on which the pressure of the stages acts. Positive "
                "pressure pushes the face toward the shell.");
     add_parsed(prm,
-               "Loads/",
                "End plates",
                "",
                end_plates,
@@ -64,14 +64,14 @@ namespace Biface
                "face under pressure. The support of the edge is that of the "
                "plate, and must hold its radius.");
     add_parsed(prm,
-               "Loads/",
                "Pressure distribution",
                "1",
                distribution,
                parse_position_formula,
                "Factor of the pressure of the stages: a formula of the "
                "position x, y, z on the undeformed reference surface, and of "
-               "alpha_1, alpha_2 as in 'Mesh'. No unit.");
+               "alpha_1, alpha_2 as in 'Mesh'.",
+               Unit::none());
     add_choice(prm,
                "Area of face loads",
                area,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/heat/rolling_heat.h>
@@ -27,7 +28,7 @@ namespace Biface
 
 
   void
-  RollingHeat::Parameters::add_parameters(ParameterHandler &prm)
+  RollingHeat::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(prm,
                "Temperatures",
@@ -44,14 +45,14 @@ namespace Biface
         prm.add_parameter(name + " film",
                           film.coefficient,
                           "Film coefficient of " + what +
-                            ": a number not less than 0. Unit: power/(area * "
-                            "temperature).",
-                          Patterns::Double());
+                            ": a number not less than 0.",
+                          Patterns::Double(),
+                          Unit("power/(area * temperature)"));
         prm.add_parameter(name + " temperature",
                           film.temperature,
-                          "Temperature of " + what +
-                            ". Unit: that of the materials.",
-                          Patterns::Double());
+                          "Temperature of " + what + ".",
+                          Patterns::Double(),
+                          Unit("temperature, that of the materials"));
       };
     add_film("Inside", inside, "the gas that touches the inner face");
     add_film("Air",

@@ -3,6 +3,7 @@
 #include <set>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/surface/reference_surface.h>
@@ -12,10 +13,9 @@ namespace Biface
   using namespace dealii;
 
   void
-  NamedPoints::add_parameters(ParameterHandler &prm)
+  NamedPoints::add_parameters(EntryDeclarations &prm)
   {
     add_parsed(prm,
-               "",
                "Named points",
                "",
                list,
@@ -25,8 +25,8 @@ namespace Biface
                "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
                "mesh. Both may be formulas without blanks, such as 360/7; that "
                "of alpha_1 may contain 'end', the largest alpha_1 of the "
-               "surface. Unit: degrees for an angle, "
-               "length otherwise.");
+               "surface.",
+               Unit("degrees for an angle, length otherwise"));
   }
 
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/chart_grid.h>
@@ -35,12 +36,11 @@ namespace Biface
 
 
   void
-  Supports::add_parameters(ParameterHandler &prm)
+  Supports::add_parameters(EntryDeclarations &prm)
   {
     for (unsigned int edge = 0; edge < 4; ++edge)
       add_parsed(
         prm,
-        "Supports/",
         edge_names[edge],
         "free",
         edges[edge],
@@ -67,9 +67,9 @@ namespace Biface
           "position x, y, z of the face and of alpha_1, alpha_2: 'axial both = "
           "-0.01*x' tilts an edge by 0.01 radians. Values are multiplied by "
           "the load factor of the stage, see 'Load factors'. A closed "
-          "coordinate has no edges; leave them 'free'. Unit: length.");
+          "coordinate has no edges; leave them 'free'.",
+        Unit("length"));
     add_parsed(prm,
-               "Supports/",
                "Point supports",
                "",
                points,

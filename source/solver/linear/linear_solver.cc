@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/solver/linear/linear_solver.h>
 
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  LinearSolver::Parameters::add_parameters(ParameterHandler &prm)
+  LinearSolver::Parameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(
       prm,

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include <biface/input/entry_declarations.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/solver/linear/multigrid_solver.h>
 #include <biface/solver/linear/mumps_solver.h>
@@ -138,7 +139,7 @@ namespace Biface
 
 
   void
-  LinearSolver::Parameters::Multigrid::add_parameters(ParameterHandler &prm)
+  LinearSolver::Parameters::Multigrid::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Maximum iterations",
                       max_iterations,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
 #include <biface/stepping/controls/control.h>
 
 namespace Biface
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  Control::Parameters::add_parameters(ParameterHandler &prm)
+  Control::Parameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Maximum cuts",
                       max_cuts,
@@ -28,8 +29,9 @@ namespace Biface
     prm.add_parameter("Maximum growth",
                       maximum_growth,
                       "Maximum size of a step in arc-length control or with "
-                      "'Adaptive steps', relative to the first step. No unit.",
-                      Patterns::Double(1));
+                      "'Adaptive steps', relative to the first step.",
+                      Patterns::Double(1),
+                      Unit::none());
   }
 
 

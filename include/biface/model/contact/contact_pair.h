@@ -3,7 +3,6 @@
 #ifndef biface_model_contact_contact_pair_h
 #define biface_model_contact_contact_pair_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -28,6 +27,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The figures of a contact zone. */
   struct ContactSummary
   {
@@ -119,7 +121,7 @@ namespace Biface
       Resultants::Face face = Resultants::outer;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

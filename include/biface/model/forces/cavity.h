@@ -3,7 +3,6 @@
 #ifndef biface_model_forces_cavity_h
 #define biface_model_forces_cavity_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -17,6 +16,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The space inside the shell that a gas fills. Its volume is the flux through
    * the face under pressure of a vector field @f$\mathbf F@f$ with the
@@ -49,7 +51,7 @@ namespace Biface
       std::optional<double> rim_radius;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid.
        * @param has_axis whether the shell is a surface of revolution, without

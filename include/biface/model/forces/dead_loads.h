@@ -3,8 +3,6 @@
 #ifndef biface_model_forces_dead_loads_h
 #define biface_model_forces_dead_loads_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <string>
 #include <vector>
@@ -18,6 +16,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** A force that keeps its direction. */
   struct DeadForce
   {
@@ -98,7 +99,7 @@ namespace Biface
     unsigned int factor_of_area_force = 0;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /**
      * The nodal forces of all these loads except follower moments, regardless

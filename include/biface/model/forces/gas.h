@@ -3,8 +3,6 @@
 #ifndef biface_model_forces_gas_h
 #define biface_model_forces_gas_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <optional>
 
 #include <biface/model/forces/cavity.h>
@@ -12,6 +10,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The gas in the cavity of a shell. A sealed gas cannot leave it: @f$(p+p_a)
    * V^n@f$ is constant, where @f$p@f$ is the gauge pressure, a load of the
@@ -38,7 +39,7 @@ namespace Biface
       Cavity::Parameters cavity;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid.
        * @param has_axis see Cavity::Parameters::check(). */

@@ -3,8 +3,6 @@
 #ifndef biface_model_forces_pressure_load_h
 #define biface_model_forces_pressure_load_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <string>
 #include <vector>
@@ -18,6 +16,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The dependence of a pressure on the motion of the face. */
   enum class PressureKind
   {
@@ -56,7 +57,7 @@ namespace Biface
       parse_position_formula("Loads/Pressure distribution", "1");
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Whether the distribution is that of a gas. */
     bool

@@ -3,7 +3,6 @@
 #ifndef biface_model_heat_rolling_heat_h
 #define biface_model_heat_rolling_heat_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/table.h>
 
 #include <vector>
@@ -15,6 +14,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The heat of a wheel that rolls steadily: what its plies lose in a turn, see
    * Hysteresis, flows through the wall to the gas inside, the air, and the
@@ -40,7 +42,7 @@ namespace Biface
       HeatFilm inside, air, ground;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid. */
       void

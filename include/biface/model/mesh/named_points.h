@@ -3,7 +3,6 @@
 #ifndef biface_model_mesh_named_points_h
 #define biface_model_mesh_named_points_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <optional>
@@ -14,6 +13,7 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
   class ReferenceSurface;
 
   /** A named point of the surface, used to support, load, monitor or control a
@@ -50,7 +50,7 @@ namespace Biface
     std::vector<NamedPoint> list;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** The points in the internal unit of a surface. */
     std::vector<NamedPoint>

@@ -3,8 +3,6 @@
 #ifndef biface_model_mesh_supports_h
 #define biface_model_mesh_supports_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <optional>
 #include <string>
@@ -15,6 +13,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * A prescribed displacement of a node, in one component:
    * @f$c^- v_i^- + c^+ v_i^+ = \bar v@f$, where @f$\bar v@f$ is multiplied by
@@ -85,7 +86,7 @@ namespace Biface
     std::vector<PointSupport> points;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(EntryDeclarations &prm);
 
     /** Whether the edges of alpha_2 are coupled: both are cyclic. */
     bool

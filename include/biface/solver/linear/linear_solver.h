@@ -3,8 +3,6 @@
 #ifndef biface_solver_linear_linear_solver_h
 #define biface_solver_linear_linear_solver_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +13,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /** The result of a linear solve. */
   struct LinearSolverResult
   {
@@ -82,13 +83,13 @@ namespace Biface
         unsigned int coarsest_unknowns = 12000;
 
         void
-        add_parameters(dealii::ParameterHandler &prm);
+        add_parameters(EntryDeclarations &prm);
       };
 
       Multigrid multigrid;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     virtual ~LinearSolver() = default;

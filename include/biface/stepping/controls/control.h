@@ -3,8 +3,6 @@
 #ifndef biface_stepping_controls_control_h
 #define biface_stepping_controls_control_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,6 +22,9 @@
 
 namespace Biface
 {
+  class EntryDeclarations;
+
+
   /**
    * The interface and common parts of all controls. A control determines what
    * is prescribed in every step of a stage: it begins the stage, proposes the
@@ -40,7 +41,7 @@ namespace Biface
       double       maximum_growth = 10;
 
       void
-      add_parameters(dealii::ParameterHandler &prm);
+      add_parameters(EntryDeclarations &prm);
     };
 
     Control(const Stage &stage, const Parameters &parameters);
