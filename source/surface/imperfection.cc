@@ -78,7 +78,9 @@ namespace Biface
       "revolution the last column of a full turn need not repeat the "
       "first if the columns are about evenly spaced. Paths are relative "
       "to the parameter file; see 'Laminate/Tables' for names in "
-      "double quotes.");
+      "double quotes.",
+      // the contents of the files are compared
+      RestartChange::always);
   }
 
 

@@ -23,6 +23,37 @@ namespace
       check_true("the history is as it was",
                  text_of("changed/history.csv") == before);
   }
+
+
+  /** Restart with a table of an imperfection in another place. */
+  void
+  check_moved_table()
+  {
+    const auto write_table = [](const std::string &name, const double value) {
+      std::ofstream(name) << "alpha_1, alpha_2, value\n"
+                          << "0, 0, 0\n0, 90, 0\n90, 0, 0\n90, 90, " << value
+                          << '\n';
+    };
+    const auto with_table = [](const std::string &name) {
+      return with(coarse_tire,
+                  {"Number of stages=1",
+                   "Stage 1/Steps=2",
+                   no_vtu,
+                   "Surface/Imperfection/Formula=dent",
+                   "Surface/Imperfection/Tables=dent: " +
+                     std::filesystem::absolute(name).string()});
+    };
+    write_table("dent.csv", 0.01);
+    write_table("moved.csv", 0.01);
+    write_table("deeper.csv", 0.02);
+    std::filesystem::remove_all("dented");
+    run(with_table("dent.csv"), "dented", MPI_COMM_WORLD, "Step 1,");
+    for (const char *name : {"deeper.csv", "moved.csv"})
+      {
+        const Ended ended = restart(with_table(name), "dented", MPI_COMM_WORLD);
+        std::cout << name << ": " << ended.code << '\n' << said(ended);
+      }
+  }
 } // namespace
 
 
@@ -66,4 +97,6 @@ main(int argc, char *argv[])
   check("Units=mm, N, s");
   check("Mesh/Distribution=distributed");
   check("Tire test/Axes=SAE");
+
+  check_moved_table();
 }
