@@ -41,7 +41,8 @@ The tire of Project Chrono's HMMWV, [Chrono 2016](references.bib#Chrono2016), is
 first, last and step; the table has all their combinations. `-o` writes it to a file,
 `--picture` draws its curves. Values outside the ranges of the file are computed all the
 same, with a warning. `--mirror` gives the tire on the other side of the vehicle than that of
-`TYRESIDE`.
+`TYRESIDE`; a `USE_MODE` below 0 in the file does the same, and both together give the tire as
+measured. Without `UNLOADED_RADIUS` there are no moments, unless `--radius` gives it.
 
 Units are `--units "m, N, s"` and `--angles deg` by default: length, force and time as in
 the entry `Units` of a parameter file. Pressures are in force over length squared, moments
@@ -122,9 +123,12 @@ one of the slips and one force or moment are needed. Others are left out.
 
 {columns}
 
-A name may have its unit behind it, as in `F_z [kN]`; otherwise `--units` and `--angles` say it.
-Slips that are not there are 0; forces and moments may be empty. Lines that start with #
-are comments. Rows whose column `status` is not `ok` are left out, and a column `axes` replaces
+A name may have its unit behind it, as in `F_z [kN]`, or in a line of units below; otherwise
+`--units` and `--angles` say it. `SA`, `SL`, `IA`, `P`, `V`, `RL`, `FX`, ..., `MZ` are the same columns
+(`SL` is `slip_ratio`, `RL` is `loaded_radius`); `P` and `V` need their units. Columns are separated by
+commas, semicolons, tabs or blanks, and numbers may have decimal commas where these do not separate.
+Slips that are not there are 0; forces and moments may be empty. Lines that start with # or %
+are comments, and up to two lines of title may come first. Rows whose column `status` is not `ok` are left out, and a column `axes` replaces
 `--axes`. The output of `evaluate` is such a table; a directory of TYDEX files may replace it, or
 one of the results of a [tire test](tire_test.md), whose units are then those of the results. Here three loads, three inclination angles and combined slip:
 
@@ -265,14 +269,16 @@ constant load, inclination, pressure and velocity: `cornering_01.tdx`, ... with 
 only, `braking_01.tdx`, ... with a longitudinal slip only, `combined_01.tdx`, ... with a constant slip angle. A state
 without slip stands in both of the former. Numbers have the room of ten characters, so that
 five to eight digits remain. Read are also files with other channels, which are left out, and with
-factors and offsets: a value is (number + first offset) × factor + second offset.
+factors and offsets: a value is (number + first offset) × factor + second offset. `NOTAVAIL` is no value:
+a force or moment is missing, and a state without its slip, load, pressure or velocity is left out.
 
 ## Checks
 
 {check}
 
 Angles among the entries, such as `ALPMIN`, and all other values become SI units by the
-section `[UNITS]`; the coefficients of the formula belong to radians whatever it says. The exit code is
+section `[UNITS]`; the coefficients of the formula belong to radians whatever it says. Values
+that no formula uses may be empty or words. The exit code is
 1 if anything is unusual, here since PKX2 is negative: files often have such ends of ranges.
 
 ## In Python
@@ -309,7 +315,7 @@ combined slip, derivatives by load and pressure.
 - turn slip, parking, rolling backward, standstill: the formulas hold for a forward velocity
 - rolling radii, masses, damping (`DAMP_LONG`, ...), the dependence of `YAW_STIFFNESS` on load and pressure (`PCMZ1`): entries for them are kept but not
   fitted; stiffnesses, frequencies and relaxation lengths are not used
-- the decay of friction with the slip speed, $`\\lambda_{{\\mu V}}`$
+- the decay of friction with the slip speed, $`\\lambda_{{\\mu V}}`$: `check` names `LMUV`
 - MF-Swift, Adams's PAC89, PAC94, PAC-TIME and PAC-MC, Fiala's model: such files are refused
 - PAC2002's friction ellipse (`FE_METHOD`) in place of the coefficients of combined slip
 """

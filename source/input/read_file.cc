@@ -11,7 +11,9 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
@@ -86,7 +88,107 @@ namespace Biface
       std::strtod(cell.c_str(), &end);
       return *end != '\0';
     }
+
+
+    /** How the numbers of a CSV file are separated and written. */
+    struct CsvStyle
+    {
+      char separator;
+      bool decimal_comma;
+    };
+
+    // the first one that all lines have is taken; where several fit, they give
+    // the same numbers
+    constexpr CsvStyle csv_styles[] = {{',', false},
+                                       {';', false},
+                                       {'\t', false},
+                                       {' ', false},
+                                       {';', true},
+                                       {'\t', true},
+                                       {' ', true}};
+
+
+    /** The rows of numbers of lines in one style, up to the first line that
+     * does not have it. */
+    struct CsvRows
+    {
+      std::vector<std::vector<double>> rows;
+      /** What is wrong with this line; none if all lines have the style. */
+      std::optional<InputError> error;
+      std::size_t               n_lines = 0;
+    };
+
+
+    CsvRows
+    rows_in_style(const std::vector<NumberedLine> &lines,
+                  const CsvStyle                  &style,
+                  const CsvRowForm                &form)
+    {
+      CsvRows result;
+      for (const NumberedLine &line : lines)
+        {
+          const std::vector<std::string> cells =
+            split_cells(line.text, style.separator);
+          const bool has_row =
+            (cells.size() >= form.n_min && cells.size() <= form.n_max);
+          const bool is_header =
+            form.header_allowed && result.n_lines == 0 && has_row &&
+            std::all_of(cells.begin(), cells.end(), is_name);
+          ++result.n_lines;
+          if (is_header)
+            continue;
+          try
+            {
+              if (!has_row)
+                throw InputError(line.place, line.text, form.text());
+              std::vector<double> row;
+              for (std::string cell : cells)
+                {
+                  if (style.decimal_comma && is_decimal_comma(cell))
+                    cell[cell.find(',')] = '.';
+                  // a mixture of points and commas has no meaning
+                  else if (style.decimal_comma &&
+                           cell.find('.') != std::string::npos)
+                    throw InputError(line.place, cell, form.text());
+                  row.push_back(parse_number(line.place, cell, form.text()));
+                }
+              result.rows.push_back(row);
+            }
+          catch (const InputError &error)
+            {
+              result.error = error;
+              return result;
+            }
+        }
+      return result;
+    }
   } // namespace
+
+
+  std::vector<std::string>
+  split_cells(const std::string &line, const char separator)
+  {
+    if (separator == ' ')
+      return split_words(line);
+    std::vector<std::string> cells;
+    std::istringstream       stream(line);
+    for (std::string cell; std::getline(stream, cell, separator);)
+      cells.push_back(Utilities::trim(cell));
+    return cells;
+  }
+
+
+  bool
+  is_decimal_comma(const std::string &number)
+  {
+    const auto comma = number.find(',');
+    return comma != std::string::npos && comma > 0 &&
+           comma + 1 < number.size() &&
+           std::isdigit(static_cast<unsigned char>(number[comma - 1])) &&
+           std::isdigit(static_cast<unsigned char>(number[comma + 1])) &&
+           number.find_first_not_of("0123456789+-eE,") == std::string::npos &&
+           number.find(',', comma + 1) == std::string::npos;
+  }
 
 
   std::string
@@ -119,7 +221,7 @@ namespace Biface
     for (unsigned int number = 1; std::getline(lines, line); ++number)
       {
         line = Utilities::trim(line);
-        if (line.empty() || line[0] == '#')
+        if (line.empty() || line[0] == '#' || line[0] == '%')
           continue;
         result.push_back({name + ", line " + std::to_string(number), line});
         // splitting takes quadratic time
@@ -130,35 +232,40 @@ namespace Biface
   }
 
 
+  std::string
+  CsvRowForm::text() const
+  {
+    return meaning + (n_max > 1
+                        ? ", separated by commas, semicolons, tabs or blanks"
+                        : "");
+  }
+
+
+  std::vector<std::vector<double>>
+  parse_rows(const std::vector<NumberedLine> &lines, const CsvRowForm &form)
+  {
+    CsvRows farthest;
+    for (const CsvStyle &style : csv_styles)
+      {
+        CsvRows read = rows_in_style(lines, style, form);
+        if (!read.error)
+          return read.rows;
+        if (read.n_lines > farthest.n_lines)
+          farthest = std::move(read);
+      }
+    throw *farthest.error;
+  }
+
+
   std::vector<std::vector<double>>
   parse_rows(const std::string &text,
              const std::string &name,
-             const std::string &form,
+             const std::string &meaning,
              const unsigned int n_min,
              const unsigned int n_max)
   {
-    std::vector<std::vector<double>> rows;
-    bool                             header_allowed = true;
-    for (const NumberedLine &line : lines_of_csv(text, name, form))
-      {
-        const std::vector<std::string> cells =
-          Utilities::split_string_list(line.text, ',');
-        const bool has_row = (cells.size() >= n_min && cells.size() <= n_max);
-        if (header_allowed && has_row &&
-            std::all_of(cells.begin(), cells.end(), is_name))
-          {
-            header_allowed = false;
-            continue;
-          }
-        header_allowed = false;
-        if (!has_row)
-          throw InputError(line.place, line.text, form);
-        std::vector<double> row;
-        for (const std::string &cell : cells)
-          row.push_back(parse_number(line.place, cell, form));
-        rows.push_back(row);
-      }
-    return rows;
+    const CsvRowForm form{meaning, n_min, n_max, true};
+    return parse_rows(lines_of_csv(text, name, form.text()), form);
   }
 
 

@@ -337,25 +337,54 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** What separates the cells of a line of plies: formulas contain commas,
+     * but neither semicolons nor tabs. */
+    char
+    separator_of_plies(const std::string &line)
+    {
+      if (line.find(';') != std::string::npos)
+        return ';';
+      const std::vector<std::string> cells = split_cells(line, '\t');
+      // tabs beside commas are blanks
+      return cells.size() > 1 && std::none_of(cells.begin(),
+                                              cells.end(),
+                                              [](const std::string &cell) {
+                                                return !cell.empty() &&
+                                                       (cell.front() == ',' ||
+                                                        cell.back() == ',');
+                                              })
+               ? '\t'
+               : ',';
+    }
+  } // namespace
+
+
   std::string
   plies_of_csv(const std::string &text, const std::string &name)
   {
     const std::string form =
       "each line must contain 'material, thickness, angle' or 'material, "
-      "thickness, angle, from, to', without '#', '@', ':' and backslashes";
+      "thickness, angle, from, to', separated by commas, semicolons or tabs, "
+      "without '#', '@', ':' and backslashes";
     std::string plies;
     bool        header_allowed = true;
     for (const NumberedLine &line : lines_of_csv(text, name, form))
       {
         std::vector<std::string> cells;
+        const char               separator = separator_of_plies(line.text);
         // spreadsheets write empty cells at the end
-        const auto end = line.text.find_last_not_of(", \t");
+        const auto end = line.text.find_last_not_of(",; \t");
         for (std::string cell : split_list(
                line.place,
-               line.text.substr(0, end == std::string::npos ? end : end + 1)))
+               line.text.substr(0, end == std::string::npos ? end : end + 1),
+               separator))
           {
             if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
               cell = Utilities::trim(cell.substr(1, cell.size() - 2));
+            if (separator != ',' && is_decimal_comma(cell))
+              cell[cell.find(',')] = '.';
             cells.push_back(cell);
           }
         if (cells.empty())

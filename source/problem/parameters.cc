@@ -494,7 +494,7 @@ namespace Biface
   std::vector<std::string>
   Parameters::warnings() const
   {
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences = remarks_on_surface(surface);
 
     if (!tire_test.is_requested() &&
         !(tire_test.pressures.empty() && tire_test.slip_angles.empty() &&

@@ -12,7 +12,6 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/input/read_file.h>
 #include <biface/study/sampling.h>
 
 namespace Biface
@@ -246,6 +245,34 @@ namespace Biface
   }
 
 
+  std::vector<unsigned int>
+  Sampling::columns_of(const NumberedLine &line) const
+  {
+    // the separator with which the names are those of all variables
+    for (const char separator : {',', ';', '\t'})
+      {
+        const std::vector<std::string> cells =
+          split_cells(line.text, separator);
+        std::vector<unsigned int> columns;
+        for (const DesignVariable &variable : variables)
+          {
+            const auto found =
+              std::find(cells.begin(), cells.end(), variable.get_name());
+            if (found != cells.end())
+              columns.push_back(found - cells.begin());
+          }
+        if (columns.size() == variables.size() &&
+            cells.size() == variables.size())
+          return columns;
+      }
+    throw InputError(line.place,
+                     line.text,
+                     "the first line must contain the names of the variables "
+                     "and nothing else, such as " +
+                       Biface::quoted(variables.front().get_name()));
+  }
+
+
   std::vector<std::vector<double>>
   Sampling::read_samples(const std::string &folder,
                          const MPI_Comm     communicator) const
@@ -255,52 +282,27 @@ namespace Biface
         "Study/Samples file", "", "'Sampling = file' needs the name of a file");
     const std::string path =
       (std::filesystem::path(folder) / file_name).lexically_normal().string();
-    std::istringstream lines(read_file(path, communicator));
-
-    std::string                      line;
-    std::vector<unsigned int>        columns;
+    const unsigned int n = variables.size();
+    const CsvRowForm   form{
+      "it must contain " + std::to_string(n) + " numbers", n, n};
+    std::vector<NumberedLine> lines =
+      lines_of_csv(read_file(path, communicator), path, form.text());
     std::vector<std::vector<double>> result;
-    for (unsigned int number = 1; std::getline(lines, line); ++number)
+    if (!lines.empty())
       {
-        line = Utilities::trim(line);
-        if (line.empty() || line[0] == '#')
-          continue;
-        const std::string where = path + ", line " + std::to_string(number);
-        std::vector<std::string> cells;
-        std::istringstream       stream(line);
-        for (std::string cell; std::getline(stream, cell, ',');)
-          cells.push_back(Utilities::trim(cell));
-        // by name, so that the order of the columns does not matter
-        if (columns.empty())
-          {
-            for (const DesignVariable &variable : variables)
-              {
-                const auto found =
-                  std::find(cells.begin(), cells.end(), variable.get_name());
-                if (found == cells.end() || cells.size() != variables.size())
-                  throw InputError(
-                    where,
-                    line,
-                    "the first line must contain the names of the variables "
-                    "and nothing else, such as " +
-                      Biface::quoted(variable.get_name()));
-                columns.push_back(found - cells.begin());
-              }
-            continue;
-          }
-        const std::string form = "it must contain " +
-                                 std::to_string(variables.size()) +
-                                 " numbers, separated by commas";
-        if (cells.size() != variables.size())
-          throw InputError(where, line, form);
-        std::vector<double> sample;
-        for (const unsigned int column : columns)
-          sample.push_back(parse_number(where, cells[column], form));
-        if (result.size() == max_samples)
+        const std::vector<unsigned int> columns = columns_of(lines.front());
+        lines.erase(lines.begin());
+        if (lines.size() > max_samples)
           throw InputError("the file " + Biface::quoted(path) +
                            " has more than " + std::to_string(max_samples) +
                            " samples.");
-        result.push_back(sample);
+        for (const std::vector<double> &row : parse_rows(lines, form))
+          {
+            std::vector<double> sample;
+            for (const unsigned int column : columns)
+              sample.push_back(row[column]);
+            result.push_back(sample);
+          }
       }
     if (result.empty())
       throw InputError("the file " + Biface::quoted(path) +

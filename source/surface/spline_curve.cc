@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -72,37 +73,130 @@ namespace Biface
             return std::minmax(*i, *j);
       return {};
     }
+
+    /** The polynomial of fifth degree between two points of curves, see
+     * SplineCurve::Corner. */
+    std::array<Tensor<1, 2>, 6>
+    quintic(const Meridian::PointOfCurve &a,
+            const Meridian::PointOfCurve &b,
+            const double                  length)
+    {
+      const Tensor<1, 2> p_0 = a.position, p_1 = b.position;
+      const Tensor<1, 2> d_0  = length * a.first_derivative;
+      const Tensor<1, 2> d_1  = length * b.first_derivative;
+      const Tensor<1, 2> dd_0 = length * length * a.second_derivative;
+      const Tensor<1, 2> dd_1 = length * length * b.second_derivative;
+      // what the first three terms leave at the other end
+      const Tensor<1, 2> p  = p_1 - p_0 - d_0 - dd_0 / 2;
+      const Tensor<1, 2> d  = d_1 - d_0 - dd_0;
+      const Tensor<1, 2> dd = dd_1 - dd_0;
+      return {{p_0,
+               d_0,
+               dd_0 / 2,
+               10 * p - 4 * d + dd / 2,
+               -15 * p + 7 * d - dd,
+               6 * p - 3 * d + dd / 2}};
+    }
+
+
+    /** The points of a file. Throws InputError if they cannot be those of a
+     * meridian. */
+    Contour
+    checked_contour(const std::vector<Point<2>> &points,
+                    const std::string           &name)
+    {
+      // for each node, the foot of a perpendicular is sought among all points
+      constexpr unsigned int max_points = 10000;
+      if (points.size() > max_points)
+        throw InputError(name + ": the curve has " +
+                         std::to_string(points.size()) +
+                         " points, but at most " + std::to_string(max_points) +
+                         " are allowed.");
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          const std::string where = name + ": the point " +
+                                    std::to_string(i + 1) + " of the curve, (" +
+                                    number_to_string(points[i][0]) + ", " +
+                                    number_to_string(points[i][1]) + "), ";
+          if (!(std::isfinite(points[i][0]) && std::isfinite(points[i][1])))
+            throw InputError(where + "must be finite.");
+          if (!(points[i][0] > 0))
+            throw InputError(where +
+                             "must have a positive radius, since a meridian "
+                             "must not meet the axis.");
+        }
+      const Contour contour(points, name);
+      if (contour.points.size() < 3)
+        throw InputError(name + ": the curve has " +
+                         std::to_string(contour.points.size()) +
+                         " points, but a spline needs at least 3.");
+      return contour;
+    }
+
+
+    std::string
+    in_degrees(const double angle)
+    {
+      return number_to_string(std::round(angle * 180 / numbers::PI)) +
+             " degrees";
+    }
+
+
+    // between two neighboring points
+    constexpr unsigned int n_samples = 4;
   } // namespace
 
 
   SplineCurve::SplineCurve(const std::vector<Point<2>> &points,
-                           const std::string           &name)
+                           const std::string           &name,
+                           const double                 corner_radius)
   {
-    if (points.size() < 3)
-      throw InputError(name + ": the curve has " +
-                       std::to_string(points.size()) +
-                       " points, but a spline needs at least 3.");
+    const Contour contour = checked_contour(points, name);
+    remarks               = contour.remarks;
+    set_knots(contour, name);
 
-    // for each node, the foot of a perpendicular is sought among all points
-    constexpr unsigned int max_points = 10000;
-    if (points.size() > max_points)
-      throw InputError(name + ": the curve has " +
-                       std::to_string(points.size()) + " points, but at most " +
-                       std::to_string(max_points) + " are allowed.");
+    unsigned int first = 0;
+    if (corner_radius > 0)
+      for (const Contour::Kink &kink : contour.kinks)
+        {
+          parts.push_back(make_part(contour.points, first, kink.index));
+          first = kink.index;
+        }
+    parts.push_back(make_part(contour.points, first, knots.size() - 1));
+    if (corner_radius > 0)
+      round_corners(contour, name, corner_radius);
+    else
+      for (const Contour::Kink &kink : contour.kinks)
+        remarks.push_back(
+          name + ": at " + contour.describe(kink.index) +
+          ", there is a kink of " + in_degrees(kink.angle) +
+          ", beside which the spline swings; give more points there if it is "
+          "round, or a 'Corner radius' in 'Surface/Spline'.");
 
-    std::vector<double> r, y;
+    for (unsigned int i = 0; i + 1 < knots.size(); ++i)
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        {
+          const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
+          samples.emplace_back(s, evaluate(s).position);
+        }
+    check_crossing(contour, name);
+    for (const Corner &corner : corners)
+      for (unsigned int k = 0; k <= 4 * n_samples; ++k)
+        {
+          const double s =
+            corner.begin + (corner.end - corner.begin) * k / (4 * n_samples);
+          samples.emplace_back(s, evaluate(s).position);
+        }
+  }
+
+
+  void
+  SplineCurve::set_knots(const Contour &contour, const std::string &name)
+  {
+    const std::vector<Point<2>> &points = contour.points;
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        const std::string where = name + ": the point " +
-                                  std::to_string(i + 1) + " of the curve, (" +
-                                  number_to_string(points[i][0]) + ", " +
-                                  number_to_string(points[i][1]) + "), ";
-        if (!(std::isfinite(points[i][0]) && std::isfinite(points[i][1])))
-          throw InputError(where + "must be finite.");
-        if (!(points[i][0] > 0))
-          throw InputError(where +
-                           "must have a positive radius, since a meridian "
-                           "must not meet the axis.");
+        const std::string where = name + ": " + contour.describe(i) + ", ";
         const double step = (i == 0 ? 0. : points[i].distance(points[i - 1]));
         const double way  = (i == 0 ? 0. : knots.back() + step);
         // their distance must not be lost in the round-off of the length so far
@@ -119,21 +213,92 @@ namespace Biface
                                        "120 degrees.");
           }
         knots.push_back(way);
+      }
+  }
+
+
+  SplineCurve::Part
+  SplineCurve::make_part(const std::vector<Point<2>> &points,
+                         const unsigned int           first,
+                         const unsigned int           last) const
+  {
+    std::vector<double> s, r, y;
+    for (unsigned int i = first; i <= last; ++i)
+      {
+        s.push_back(knots[i]);
         r.push_back(points[i][0]);
         y.push_back(points[i][1]);
+        // a straight line, for which a spline needs a third point
+        if (last == first + 1 && i == first)
+          {
+            s.push_back((knots[i] + knots[i + 1]) / 2);
+            r.push_back((points[i][0] + points[i + 1][0]) / 2);
+            y.push_back((points[i][1] + points[i + 1][1]) / 2);
+          }
       }
-    radius = std::make_unique<Functions::CSpline<1>>(knots, r);
-    axial  = std::make_unique<Functions::CSpline<1>>(knots, y);
+    return {s.front(),
+            s.back(),
+            std::make_shared<Functions::CSpline<1>>(s, r),
+            std::make_shared<Functions::CSpline<1>>(s, y)};
+  }
 
-    // starts for Newton's method in parameter_of(), and the polygon below
-    constexpr unsigned int n_samples = 4;
-    for (unsigned int i = 0; i + 1 < knots.size(); ++i)
-      for (unsigned int k = 0; k <= n_samples; ++k)
-        {
-          const double s = knots[i] + (knots[i + 1] - knots[i]) * k / n_samples;
-          samples.emplace_back(s, evaluate(s).position);
-        }
 
+  void
+  SplineCurve::round_corners(const Contour     &contour,
+                             const std::string &name,
+                             const double       corner_radius)
+  {
+    // of the lengths on both sides, relative to the radius
+    std::vector<double> factors;
+    for (unsigned int k = 0; k + 1 < parts.size(); ++k)
+      {
+        const double       s      = parts[k].end;
+        const Tensor<1, 2> before = parts[k].evaluate(s).first_derivative;
+        const Tensor<1, 2> after  = parts[k + 1].evaluate(s).first_derivative;
+        const double       half =
+          std::acos(std::clamp(
+            before * after / (before.norm() * after.norm()), -1., 1.)) /
+          2;
+        // the polynomial between straight lines is sharpest in its middle
+        factors.push_back(1.5 * std::sin(half) /
+                          (std::cos(half) * std::cos(half)));
+      }
+    for (unsigned int k = 0; k < factors.size(); ++k)
+      {
+        // a part between two corners has room for both
+        const double before = (parts[k].end - parts[k].begin) / (k > 0 ? 2 : 1);
+        const double after  = (parts[k + 1].end - parts[k + 1].begin) /
+                             (k + 1 < factors.size() ? 2 : 1);
+        const double      room   = std::min(before, after);
+        const double      length = factors[k] * corner_radius;
+        const std::string where  = contour.describe(contour.kinks[k].index);
+        if (!(length < room))
+          throw InputError("Surface/Spline/Corner radius",
+                           number_to_string(corner_radius),
+                           "it must be less than " +
+                             number_to_string(room / factors[k]) +
+                             " for the kink at " + where);
+        const double s     = parts[k].end;
+        const double begin = s - length, end = s + length;
+        corners.push_back({begin,
+                           end,
+                           quintic(parts[k].evaluate(begin),
+                                   parts[k + 1].evaluate(end),
+                                   end - begin)});
+        char interval[64];
+        std::snprintf(interval, sizeof(interval), "%.5g to %.5g", begin, end);
+        remarks.push_back(
+          name + ": the kink of " + in_degrees(contour.kinks[k].angle) +
+          " at " + where + ", is a corner with the radius " +
+          number_to_string(corner_radius) + " from alpha_1 = " + interval +
+          ", which the lines of the mesh must resolve.");
+      }
+  }
+
+
+  void
+  SplineCurve::check_crossing(const Contour &contour, const std::string &name)
+  {
     // intervals share their ends
     Polygon polygon;
     for (unsigned int i = 0; i < samples.size(); ++i)
@@ -142,7 +307,7 @@ namespace Biface
     if (const auto crossing = find_crossing(polygon))
       {
         const auto point = [&](const unsigned int segment) {
-          return std::to_string(1 + segment / n_samples);
+          return std::to_string(contour.numbers[segment / n_samples]);
         };
         throw InputError(
           name + ": the curve crosses itself, after its points " +
@@ -153,14 +318,41 @@ namespace Biface
 
 
   Meridian::PointOfCurve
-  SplineCurve::evaluate(const double s) const
+  SplineCurve::Part::evaluate(const double s) const
   {
-    // the end points, up to round-off
-    const Point<1> knot(std::min(std::max(s, knots.front()), knots.back()));
+    const Point<1> knot(s);
     return {
       Point<2>(radius->value(knot), axial->value(knot)),
       Tensor<1, 2>({radius->gradient(knot)[0], axial->gradient(knot)[0]}),
       Tensor<1, 2>({radius->hessian(knot)[0][0], axial->hessian(knot)[0][0]})};
+  }
+
+
+  Meridian::PointOfCurve
+  SplineCurve::evaluate(const double s) const
+  {
+    // the end points, up to round-off
+    const double knot = std::min(std::max(s, knots.front()), knots.back());
+    for (unsigned int k = 0; k < corners.size(); ++k)
+      {
+        const Corner &corner = corners[k];
+        if (knot <= corner.begin)
+          return parts[k].evaluate(knot);
+        if (knot >= corner.end)
+          continue;
+        const double length = corner.end - corner.begin;
+        const double x      = (knot - corner.begin) / length;
+        Tensor<1, 2> position, first, second;
+        // Horner's scheme, with that of the derivatives
+        for (unsigned int i = 6; i-- > 0;)
+          {
+            second   = x * second + 2 * first;
+            first    = x * first + position;
+            position = x * position + corner.coefficients[i];
+          }
+        return {Point<2>(position), first / length, second / (length * length)};
+      }
+    return parts.back().evaluate(knot);
   }
 
 

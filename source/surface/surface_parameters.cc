@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
@@ -55,6 +57,17 @@ namespace Biface
                "file; see 'Tables' for names in double quotes.",
                // the contents of the file are compared, here and below
                Unit("length") | RestartChange::always);
+    prm.add_parameter("Corner radius",
+                      corner_radius,
+                      "0: the spline passes smoothly through all points, and "
+                      "beside a kink it swings. Else kinks, points at which "
+                      "the polygon turns by more than 15 degrees and much more "
+                      "than at their neighbors, are corners between splines of "
+                      "their own, rounded with this least radius of curvature. "
+                      "'--check' names them and their intervals of alpha_1, "
+                      "which the mesh must resolve. Not negative.",
+                      Patterns::Double(),
+                      Unit("length"));
     prm.leave_subsection();
     prm.enter_subsection("Imperfection");
     imperfection.add_parameters(prm);
@@ -79,8 +92,11 @@ namespace Biface
               throw InputError("Surface/Spline/File",
                                "",
                                "the meridian 'spline' needs a file");
+            check_not_negative("Surface/Spline/Corner radius",
+                               parameters.corner_radius);
             return std::make_shared<SplineCurve>(parameters.points_file.pairs,
-                                                 parameters.points_file.name);
+                                                 parameters.points_file.name,
+                                                 parameters.corner_radius);
           case MeridianType::cord_equilibrium:
             return std::make_shared<CordEquilibrium>(
               parameters.cord_equilibrium);
@@ -89,6 +105,43 @@ namespace Biface
       return {};
     }
   } // namespace
+
+
+  std::vector<std::string>
+  remarks_on_surface(const ReferenceSurface::Parameters &parameters)
+  {
+    using Parameters = ReferenceSurface::Parameters;
+    if (parameters.type != Parameters::Type::revolution ||
+        (parameters.meridian != Parameters::MeridianType::spline &&
+         parameters.meridian != Parameters::MeridianType::straight_line))
+      return {};
+    const auto               meridian = make_meridian(parameters);
+    std::vector<std::string> remarks;
+    if (const auto *spline = dynamic_cast<const SplineCurve *>(meridian.get()))
+      remarks = spline->get_remarks();
+
+    // the part of the length where the normal, to the right, points to the axis
+    constexpr unsigned int n_samples = 1000;
+    double                 length = 0, inward = 0;
+    const auto [begin, end] = meridian->range();
+    for (unsigned int i = 0; i < n_samples; ++i)
+      {
+        const Tensor<1, 2> along =
+          meridian->evaluate(begin + (end - begin) * (i + 0.5) / n_samples)
+            .first_derivative;
+        length += along.norm();
+        if (along[1] < -1e-6 * along.norm())
+          inward += along.norm();
+      }
+    if (inward > length / 2)
+      remarks.push_back(
+        "Outward, to the right of the meridian, is toward the axis over " +
+        number_to_string(std::round(100 * inward / length)) +
+        " % of its length, so that pressure on the inner face pushes toward "
+        "the axis; with its points in the reverse order outward is away from "
+        "it.");
+    return remarks;
+  }
 
 
   std::unique_ptr<ReferenceSurface>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // What is allowed but probably unintended is said at the start, by --check,
-// too: loads that no stage applies, symmetry where angle plies have none, and
-// cyclic sectors that do not divide the turn.
+// too: loads that no stage applies, symmetry where angle plies have none,
+// cyclic sectors that do not divide the turn, meridians whose outward side
+// faces the axis, and points of a file that were taken as one, or are a kink.
 
 #include "../restart.h"
 
@@ -37,8 +38,26 @@ namespace
     std::istringstream lines(ended.out);
     for (std::string line; std::getline(lines, line);)
       if (line.rfind("No stage", 0) == 0 || line.rfind("Both edges", 0) == 0 ||
-          line.rfind("The edges", 0) == 0)
+          line.rfind("The edges", 0) == 0 || line.rfind("Outward", 0) == 0)
         std::cout << "  " << line << std::endl;
+      else if (line.find("contour.csv: ") != std::string::npos)
+        std::cout << "  " << line.substr(line.find("contour.csv: "))
+                  << std::endl;
+  }
+
+
+  /** A meridian through points, with further settings. */
+  void
+  say_of(const std::string              &what,
+         const std::string              &points,
+         const std::vector<std::string> &settings = {})
+  {
+    std::ofstream("contour.csv") << points;
+    std::vector<std::string> all{"Surface/Meridian=spline",
+                                 "Surface/Spline/File=contour.csv",
+                                 "Mesh/Intervals alpha_1=0:end:4"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    say(what, all);
   }
 } // namespace
 
@@ -90,5 +109,24 @@ main(int argc, char *argv[])
   say("of 25 degrees", uneven);
   uneven[2] = "Stage 1/Contact=false";
   say("with nothing at points", uneven);
+
+  const std::vector<std::string> downward{"Surface/Meridian=straight line",
+                                          "Surface/Straight line/Start=60, 80",
+                                          "Surface/Straight line/End=60, 0",
+                                          "Mesh/Intervals alpha_1=0:end:4"};
+  say("a cylinder from top to bottom", downward);
+  auto upward = downward;
+  upward[1]   = "Surface/Straight line/Start=60, -80";
+  say("from bottom to top", upward);
+  upward[1] = "Surface/Straight line/Start=20, 0";
+  say("an annulus", upward);
+  say_of("a contour from top to bottom", "60, 80\n60, 40\n60, 0\n");
+  say_of("mostly upward", "60, 10\n70, 0\n80, 10\n80, 60\n");
+  say_of("a point almost repeated",
+         "60, 0\n66, 20\n60, 40\n60.1, 40.1\n50, 60\n46, 80\n");
+  const std::string kink = "100, 0\n100, 25\n100, 50\n100, 75\n100, 100\n"
+                           "80, 120\n60, 140\n40, 160\n";
+  say_of("a kink", kink);
+  say_of("a corner", kink, {"Surface/Spline/Corner radius=10"});
   return 0;
 }

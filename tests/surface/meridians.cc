@@ -3,7 +3,9 @@
 // A spline through points of a circle converges to it away from its ends, with
 // fourth order in position and second order in curvature; a straight line is
 // reproduced; and for both the parameter of a point is the inverse of the
-// curve.
+// curve. Points that are almost repeated do not change the curve, at any gap
+// and in any unit; close points on a smooth curve remain. A corner has the
+// given radius, is smooth at its ends, and leaves straight parts straight.
 
 #include <vector>
 
@@ -70,6 +72,129 @@ namespace
       }
     return error / meridian.range().second;
   }
+
+
+  /** Points of a contour of 80 mm, in units of @p unit millimeters. */
+  std::vector<Point<2>>
+  contour(const double unit)
+  {
+    std::vector<Point<2>> points;
+    for (const auto &[r, y] : std::vector<std::pair<double, double>>{
+           {60, 0}, {66, 20}, {60, 40}, {50, 60}, {46, 80}})
+      points.emplace_back(r / unit, y / unit);
+    return points;
+  }
+
+
+  /** The largest distance of two curves with the same range. */
+  double
+  distance(const Meridian &a, const Meridian &b)
+  {
+    double distance = 0;
+    for (unsigned int i = 0; i <= 100; ++i)
+      {
+        const double s = 0.01 * i * a.range().second;
+        distance       = std::max(
+          distance, a.evaluate(s).position.distance(b.evaluate(s).position));
+      }
+    return distance;
+  }
+
+
+  void
+  almost_repeated_points()
+  {
+    double       largest = 0;
+    unsigned int remarks = 0, curves = 0;
+    for (const double unit : {1., 1000., 1e-3})
+      for (const double gap : {0., 1e-7, 1e-3, 0.1, 0.5})
+        // beside each inner point, in directions in which the curve turns back,
+        // and at the end of it
+        for (const double direction : {0., 200., 340.})
+          for (const unsigned int i : {1, 2, 3, 4})
+            {
+              std::vector<Point<2>> points = contour(unit);
+              const double          psi    = direction * numbers::PI / 180;
+              points.insert(points.begin() + i + (i < 4 ? 1 : 0),
+                            points[i] +
+                              gap / unit *
+                                Tensor<1, 2>({std::cos(psi), std::sin(psi)}));
+              const SplineCurve curve(points, "contour");
+              largest = std::max(
+                largest,
+                unit * distance(curve, SplineCurve(contour(unit), "contour")));
+              remarks += curve.get_remarks().size();
+              ++curves;
+            }
+    check_small("distance by points almost repeated", largest, 1e-12, 80);
+    check_true("a remark on each of them", remarks == curves);
+
+    // an arc with pairs of points as close as 1e-3 of the others
+    std::vector<Point<2>> arc;
+    for (unsigned int i = 0; i <= 48; ++i)
+      for (const double beside : {-0.5e-3, 0.5e-3})
+        {
+          const double psi = (-120 + 5. * (i + beside)) * numbers::PI / 180;
+          arc.emplace_back(200 + 50 * std::cos(psi), 50 * std::sin(psi));
+        }
+    const SplineCurve curve(arc, "arc");
+    check_true("no remark on pairs on an arc", curve.get_remarks().empty());
+    double position = 0;
+    for (unsigned int i = 0; i <= 1000; ++i)
+      position =
+        std::max(position,
+                 std::abs(curve.evaluate(curve.length() * (0.25 + 0.0005 * i))
+                            .position.distance(Point<2>(200, 0)) -
+                          50));
+    check_small("position with pairs of points", position, 1e-5, 50);
+  }
+
+
+  void
+  corners()
+  {
+    // a cylinder and a cone of 45 degrees
+    std::vector<Point<2>> points;
+    for (unsigned int i = 0; i < 5; ++i)
+      points.emplace_back(100, 25 * i);
+    for (unsigned int i = 1; i < 4; ++i)
+      points.emplace_back(100 - 20 * i, 100 + 20 * i);
+    const SplineCurve smooth(points, "kink"), sharp(points, "kink", 10);
+    double            swing = 0, off = 0, jump = 0, curvature = 0;
+    const double      half = 22.5 * numbers::PI / 180;
+    // where the rounding begins and ends
+    const double length =
+      1.5 * 10 * std::sin(half) / (std::cos(half) * std::cos(half));
+    for (unsigned int i = 0; i <= 1000; ++i)
+      {
+        const double s = 0.001 * i * (100 - length);
+        swing = std::max(swing, std::abs(smooth.evaluate(s).position[0] - 100));
+        off   = std::max(off, std::abs(sharp.evaluate(s).position[0] - 100));
+        const auto at = sharp.evaluate(100 - length + 0.002 * i * length);
+        const Tensor<1, 2> d = at.first_derivative, dd = at.second_derivative;
+        curvature = std::max(curvature,
+                             std::abs(d[0] * dd[1] - d[1] * dd[0]) /
+                               std::pow(d.norm(), 3));
+      }
+    for (const double end : {100 - length, 100 + length})
+      {
+        const auto a = sharp.evaluate(end - 1e-9),
+                   b = sharp.evaluate(end + 1e-9);
+        jump         = std::max({jump,
+                                 a.position.distance(b.position),
+                                 (a.first_derivative - b.first_derivative).norm(),
+                                 (a.second_derivative - b.second_derivative).norm()});
+      }
+    check_range("swing beside a kink", swing, 0.5, 1.5);
+    check_small("swing beside a corner", off, 1e-12, 100);
+    check_small("least radius of a corner", 10 * curvature - 1, 1e-5);
+    check_small("jumps at the ends of a corner", jump, 1e-7);
+    check_small("parameter on a corner", inverse_error(sharp), 1e-12);
+    check_true("a remark on a kink", smooth.get_remarks().size() == 1);
+    check_true("a remark on a corner", sharp.get_remarks().size() == 1);
+    check_true("no remark on an arc of few points",
+               spline_of_arc(12).get_remarks().empty());
+  }
 } // namespace
 
 
@@ -100,4 +225,7 @@ main()
   check_small("curvatures of a cone",
               std::hypot(point.curvature[0], point.curvature[1] - 0.8 / 4.5),
               1e-14);
+
+  almost_repeated_points();
+  corners();
 }

@@ -24,6 +24,8 @@ for old, new, sentence in [
         ("PCY1 = 1.37\n", "", "Missing, taken as neutral: PCY1."),
         ("PCY1 = 1.37\n", "PCY1 = 1.37\nPXY9 = 1\n",
          "Not used (no known purpose): PXY9."),
+        ("[VERTICAL]\n", "[VERTICAL]\nLMUV = 0.1\n",
+         "Not used (the decay of friction with the slip velocity): LMUV."),
         ("PCY1 = 1.37", "PCY1 = 13.7",
          "PCY1 is 13.7, but usually lies between 0.8 and 2.5."),
         ("LMUY = 0.93", "LMUY = -1", "The friction of F_y is not positive from the load"),

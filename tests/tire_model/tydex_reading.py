@@ -61,3 +61,26 @@ folder = scratch()
 (folder / "note.txt").write_text("no file", encoding="ascii")
 check(output_of("tydex", folder, "--output", folder / "again").split()
       == [str(folder / "again/cornering_01.tdx")], "other files")
+
+# a mark of byte order, and an umlaut of either encoding
+for encoding in ("utf-8-sig", "latin-1"):
+    path = scratch() / "mark.tdx"
+    path.write_bytes(TEXT.replace("New tire", "für").encode(encoding))
+    check(all(np.array_equal(read_tydex(path)[name], data[name]) for name in data.columns),
+          f"other data in {encoding}")
+
+# NOTAVAIL is no value: a force is missing, a state without its slip is left out, and a
+# constant replaces a channel without values
+gaps = TEXT.replace("  1990 ", " NOTAVAIL ").replace(" 0.2   20 ", " 0.2 NOTAVAIL ")
+gaps = gaps.replace("deg C     1", "bar       1").replace("TRCKTEMP ", "INFLPRES ")
+for word in ("25.5\n", "25\n", "26\n"):
+    gaps = gaps.replace(f"  {word}", "  NOTAVAIL\n")
+partial = read_tydex(write("gaps.tdx", gaps))
+check(np.isnan(partial["F_y"]).tolist() == [True, False], f"{partial['F_y']}")
+check(np.allclose(partial["slip_angle"], np.radians([-1.5, 0.5])), "other states")
+check(np.allclose(partial["pressure"], 2.1e5), f"{partial['pressure']}")
+
+# the same when they are written again
+output_of("tydex", write("gaps.tdx", gaps), "--output", folder / "gaps")
+again = read_tydex(folder / "gaps/cornering_01.tdx")
+check(np.isnan(again["F_y"]).tolist() == [True, False], f"{again['F_y']}")

@@ -31,6 +31,17 @@ CASES = [
      "line 2: slip_ratio must lie between -2 and 2; it is a ratio, not percent"),
     ("pressure," + HEAD + "0,1,4000,1\n", "line 2: pressure must be positive"),
     ("velocity," + HEAD + "-3,1,4000,1\n", "line 2: velocity must be positive"),
+    ("alpha,load,force\n1,2,3\n", "has none of the columns slip_ratio, slip_angle,"),
+    ("alpha,load,force\n1,2,3\n", "M_y or M_z, separated by commas, semicolons, tabs or "
+                                  "blanks"),
+    ("SA;FZ;FY\n1,5;4000;3\n1.5;4000;3\n",
+     "has numbers with decimal commas and others with decimal points"),
+    ("SA,FZ,FY,P\n1,4000,3,97\n",
+     "the column P needs its unit behind it, as in 'P [kPa]'"),
+    ("SA,FZ,FY,V\n1,4000,3,97\n", "as in 'V [km/h]'"),
+    ("SA,FZ,FY\ngon,N,N\n1,4000,3\n",
+     "the unit of the column slip_angle is 'gon', but must be rad,"),
+    ("SA,FZ,FY\ndeg,N,N\n", "has no rows"),
     (HEAD + "1,4000,1\n2,4000,1\n", "no curve can be fitted: each needs states at 5 slips"),
 ]
 out = scratch() / "out.tir"

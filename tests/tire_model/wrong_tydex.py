@@ -36,7 +36,10 @@ for text, sentence in [
         (GOOD.replace("1 -900", "99 -900"),
          "line 9: slip_angle must lie between -90 and 90 degrees"),
         (GOOD.replace("FZW ", "FZX "), "the table has no column F_z, the load"),
-        (GOOD.replace("FYW ", "FZX "), "the table has no forces and moments")]:
+        (GOOD.replace("FYW ", "FZX "), "the table has no forces and moments"),
+        (GOOD.replace("4000", "NOTAVAIL"), "the table has no column F_z, the load"),
+        (GOOD.replace("900 4000\n1", "900 NOTAVAIL\nNOTAVAIL"),
+         "has no data: some input is NOTAVAIL in each line")]:
     check_refused(["tydex", write("test.tdx", text), "--output", scratch()], sentence)
 check_refused(["tydex", scratch(), "--output", scratch()], "has no files .tdx")
 path = scratch()

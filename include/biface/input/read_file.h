@@ -33,30 +33,68 @@ namespace Biface
   };
 
   /** The lines of the text of a CSV file, but empty ones and those that start
-   * with '#'. Throws InputError if a line is too long. */
+   * with '#' or '%'. Throws InputError if a line is too long. */
   std::vector<NumberedLine>
   lines_of_csv(const std::string &text,
                const std::string &name,
                const std::string &form);
 
 
+  /** The cells of a line, without blanks around them.
+   * @param separator between two cells; ' ' for any number of blanks and
+   * tabs. */
+  std::vector<std::string>
+  split_cells(const std::string &line, const char separator);
+
+  /** Whether the text of a number has a decimal comma, as in '1,5'. */
+  bool
+  is_decimal_comma(const std::string &number);
+
+
+  /** What a line of numbers in a CSV file must contain. */
+  struct CsvRowForm
+  {
+    /** A sentence for error messages. */
+    std::string  meaning;
+    unsigned int n_min = 1;
+    unsigned int n_max = 1;
+    /** Whether the first line may contain the names of the columns. */
+    bool header_allowed = false;
+
+    /** The sentence, with the separators of several numbers. */
+    std::string
+    text() const;
+  };
+
+
   /**
-   * Read rows of numbers from the text of a CSV file, one row per line. Empty
-   * lines, lines that start with '#' and a first line of column names are
-   * skipped.
+   * Rows of numbers, one per line. They are separated by commas, semicolons,
+   * tabs or blanks, the same in all lines, and may have decimal commas where
+   * these do not separate them.
+   *
+   * Throws InputError, naming the line, if a line contains anything else.
+   */
+  std::vector<std::vector<double>>
+  parse_rows(const std::vector<NumberedLine> &lines, const CsvRowForm &form);
+
+
+  /**
+   * Read rows of numbers from the text of a CSV file, one per line. Empty
+   * lines, lines that start with '#' or '%' and a first line of column names
+   * are skipped; for separators see parse_rows() of lines.
    *
    * Throws InputError, naming @p name and the line, if a line contains anything
    * else.
    *
    * @param text the contents of the file.
    * @param name the name of the file, for error messages.
-   * @param form what a line must contain, for error messages.
+   * @param meaning what a line must contain, for error messages.
    * @param n_min,n_max the numbers in a row.
    */
   std::vector<std::vector<double>>
   parse_rows(const std::string &text,
              const std::string &name,
-             const std::string &form,
+             const std::string &meaning,
              const unsigned int n_min,
              const unsigned int n_max);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/input/read_file.h>
 #include <biface/problem/design_variable.h>
 
 namespace Biface
@@ -74,6 +75,11 @@ namespace Biface
     /** The values given for a variable. Throws InputError if there are none. */
     const Values &
     values_of(const DesignVariable &variable) const;
+
+    /** The column of each variable in a file whose first line is @p line.
+     * Throws InputError if it does not contain their names. */
+    std::vector<unsigned int>
+    columns_of(const NumberedLine &line) const;
 
     std::vector<std::vector<double>>
     read_samples(const std::string &folder, const MPI_Comm communicator) const;

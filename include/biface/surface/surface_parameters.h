@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <biface/input/read_file.h>
 #include <biface/surface/circular_arc.h>
@@ -41,7 +42,10 @@ namespace Biface
     StraightLine::Parameters    straight_line;
     CordEquilibrium::Parameters cord_equilibrium;
     /** The file of the points (radius, axial coordinate) of a spline. */
-    PairsFile                points_file;
+    PairsFile points_file;
+    /** The least radius of curvature of the kinks among the points; 0 for a
+     * spline through all of them. Unit: length. */
+    double                   corner_radius = 0;
     Imperfection::Parameters imperfection;
 
     void
@@ -53,6 +57,13 @@ namespace Biface
    * one. */
   std::unique_ptr<ReferenceSurface>
   make_surface(const ReferenceSurface::Parameters &parameters);
+
+  /** Sentences on a meridian that is valid but perhaps not as intended: points
+   * of a file that were taken as one, kinks, and an outward normal that points
+   * to the axis over most of its length. Throws InputError like
+   * make_surface(). */
+  std::vector<std::string>
+  remarks_on_surface(const ReferenceSurface::Parameters &parameters);
 } // namespace Biface
 
 #endif

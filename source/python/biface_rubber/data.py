@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Measured curves of rubber."""
 
-import csv
 import math
+from itertools import zip_longest
 
 import numpy as np
 
+from biface.delimited import read_delimited, separators
 from biface.errors import BifaceError
 from .laws import TESTS
 
@@ -59,24 +60,16 @@ def number(line, column, place):
 
 
 def read(path):
-    """The points of a CSV file, in which lines that start with # are comments."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            numbered = [(number, line) for number, line in enumerate(file, 1)
-                        if line.strip() and not line.lstrip().startswith("#")]
-    except UnicodeDecodeError as error:
-        raise BifaceError(f"{path} is not a text file.") from error
-    if not numbered:
-        raise BifaceError(f"{path} is empty.")
-    reader = csv.DictReader((line for _, line in numbered), skipinitialspace=True)
-    names = [name.strip() for name in reader.fieldnames]
-    reader.fieldnames = names
+    """The points of a CSV file with the columns of COLUMNS, see biface.delimited."""
+    names, rows = read_delimited(path, lambda cell: cell.strip() in COLUMNS)
     for column in COLUMNS:
         if column not in names:
-            raise BifaceError(f"{path} has no column '{column}'.")
+            raise BifaceError(f"{path} has no column '{column}' among columns separated by "
+                              f"{separators()}.")
     points = []
-    for (place, _), line in zip(numbered[1:], reader):
+    for place, row in rows:
         place = f"{path}, line {place}"
+        line = dict(zip_longest(names, row[:len(names)]))
         test = (line["test"] or "").strip()
         if test not in TESTS:
             raise BifaceError(f"{place}: the test is '{test}', but must be "

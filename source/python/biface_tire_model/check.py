@@ -7,8 +7,12 @@ from biface.errors import BifaceError
 from .coefficients import ALIASES, COEFFICIENTS, CONSTANTS, EXTRA
 from .tir_file import DIMENSIONS, FITTYP
 
+# What would change forces and moments, in whichever section it stands
+DECAY = "the decay of friction with the slip velocity"
+
 # Entries of files that have other purposes than the formulas here
 OTHER = {
+    DECAY: ("LMUV",),
     "relaxation": ("PTX1", "PTX2", "PTX3", "PTX4", "PTY1", "PTY2", "PTY3", "LSGKP",
                    "LSGAL", "LGYR", "QTZ1"),
     "turn slip": ("PDXP1", "PDXP2", "PDXP3", "PKYP1", "PDYP1", "PDYP2", "PDYP3", "PDYP4",
@@ -33,7 +37,8 @@ def missing(file, formula):
     """The names of the coefficients and constants that a file does not have. Those for
     pressure are not missed by MF 5.2."""
     names = [name for name in CONSTANTS
-             if not (formula.name == "5.2" and name in ("INFLPRES", "NOMPRES"))]
+             if not (formula.name == "5.2" and name in ("INFLPRES", "NOMPRES")
+                     or name == "UNLOADED_RADIUS")]
     names += [coefficient.name for coefficient in used_by(formula)
               if not (coefficient.name in EXTRA
                       or formula.name == "5.2" and "p" in coefficient.needs)]
@@ -46,9 +51,9 @@ def unknown(file):
     purposes = {name: purpose for purpose, names in OTHER.items() for name in names}
     result = {}
     for section in file.sections.values():
-        if section.name not in SECTIONS:
-            continue
         for name in section.entries:
+            if section.name not in SECTIONS and purposes.get(name) != DECAY:
+                continue
             known = ALIASES.get(name, name)
             if known in COEFFICIENTS or known in DIMENSIONS:
                 continue
@@ -71,8 +76,8 @@ def unusual(file, formula):
 def doubtful(formula, file):
     """Sentences on curves that no tire has, within the range of loads of the file."""
     nominal = formula.p.FNOMIN
-    low = max(file.find("FZMIN", 0.2 * nominal), 0.05 * nominal)
-    high = file.find("FZMAX", 2 * nominal)
+    low = max(file.find_number("FZMIN", 0.2 * nominal), 0.05 * nominal)
+    high = file.find_number("FZMAX", 2 * nominal)
     if not low < high:
         return [f"FZMIN is {low:g}, but must be less than FZMAX, {high:g}."]
     loads = np.linspace(low, high, 25)
@@ -104,8 +109,9 @@ def report(file):
     fit_type = file.find("FITTYP")
     lines = [f"{file.path}: Magic Formula {formula.name}"
              + (f", FITTYP {fit_type:g}" if fit_type in FITTYP else "")
-             + f", nominal load {formula.p.FNOMIN:g} N, radius "
-               f"{formula.p.UNLOADED_RADIUS:g} m"
+             + f", nominal load {formula.p.FNOMIN:g} N, "
+             + (f"radius {formula.p.UNLOADED_RADIUS:g} m" if formula.has_radius
+                else "no radius")
              + (f", nominal pressure {formula.nominal_pressure:g} Pa"
                 if formula.nominal_pressure else "") + "."]
     if "UNITS" not in file.sections:
@@ -116,6 +122,14 @@ def report(file):
             content += (f", a table of {len(section.rows)} rows: "
                         f"{' '.join(section.columns)}")
         lines.append(f"  [{section.name}]".ljust(32) + content)
+    if formula.mirrored:
+        lines.append(f"USE_MODE is {file.find('USE_MODE'):g}: below 0 the tire is "
+                     "evaluated as its mirror image, as by --mirror.")
+    if not formula.has_radius:
+        lines.append("UNLOADED_RADIUS is missing: moments need it, see evaluate --radius; "
+                     "F_x and F_y do not.")
+    if file.not_numbers():
+        lines.append("Not used (no number): " + ", ".join(file.not_numbers()) + ".")
     absent = missing(file, formula)
     if absent:
         lines.append(f"Missing, taken as neutral: {', '.join(absent)}.")
@@ -124,7 +138,7 @@ def report(file):
     found = unusual(file, formula) + doubtful(formula, file)
     try:
         forces = formula.evaluate(formula.p.FNOMIN, [-0.05, 0, 0.05], [0.02, 0, -0.02])
-        if not np.isfinite(np.array(forces)).all():
+        if not np.isfinite(np.array(forces if formula.has_radius else forces[:2])).all():
             found.append("The forces at the nominal load are not finite.")
     except BifaceError as error:
         found.append(str(error).capitalize())

@@ -52,6 +52,13 @@ def ratio(a, b):
     return np.divide(a, b, out=np.zeros(b.shape), where=b != 0)
 
 
+def arctan_of_ratio(a, b):
+    """The arctangent of a / b, and its limit where b is 0."""
+    a, b = np.broadcast_arrays(a, b)
+    return np.arctan(np.divide(a, b, out=np.where(a == 0, 0.0, np.copysign(np.inf, a)),
+                               where=b != 0))
+
+
 def sign(x):
     """The sign of x, 1 for 0."""
     return np.where(x < 0, -1.0, 1.0)
@@ -60,9 +67,10 @@ def sign(x):
 class MagicFormula:
     """What MF 5.2 and MF 6.1 have in common. Use MF52 or MF61.
 
-    coefficients  a dictionary of numbers by the names of a .tir file, with FNOMIN [N] and
-                  UNLOADED_RADIUS [m]; coefficients that are missing are neutral
+    coefficients  a dictionary of numbers by the names of a .tir file, with FNOMIN [N] and,
+                  for moments, UNLOADED_RADIUS [m]; coefficients that are missing are neutral
     starred       whether tan(alpha) and sin(gamma) of (4.E3) and (4.E4) replace the angles
+    mirrored      whether forces and moments are those of the mirror image of the tire
 
     Raises BifaceError if a needed constant is missing or not positive.
     """
@@ -70,21 +78,33 @@ class MagicFormula:
     name = ""
     neutral = NEUTRAL
 
-    def __init__(self, coefficients, starred=False):
+    def __init__(self, coefficients, starred=False, mirrored=False):
         self.coefficients, self.starred = dict(coefficients), starred
-        for name in ("FNOMIN", "UNLOADED_RADIUS"):
-            if name not in self.coefficients:
-                raise BifaceError(f"{name} is missing, which the Magic Formula needs.")
-            if not self.coefficients[name] > 0:
+        self.mirrored, self._side = mirrored, -1 if mirrored else 1
+        if "FNOMIN" not in self.coefficients:
+            raise BifaceError("FNOMIN is missing, which the Magic Formula needs.")
+        for name in ("FNOMIN", "UNLOADED_RADIUS", "LFZO"):
+            if not self.coefficients.get(name, 1) > 0:
                 raise BifaceError(f"{name} is {self.coefficients[name]:g}, but must be "
                                   "positive.")
-        self.p = SimpleNamespace(**{**self.neutral, **self.coefficients})
+        self.p = SimpleNamespace(**{"UNLOADED_RADIUS": np.nan, **self.neutral,
+                                    **self.coefficients})
         self.nominal_pressure = self.coefficients.get("NOMPRES")
         self.velocity = self.coefficients.get("LONGVL", REFERENCE_VELOCITY)
 
     def with_coefficients(self, changes):
         """The same formula with some coefficients changed."""
-        return type(self)({**self.coefficients, **changes}, self.starred)
+        return type(self)({**self.coefficients, **changes}, self.starred, self.mirrored)
+
+    @property
+    def has_radius(self):
+        """Whether there is a radius, without which moments are NaN."""
+        return "UNLOADED_RADIUS" in self.coefficients
+
+    def need_radius(self):
+        """Raises BifaceError if there is no radius."""
+        if not self.has_radius:
+            raise BifaceError("UNLOADED_RADIUS is missing, which moments need.")
 
     # ---- inputs
 
@@ -105,6 +125,7 @@ class MagicFormula:
         if (given <= 0).any():
             raise BifaceError(f"the pressure is {given.min():g} Pa, but must be positive.")
         nominal = self.nominal_pressure or given
+        alpha, gamma = self._side * alpha, self._side * gamma
         F_z0 = p.LFZO * p.FNOMIN
         return SimpleNamespace(
             F_z=F_z, kappa=kappa, alpha=alpha, gamma=gamma, F_z0=F_z0,
@@ -148,7 +169,7 @@ class MagicFormula:
         p = self.p
         peak = (p.PKY2 + p.PKY5 * gamma ** 2) * (1 + p.PPY2 * s.dp)
         return (p.PKY1 * s.F_z0 * (1 + p.PPY1 * s.dp) * (1 - p.PKY3 * np.abs(gamma))
-                * np.sin(p.PKY4 * np.arctan(s.F_z / s.F_z0 / peak)) * p.LKY)
+                * np.sin(p.PKY4 * arctan_of_ratio(s.F_z / s.F_z0, peak)) * p.LKY)
 
     def _shift_by_camber(self, s, gamma, K, S_V):
         """The horizontal shift of F_y by camber; @p S_V is the vertical one."""
@@ -208,7 +229,7 @@ class MagicFormula:
         R = p.UNLOADED_RADIUS
         B = ((p.QBZ1 + p.QBZ2 * s.df + p.QBZ3 * s.df ** 2)
              * (1 + p.QBZ4 * gamma + p.QBZ5 * np.abs(gamma) + p.QBZ6 * gamma ** 2)
-             * p.LKY / p.LMUY)
+             * ratio(p.LKY, p.LMUY))
         D = (s.F_z * R / p.FNOMIN * (p.QDZ1 + p.QDZ2 * s.df) * (1 - p.PPZ1 * s.dp)
              * (1 + p.QDZ3 * gamma + p.QDZ4 * gamma ** 2) * p.LTR)
         alpha_t = (s.alpha_star + p.QHZ1 + p.QHZ2 * s.df
@@ -217,7 +238,7 @@ class MagicFormula:
                        * (1 + (p.QEZ4 + p.QEZ5 * gamma) * 2 / np.pi
                           * np.arctan(B * p.QCZ1 * alpha_t)), 1)
         alpha_r = s.alpha_star + lateral.S_H + ratio(lateral.S_V, lateral.slope)
-        B_r = p.QBZ9 * p.LKY / p.LMUY + p.QBZ10 * lateral.B * lateral.C
+        B_r = p.QBZ9 * ratio(p.LKY, p.LMUY) + p.QBZ10 * lateral.B * lateral.C
         D_r = (s.F_z * R * ((p.QDZ6 + p.QDZ7 * s.df) * p.LRES
                             + ((p.QDZ8 + p.QDZ9 * s.df) * (1 + p.PPZ2 * s.dp)
                                + (p.QDZ10 + p.QDZ11 * s.df) * np.abs(gamma))
@@ -250,7 +271,10 @@ class MagicFormula:
     def _rolling(self, s, F_x, velocity):
         """(4.E70), with the sign that resists rolling forward."""
         p = self.p
-        V = (self.velocity if velocity is None else np.asarray(velocity)) / self.velocity
+        if velocity is not None and not self.velocity > 0:
+            raise BifaceError(f"LONGVL is {self.velocity:g}, but must be positive where a "
+                              "velocity is given.")
+        V = 1.0 if velocity is None else np.asarray(velocity) / self.velocity
         load = s.F_z / p.FNOMIN
         return (-p.UNLOADED_RADIUS * p.FNOMIN * self._load_of_rolling(load)
                 * (p.QSY1 + p.QSY2 * F_x / p.FNOMIN + p.QSY3 * np.abs(V) + p.QSY4 * V ** 4
@@ -269,15 +293,17 @@ class MagicFormula:
         pressure  inflation pressure [Pa]; that of the file by default
         velocity  forward [m/s], for M_y; LONGVL by default
 
-        Numbers or arrays that broadcast to one shape. Raises BifaceError for a negative
-        load, a pressure that is not positive, or one without a NOMPRES in the file."""
-        s = self._inputs(F_z, kappa, alpha, gamma, pressure)
+        Numbers or arrays that broadcast to one shape. Without a radius moments are NaN.
+        Raises BifaceError for a negative load, a pressure that is not positive, or one
+        without a NOMPRES in the file."""
+        s, side = self._inputs(F_z, kappa, alpha, gamma, pressure), self._side
         longitudinal, lateral = self._longitudinal(s), self._lateral(s)
         reduction, added = self._reduction_y(s)
         F_x = longitudinal.value * self._reduction_x(s)
         F_y = lateral.value * reduction + added
-        return Forces(F_x, F_y, self._overturning(s, F_y), self._rolling(s, F_x, velocity),
-                      self._aligning(s, lateral, reduction, longitudinal.slope, F_x, F_y))
+        M_z = self._aligning(s, lateral, reduction, longitudinal.slope, F_x, F_y)
+        return Forces(F_x, side * F_y, side * self._overturning(s, F_y),
+                      self._rolling(s, F_x, velocity), side * M_z)
 
     def longitudinal_force(self, F_z, kappa=0, alpha=0, gamma=0, pressure=None):
         """F_x at combined slip [N], (4.E50), without the work for the others; arguments as
@@ -289,16 +315,19 @@ class MagicFormula:
         """F_y at combined slip [N], (4.E58); arguments as in evaluate()."""
         s = self._inputs(F_z, kappa, alpha, gamma, pressure)
         reduction, added = self._reduction_y(s)
-        return self._lateral(s).value * reduction + added
+        return self._side * (self._lateral(s).value * reduction + added)
 
     def overturning_moment(self, F_z, F_y, gamma=0, pressure=None):
         """M_x of a given lateral force [N m], (4.E69); arguments as in evaluate()."""
-        return self._overturning(self._inputs(F_z, 0, 0, gamma, pressure), F_y)
+        self.need_radius()
+        s = self._inputs(F_z, 0, 0, gamma, pressure)
+        return self._side * self._overturning(s, self._side * F_y)
 
     def rolling_resistance_moment(self, F_z, F_x=0, gamma=0, pressure=None,
                                   velocity=None):
         """M_y of a given longitudinal force [N m], negative for a wheel that rolls forward,
         (4.E70); arguments as in evaluate()."""
+        self.need_radius()
         return self._rolling(self._inputs(F_z, 0, 0, gamma, pressure), F_x, velocity)
 
     def longitudinal(self, F_z, kappa=0, gamma=0, pressure=None):
@@ -309,13 +338,16 @@ class MagicFormula:
     def lateral(self, F_z, alpha=0, gamma=0, pressure=None):
         """F_y of pure lateral slip, and its factors: a Curve, whose slope is the cornering
         stiffness [N/rad], negative in these axes; arguments as in evaluate()."""
-        return self._lateral(self._inputs(F_z, 0, alpha, gamma, pressure))
+        curve = self._lateral(self._inputs(F_z, 0, alpha, gamma, pressure))
+        return curve._replace(value=self._side * curve.value, S_H=self._side * curve.S_H,
+                              S_V=self._side * curve.S_V)
 
     def aligning_moment(self, F_z, alpha=0, gamma=0, pressure=None):
         """M_z of pure lateral slip [N m], (4.E31); arguments as in evaluate()."""
+        self.need_radius()
         s = self._inputs(F_z, 0, alpha, gamma, pressure)
         curve = self._lateral(s)
-        return self._aligning(s, curve, 1, 0, 0, curve.value)
+        return self._side * self._aligning(s, curve, 1, 0, 0, curve.value)
 
 
 def equivalent(angle, slip):

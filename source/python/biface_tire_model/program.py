@@ -78,7 +78,10 @@ def add_evaluate(commands):
     parser.add_argument("--velocity", metavar="VALUES",
                         help="forward velocities, for M_y (default: LONGVL)")
     parser.add_argument("--mirror", action="store_true",
-                        help="the tire on the other side of the vehicle than in the file")
+                        help="the tire on the other side of the vehicle than in the file, "
+                             "where USE_MODE below 0 mirrors it already")
+    parser.add_argument("--radius", type=float, metavar="R",
+                        help="of the unloaded tire, for moments (default: UNLOADED_RADIUS)")
     parser.add_argument("--starred", action="store_true",
                         help="tan(alpha) and sin(gamma) in place of the angles")
     parser.add_argument("-o", "--output", type=Path, metavar="TABLE.csv",
@@ -228,6 +231,9 @@ def evaluate(arguments):
     system = System(arguments.units or DEFAULT_UNITS, arguments.angles)
     file = read_tir(arguments.file)
     formula = file.formula(arguments.starred)
+    radius = positive(arguments.radius, "--radius", system["length"])
+    if radius is not None:
+        formula = formula.with_coefficients({"UNLOADED_RADIUS": radius})
     given = {"slip_ratio": ("--kappa", "slip"), "slip_angle": ("--alpha", "angle"),
              "inclination_angle": ("--gamma", "angle"),
              "pressure": ("--pressure", "pressure"),
@@ -249,6 +255,10 @@ def evaluate(arguments):
                               seen["inclination_angle"], seen.get("pressure"),
                               seen.get("velocity"))
     forces = forces._asdict()
+    if not formula.has_radius:
+        forces = {name: forces[name] for name in ("F_x", "F_y")}
+        print(f"{COMMAND}: warning: {arguments.file} has no UNLOADED_RADIUS, which moments "
+              "need: they are left out; see --radius.", file=sys.stderr)
     columns.update(mirror(forces) if arguments.mirror else forces)
     table = write_table(columns, system, arguments.axes)
     if arguments.output:
@@ -284,7 +294,8 @@ def warn_outside(file, columns):
                             ("F_z", "FZMIN", "FZMAX")):
         if name not in columns:
             continue
-        begin, end = file.find(low, -np.inf), file.find(high, np.inf)
+        begin = file.find_number(low, -np.inf)
+        end = file.find_number(high, np.inf)
         margin = 1e-9 * max(abs(columns[name]).max(), 1e-9)
         outside = ((columns[name] < begin - margin) | (columns[name] > end + margin)).sum()
         if outside:

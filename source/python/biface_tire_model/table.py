@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import re
 
 import numpy as np
 
+from biface.delimited import read_delimited, separators
 from biface.errors import BifaceError
 from . import units
 from .axes import convert, named
@@ -22,6 +22,10 @@ PURE_ANGLE = math.radians(0.1)
 # relative to the largest, of angles in radians
 RELATIVE_STEP = 0.03
 ANGLE_STEP = math.radians(0.25)
+
+# Names of columns in measurements; those of angles and forces as in the axes of the table
+SHORT_NAMES = {"SA": "slip_angle", "SL": "slip_ratio", "IA": "inclination_angle",
+               "P": "pressure", "V": "velocity", "RL": "loaded_radius"}
 
 # Larger values are a wrong unit
 LARGEST_SLIP = 2
@@ -109,8 +113,10 @@ def group(values, step):
 
 def read_table(path, system=None, axes: str = "iso") -> Measurements:
     """The states of a CSV file with the columns of channels.py, in any order; others are
-    left out, lines that start with # are comments. A name may have its unit behind it, as
-    in 'F_z [kN]'. A column 'status' tells which rows have failed, anything but 'ok'; they
+    left out, lines that start with # or % are comments. A name may have its unit behind it,
+    as in 'F_z [kN]', or below it, in a line of units. The short names of SHORT_NAMES are
+    known, too, and those of any case. Columns are separated by commas, semicolons, tabs or
+    blanks. A column 'status' tells which rows have failed, anything but 'ok'; they
     are left out. A column 'axes' names the axes of the table.
 
     system  the units of columns without one, a units.System; newtons, meters, degrees by
@@ -119,15 +125,15 @@ def read_table(path, system=None, axes: str = "iso") -> Measurements:
 
     Raises BifaceError with file and line if a value is missing or not possible."""
     system = system or units.System()
-    numbered, names = read_lines(path)
+    names, numbered = read_delimited(path, lambda cell: channel_of(cell)[0] is not None)
+    chosen, numbered = columns_of(names, numbered, system, path)
+    if not chosen:
+        raise BifaceError(f"{path} has none of the columns {units.one_of(CHANNELS)}, "
+                          f"separated by {separators()}.")
+    if not numbered:
+        raise BifaceError(f"{path} has no rows.")
     numbered, axes = succeeded(numbered, names, axes, path)
-    chosen = [(i, *column_of(name, system, path)) for i, name in enumerate(names)]
-    chosen = [(i, name, size) for i, name, size in chosen if name]
-    found = [name for _, name, _ in chosen]
-    for name in found:
-        if found.count(name) > 1:
-            raise BifaceError(f"{path} has the column {name} twice.")
-    values = {name: [] for name in found}
+    values = {name: [] for _, name, _ in chosen}
     for number, row in numbered:
         place = f"{path}, line {number}"
         if len(row) != len(names):
@@ -164,36 +170,69 @@ def succeeded(numbered, names, axes, path):
     return numbered, axes
 
 
-def read_lines(path):
-    """The rows of a CSV file with their numbers, and the names of the columns."""
+def short(text):
+    """The name of a column without case and underscores."""
+    return text.replace("_", "").upper()
+
+
+def channel_of(text):
+    """The channel of a name of a column, whether it is one of SHORT_NAMES, and its unit;
+    None where there is none."""
+    match = re.fullmatch(r"(\w+)\s*(?:[\[(](.*)[\])])?", text.strip())
+    if not match:
+        return None, False, None
+    name, unit = match.groups()
+    for channel in CHANNELS:
+        if short(name) == short(channel):
+            return channel, False, unit
+    return SHORT_NAMES.get(name), True, unit
+
+
+def line_of_units(row, channels):
+    """The units of a line below that of the names, by channel; None if it has a number or
+    an empty cell."""
+    cells = [row[i].strip("[]() ") for i in channels if i < len(row)]
+    if len(cells) < len(channels) or not all(cells) or any(map(is_number, cells)):
+        return None
+    return dict(zip(channels.values(), cells))
+
+
+def columns_of(names, rows, system, path):
+    """The columns that are used, a list of place, name and size of the unit; and the rows
+    below a line of units. Short names give way to long ones."""
+    found = [(i, *channel_of(name)) for i, name in enumerate(names)]
+    long = {name for _, name, is_short, _ in found if name and not is_short}
+    found = [(i, name, is_short, unit) for i, name, is_short, unit in found
+             if name and not (is_short and name in long)]
+    channels = {i: name for i, name, *_ in found}
+    for name in channels.values():
+        if list(channels.values()).count(name) > 1:
+            raise BifaceError(f"{path} has the column {name} twice.")
+    below = line_of_units(rows[0][1], channels) if rows and channels else None
+    result = []
+    for i, name, is_short, unit in found:
+        unit = unit if unit is not None else (below or {}).get(name)
+        kind = CHANNELS[name].kind
+        if unit is not None:
+            size = units.factor(units.OF_COLUMN[kind], unit,
+                                f"{path}: the unit of the column {name}")
+        elif is_short and kind in ("pressure", "velocity"):
+            raise BifaceError(f"{path}: the column {names[i]} needs its unit behind it, as "
+                              f"in '{names[i]} [{'kPa' if kind == 'pressure' else 'km/h'}]'"
+                              ".")
+        else:
+            size = system[kind]
+        result.append((i, name, size))
+    return result, rows[1:] if below else rows
+
+
+def is_number(text):
+    """Whether a cell is a number."""
     try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            lines = [(number, line) for number, line in enumerate(file, 1)
-                     if line.strip() and not line.lstrip().startswith("#")]
-    except UnicodeDecodeError:
-        raise BifaceError(f"{path} is not a text file.") from None
-    except OSError as error:
-        raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
-    if not lines:
-        raise BifaceError(f"{path} is empty.")
-    rows = list(csv.reader((line for _, line in lines), skipinitialspace=True))
-    if len(rows) == 1:
-        raise BifaceError(f"{path} has no rows.")
-    return ([(number, row) for (number, _), row in zip(lines[1:], rows[1:])],
-            [name.strip() for name in rows[0]])
-
-
-def column_of(text, system, path):
-    """The name of a column and the size of its unit; None for one that is not used."""
-    match = re.fullmatch(r"(\w+)\s*(?:\[(.*)\])?", text)
-    if not match or match.group(1) not in CHANNELS:
-        return None, 1
-    name = match.group(1)
-    kind = CHANNELS[name].kind
-    if match.group(2) is None:
-        return name, system[kind]
-    return name, units.factor(units.OF_COLUMN[kind], match.group(2),
-                              f"{path}: the unit of the column {name}")
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def field(text, name, place):

@@ -137,6 +137,22 @@ class TirFile:
                     return section.entries[known]
         return otherwise
 
+    def find_number(self, name, otherwise=None):
+        """The value of an entry if it is a number."""
+        value = self.find(name)
+        return otherwise if value is None or isinstance(value, str) else value
+
+    @property
+    def is_mirrored(self):
+        """Whether USE_MODE tells to take the tire as its mirror image."""
+        return self.find_number("USE_MODE", 0) < 0
+
+    def not_numbers(self):
+        """The entries that should be numbers and are none; no formula uses them."""
+        return [name for section in self.sections.values() if section.name != "UNITS"
+                for name, value in section.entries.items()
+                if value == "" or name in DIMENSIONS and isinstance(value, str)]
+
     def coefficients(self) -> dict[str, float]:
         """The coefficients of the Magic Formula and the constants it needs that the file
         has, by their names in MF 6.1."""
@@ -162,11 +178,11 @@ class TirFile:
 
     def formula(self, starred: bool = False) -> MagicFormula:
         """The Magic Formula with the coefficients of the file; @p starred as in
-        MagicFormula. Raises BifaceError if it is another formula, or if FNOMIN or
-        UNLOADED_RADIUS are missing."""
+        MagicFormula. USE_MODE below 0 mirrors the tire. Raises BifaceError if it is another
+        formula, or if FNOMIN is missing."""
         kind = self.formula_class()
         try:
-            return kind(self.coefficients(), starred)
+            return kind(self.coefficients(), starred, self.is_mirrored)
         except BifaceError as error:
             raise BifaceError(f"{self.path}: {error}") from None
 
@@ -293,10 +309,10 @@ def add_entry(section, line, number, place):
 
 
 def is_number(section, name):
-    """Whether an entry must be a number."""
+    """Whether an entry must be a number, since a formula uses it."""
     name = ALIASES.get(name, name)
-    return section.name != "UNITS" and (name in COEFFICIENTS or name in DIMENSIONS
-                                        or name in CONSTANTS or name == "FITTYP")
+    return section.name != "UNITS" and (name in COEFFICIENTS or name in CONSTANTS
+                                        or name == "FITTYP")
 
 
 def value_of(section, name, quoted, value, place):
@@ -304,7 +320,7 @@ def value_of(section, name, quoted, value, place):
     word = quoted.group(2).strip() if quoted else without_comment(value)
     if is_number(section, name):
         return finite(word, f"{place}: {name}")
-    if quoted:
+    if quoted and name not in DIMENSIONS:
         return word
     try:
         number = float(fortran(word))
@@ -351,7 +367,7 @@ def convert(file):
         if other is section:
             continue
         for name, value in other.entries.items():
-            if name in DIMENSIONS:
+            if name in DIMENSIONS and not isinstance(value, str):
                 other.entries[name] = value * size(DIMENSIONS[name])
         factors = [size(TABLES.get(other.name, {}).get(column, (0,) * 6))
                    for column in other.columns]

@@ -15,7 +15,7 @@ import numpy as np
 
 from biface.errors import BifaceError
 from . import units
-from .channels import CHANNELS
+from .channels import CHANNELS, OUTPUTS
 from .table import Measurements, check, to_float
 
 BY_TYDEX = {channel.tydex: channel.name for channel in CHANNELS.values()
@@ -30,6 +30,9 @@ NUMBERS = (slice(50, 60), slice(60, 70), slice(70, 80))
 
 # Width of a column of data
 WIDTH = 10
+
+# What stands for a value that was not measured
+MISSING = "NOTAVAIL"
 
 KEYWORDS = ("HEADER", "COMMENTS", "CONSTANTS", "MEASURCHANNELS", "MEASURDATA",
             "MODELDEFINITION", "MODELPARAMETERS", "MODELCOEFFICIENTS", "MODELCHANNELS",
@@ -53,6 +56,8 @@ def line_of(name, comment, unit, *values):
 
 def number(value):
     """A number in as many digits as a column has room for, with a blank before it."""
+    if np.isnan(value):
+        return f" {MISSING:>{WIDTH - 1}}"
     for digits in range(WIDTH - 1, 0, -1):
         text = f"{value + 0.0:.{digits}g}"
         if len(text) < WIDTH:
@@ -93,7 +98,7 @@ def text_of(data, identity, constants=()):
     identity   a name for it, of up to 11 characters
     constants  further lines of constants: name, comment, unit, value"""
     names = [name for name in CHANNELS if CHANNELS[name].tydex and name in data.columns
-             and not np.isnan(data[name]).any()]
+             and not np.isnan(data[name]).all()]
     sizes = {name: size_of(name, CHANNELS[name].tydex_unit, identity) for name in names}
     # what is exactly constant need not stand in each line, which has 80 characters
     varied = [name for name in names if name == "F_z" or name not in HELD
@@ -146,6 +151,8 @@ def write_tydex(data, directory, constants=()) -> list[Path]:
 def sections_of(path):
     """The lines of a file below each keyword, with their numbers."""
     try:
+        text = Path(path).read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError:
         text = Path(path).read_text(encoding="latin-1")
     except OSError as error:
         raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
@@ -206,31 +213,48 @@ def words_of(line, count):
 def read_file(path):
     """The columns of one file in SI units, by the names of channels.py, and the places of
     the states. Channels that are not among them are left out; constants fill the columns
-    that have no channel."""
+    that have no channel or no value."""
     sections = sections_of(path)
     channels = channels_of(path, sections["MEASURCHANNELS"])
-    rows = []
+    rows, places = [], []
     for line_number, line in sections["MEASURDATA"]:
-        place = f"{path}, line {line_number}"
+        places.append(f"{path}, line {line_number}")
         words = words_of(line, len(channels))
         if len(words) != len(channels):
-            raise BifaceError(f"{place}: the line has {len(words)} numbers where "
+            raise BifaceError(f"{places[-1]}: the line has {len(words)} numbers where "
                               f"{len(channels)} channels are named.")
-        rows.append([(to_float(word, place, "a value") + before) * factor + after
+        rows.append([(value_of(word, places[-1], "a value") + before) * factor + after
                      if name else 0.0
                      for word, (name, before, factor, after) in zip(words, channels)])
     if not rows:
         raise BifaceError(f"{path} has no data.")
     columns = {name: np.array(values) for (name, *_), values
-               in zip(channels, np.array(rows).T) if name}
+               in zip(channels, np.array(rows).T)
+               if name and not np.isnan(values).all()}
     for line_number, line in sections.get("CONSTANTS", ()):
         name = BY_TYDEX.get(line[NAME].strip().upper())
-        if name and name not in columns:
+        if name and name not in columns and line[50:].strip().upper() != MISSING:
             place = f"{path}, line {line_number}"
             value = to_float(line[50:].strip(), place, f"the constant {name}")
             columns[name] = np.full(len(rows), value * size_of(
                 name, line[UNIT].strip() or "-", place))
-    return columns, [f"{path}, line {number}" for number, _ in sections["MEASURDATA"]]
+    return complete(path, columns, places)
+
+
+def value_of(word, place, what):
+    """A number of a file; NaN where there is none."""
+    return np.nan if word.strip().upper() == MISSING else to_float(word, place, what)
+
+
+def complete(path, columns, places):
+    """The columns and places of the states whose slips, load, pressure and velocity are
+    all known. Forces and moments may be missing."""
+    known = np.all([~np.isnan(values) for name, values in columns.items()
+                    if name not in OUTPUTS] or [np.ones(len(places), bool)], axis=0)
+    if not known.any():
+        raise BifaceError(f"{path} has no data: some input is {MISSING} in each line.")
+    return ({name: values[known] for name, values in columns.items()},
+            [place for place, is_known in zip(places, known) if is_known])
 
 
 def read_tydex(paths) -> Measurements:

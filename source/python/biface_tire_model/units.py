@@ -28,13 +28,16 @@ OF_FILE = {"LENGTH": LENGTH, "FORCE": FORCE, "ANGLE": ANGLE, "MASS": MASS, "TIME
 # Units behind a column of a table: of each kind of quantity
 OF_COLUMN = {
     "slip": {"-": 1, "%": 0.01},
-    "angle": ANGLE,
+    "angle": {**ANGLE, "°": math.pi / 180},
     "length": LENGTH,
     "pressure": PRESSURE,
-    "velocity": {"m/s": 1, "km/h": 1 / 3.6, "kph": 1 / 3.6, "mph": 0.44704, "mm/s": 1e-3},
-    "force": FORCE,
-    "moment": {"nm": 1, "n m": 1, "n*m": 1, "knm": 1e3, "nmm": 1e-3, "n mm": 1e-3,
-               "lbf ft": 1.3558179483314},
+    "velocity": {"m/s": 1, "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6,
+                 "mph": 0.44704, "mm/s": 1e-3},
+    "force": {**FORCE, "lb": FORCE["lbf"]},
+    "moment": {"nm": 1, "n m": 1, "n*m": 1, "n-m": 1, "n.m": 1, "n·m": 1,
+               "knm": 1e3, "kn-m": 1e3, "nmm": 1e-3, "n mm": 1e-3, "n-mm": 1e-3,
+               "lbf ft": 1.3558179483314, "lbf-ft": 1.3558179483314,
+               "lb-ft": 1.3558179483314, "ft-lb": 1.3558179483314},
 }
 
 
