@@ -117,6 +117,7 @@ HEADINGS = {
     "relaxation_rubber": "Relaxation of stretched rubber",
     "rubber_balloon": "Balloon of Ogden's rubber, sixfold radius",
     "rubber_bending": "Strip of rubber bent into a ring",
+    "rubber_bending_layers": "Strip of eight layers of rubber bent by a moment",
     "rubber_disk": "Inflated disk of Mooney-Rivlin rubber",
     "rubber_shear": "Block of rubber sheared under pressure",
     "rubber_sphere": "Inflated sphere of neo-Hookean rubber",
@@ -192,7 +193,8 @@ PURPOSES = [
      "shell have a single cell; what deviates there is the thickness of a layer, in "
      "which strains are linear.",
      ["rubber_tube", "rubber_tube_stack", "rubber_sphere", "rubber_sphere_limit",
-      "rubber_balloon", "rubber_disk", "rubber_bending", "rubber_stack",
+      "rubber_balloon", "rubber_disk", "rubber_bending", "rubber_bending_layers",
+      "rubber_stack",
       "rubber_shear"]),
     ("Relaxation",
      "Stresses that relax by a Prony series in stages with a duration.",

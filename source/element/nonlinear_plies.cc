@@ -70,12 +70,14 @@ namespace Biface
       return;
     const std::vector<Ply> &plies = laminate.get_plies();
     for (unsigned int k = 0; k < plies.size(); ++k)
-      if (plies[k].relaxation)
+      if (plies[k].laws.relaxation)
         {
-          relaxing_plies.push_back(
-            {plies[k].relaxation, plies[k].thickness / laminate.thickness()});
-          relaxing.push_back(
-            {plies[k].relaxation, OfGroups::n_independent_components, k, 1.});
+          relaxing_plies.push_back({plies[k].laws.relaxation,
+                                    plies[k].thickness / laminate.thickness()});
+          relaxing.push_back({plies[k].laws.relaxation,
+                              OfGroups::n_independent_components,
+                              k,
+                              1.});
         }
     // at small strains the thickness strains that vary must have the linear
     // law, or nearly incompressible layers lock

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <biface/laminate/cord_law.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
 
@@ -20,7 +21,8 @@ namespace Biface
     {
       std::vector<SymmetricTensor<4, 3>> stiffnesses;
       for (const Ply &ply : plies)
-        stiffnesses.push_back(rotate_about_normal(ply.stiffness, ply.angle));
+        stiffnesses.push_back(
+          rotate_about_normal(ply.laws.stiffness, ply.angle));
       return stiffnesses;
     }
 
@@ -95,7 +97,7 @@ namespace Biface
     , D(integrate_stiffness())
   {
     if (std::any_of(this->plies.begin(), this->plies.end(), [](const Ply &ply) {
-          return ply.rubber || ply.relaxation;
+          return ply.laws.rubber || ply.laws.relaxation;
         }))
       set_points();
   }
@@ -116,7 +118,7 @@ namespace Biface
   {
     double compliance = 0;
     for (const Ply &ply : plies)
-      compliance += ply.thickness * invert(ply.stiffness)[2][2][2][2];
+      compliance += ply.thickness * invert(ply.laws.stiffness)[2][2][2][2];
     return 1 / compliance;
   }
 
@@ -126,8 +128,28 @@ namespace Biface
   {
     double stiffness = 0;
     for (const Ply &ply : plies)
-      stiffness += ply.thickness * std::max(ply.stiffness[0][0][0][0],
-                                            ply.stiffness[1][1][1][1]);
+      stiffness += ply.thickness * std::max(ply.laws.stiffness[0][0][0][0],
+                                            ply.laws.stiffness[1][1][1][1]);
+    return stiffness;
+  }
+
+
+  std::array<std::array<double, 2>, 2>
+  Laminate::stiffness_along(const unsigned int a) const
+  {
+    std::array<std::array<double, 2>, 2> stiffness{};
+    double                               z = 0;
+    for (unsigned int k = 0; k < plies.size(); ++k)
+      {
+        const SymmetricTensor<4, 3> &b = rotated[k];
+        const double                 modulus =
+          b[a][a][a][a] - b[a][a][2][2] * b[2][2][a][a] / b[2][2][2][2];
+        const StrainMoments moments(functions, z, z + plies[k].thickness);
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int q = 0; q < 2; ++q)
+            stiffness[p][q] += modulus * moments.second[a][a][p][q];
+        z += plies[k].thickness;
+      }
     return stiffness;
   }
 
@@ -231,8 +253,8 @@ namespace Biface
   std::shared_ptr<const MaterialLaw>
   Laminate::law_of(const unsigned int ply) const
   {
-    return plies[ply].rubber
-             ? plies[ply].rubber
+    return plies[ply].laws.rubber
+             ? plies[ply].laws.rubber
              : std::make_shared<const LinearLaw>(rotated[ply], along_normal);
   }
 
@@ -282,7 +304,7 @@ namespace Biface
             PlyPoints::Point next = point(k, at);
             next.thickness        = weight;
             next.law              = law;
-            next.relaxation       = plies[k].relaxation;
+            next.relaxation       = plies[k].laws.relaxation;
             next.height           = at;
             next.ply              = k;
             for (unsigned int p = 0; p < 2; ++p)
@@ -402,7 +424,7 @@ namespace Biface
         z += ply.thickness;
         for (unsigned int p = 0; p < 2; ++p)
           for (unsigned int q = 0; q < 2; ++q)
-            moments[p][q] += ply.density * N.second[p][q];
+            moments[p][q] += ply.material.density * N.second[p][q];
       }
     return moments;
   }
@@ -417,7 +439,7 @@ namespace Biface
     for (unsigned int k = 0; k < plies.size(); ++k)
       {
         const Ply &ply = plies[k];
-        if (ply.cords)
+        if (ply.laws.cords)
           {
             const std::array<double, 3> direction = cord_direction(ply.angle);
             // two points are exact as long as a ply is slack or taut as a whole
@@ -434,8 +456,8 @@ namespace Biface
                       functions.strain(ab, p, at) * direction[ab];
                 point.thickness =
                   quadrature.weight(g) * ply.thickness * functions.area(at);
-                point.law        = ply.cords;
-                point.relaxation = ply.relaxation;
+                point.law        = ply.laws.cords;
+                point.relaxation = ply.laws.relaxation;
                 points.push_back(point);
               }
           }
@@ -512,6 +534,16 @@ namespace Biface
   }
 
 
+  bool
+  Laminate::is_slack(const Resultants::Vector &E,
+                     const unsigned int        ply,
+                     const double              z) const
+  {
+    const CordLaw *const cords = plies[ply].laws.cords.get();
+    return cords && cords->is_slack(cord_strain(E, ply, z));
+  }
+
+
   SymmetricTensor<2, 3>
   Laminate::strain(const StrainsOfPlies &strains,
                    const unsigned int    ply,
@@ -576,12 +608,12 @@ namespace Biface
       }
 
     const Ply &p = plies[ply];
-    if (p.cords)
+    if (p.laws.cords)
       {
         const auto   along = cord_direction(p.angle);
         const auto   here  = relaxed_cords(strains, ply, z);
         const double added =
-          here.factor * p.cords->response(cord_strain(E, ply, z)).stress +
+          here.factor * p.laws.cords->response(cord_strain(E, ply, z)).stress +
           here.stress;
         for (unsigned int ab = 0; ab < 3; ++ab)
           stress[Resultants::tangential_pairs[ab][0]]

@@ -11,6 +11,7 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/cord_law.h>
 #include <biface/laminate/material.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/laminate/rubber.h>
@@ -627,6 +628,30 @@ namespace Biface
   }
 
 
+  PlyMaterial
+  MaterialParameters::of_ply() const
+  {
+    const std::string section = "Material " + name;
+    for (const auto &[entry, value] :
+         {std::make_pair("/Density", density),
+          std::make_pair("/Loss factor", loss_factor),
+          std::make_pair("/Thermal conductivity", thermal_conductivity)})
+      check_not_negative(section + entry, value);
+
+    PlyMaterial result;
+    result.name            = name;
+    result.has_fibers      = !is_isotropic();
+    result.has_slack_cords = has_slack_cords();
+    result.is_hyperelastic = is_hyperelastic();
+    result.relaxes         = relaxes();
+    result.density         = density;
+    result.loss_factor     = loss_factor;
+    result.conductivity    = thermal_conductivity;
+    result.strengths       = get_strengths();
+    return result;
+  }
+
+
   PlyLaws
   MaterialParameters::laws(const double                 cord_fraction,
                            const SymmetricTensor<2, 3> &initial_stress) const
@@ -700,31 +725,6 @@ namespace Biface
     result.stiffness = result.rubber->initial_stiffness();
     result.stiffness[0][0][0][0] += constants.E_1 - E_matrix;
     return result;
-  }
-
-
-  double
-  MaterialParameters::get_density() const
-  {
-    check_not_negative("Material " + name + "/Density", density);
-    return density;
-  }
-
-
-  double
-  MaterialParameters::get_thermal_conductivity() const
-  {
-    check_not_negative("Material " + name + "/Thermal conductivity",
-                       thermal_conductivity);
-    return thermal_conductivity;
-  }
-
-
-  double
-  MaterialParameters::get_loss_factor() const
-  {
-    check_not_negative("Material " + name + "/Loss factor", loss_factor);
-    return loss_factor;
   }
 
 

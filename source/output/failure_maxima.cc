@@ -42,7 +42,7 @@ namespace Biface
               const Ply            &ply = laminate.get_plies()[p];
               const PlyDescription &description =
                 mesh.get_layup().get_plies()[ply.number];
-              if (description.strengths)
+              if (description.material.strengths)
                 for (unsigned int side = 0; side < 2; ++side)
                   function(
                     v,
@@ -69,18 +69,19 @@ namespace Biface
       criteria.size(),
       std::vector<double>(mesh.cells.size(), LargestCell::none));
     for (const unsigned int c : mesh.layers)
-      for_stresses_of_cell(equations,
-                           state,
-                           c,
-                           [&](const unsigned int,
-                               const PlyDescription &ply,
-                               const unsigned int,
-                               const SymmetricTensor<2, 3> &stress) {
-                             for (unsigned int i = 0; i < criteria.size(); ++i)
-                               of_cells[i][c] = std::max(
-                                 of_cells[i][c],
-                                 criteria[i].index(stress, *ply.strengths));
-                           });
+      for_stresses_of_cell(
+        equations,
+        state,
+        c,
+        [&](const unsigned int,
+            const PlyDescription &ply,
+            const unsigned int,
+            const SymmetricTensor<2, 3> &stress) {
+          for (unsigned int i = 0; i < criteria.size(); ++i)
+            of_cells[i][c] =
+              std::max(of_cells[i][c],
+                       criteria[i].index(stress, *ply.material.strengths));
+        });
 
     std::vector<FailureMaximum> maxima(criteria.size());
     for (unsigned int i = 0; i < criteria.size(); ++i)
@@ -104,7 +105,8 @@ namespace Biface
                 const unsigned int           number,
                 const SymmetricTensor<2, 3> &stress) {
               if (place[2] != 0 ||
-                  criteria[i].index(stress, *ply.strengths) < largest->bound())
+                  criteria[i].index(stress, *ply.material.strengths) <
+                    largest->bound())
                 return;
               const Node &node =
                 mesh.nodes[mesh.cells[*largest->position].nodes[v]];

@@ -20,7 +20,7 @@ namespace Biface
   double
   force_per_stress(const Ply &ply, const double strain)
   {
-    return ply.rubber ? std::sqrt(1 + 2 * strain) : 1.;
+    return ply.laws.rubber ? std::sqrt(1 + 2 * strain) : 1.;
   }
 
 
@@ -42,7 +42,7 @@ namespace Biface
       {
         const double z      = below + gauss.point(g)[0] * ply.thickness;
         double       stress = along * (laminate.stress(E, p, z) * along);
-        if (ply.rubber)
+        if (ply.laws.rubber)
           stress *=
             force_per_stress(ply, along * (laminate.strain(E, p, z) * along));
         tension += gauss.weight(g) * ply.thickness * stress;
@@ -61,7 +61,7 @@ namespace Biface
     if (of_cords)
       return ply.cord_pitch > 0 ? fiber_tension(laminate, p, E) * ply.cord_pitch
                                 : std::numeric_limits<double>::quiet_NaN();
-    return layup.get_plies()[ply.number].has_fibers
+    return layup.get_plies()[ply.number].material.has_fibers
              ? fiber_tension(laminate, p, E)
              : std::numeric_limits<double>::quiet_NaN();
   }

@@ -37,7 +37,7 @@ namespace Biface
       for (const Ply &ply : mesh.strips[i].laminate.get_plies())
         text += line(i) + ',' + line(i + 1) + ',' +
                 std::to_string(ply.number + 1) + ',' +
-                plies[ply.number].material + ',' +
+                plies[ply.number].material.name + ',' +
                 csv_number(heat.source(i, ply.number)) + ',' +
                 (heat.temperature.empty()
                    ? std::string()

@@ -36,9 +36,9 @@ namespace Biface
       {
         const Hysteresis::OfPly &of_ply = report.rolling->hysteresis->plies[p];
         lines += std::to_string(report.step) + ',' + report.stage + ',' +
-                 std::to_string(p + 1) + ',' + plies[p].material;
+                 std::to_string(p + 1) + ',' + plies[p].material.name;
         for (const double value :
-             {plies[p].loss_factor,
+             {plies[p].material.loss_factor,
               of_ply.energy,
               Hysteresis::power(of_ply.energy, angular_velocity),
               of_ply.of_first_harmonics})

@@ -149,7 +149,7 @@ namespace Biface
               {
                 const double n_cells = *sum++;
                 text += point.name + ',' + std::to_string(p + 1) + ',' +
-                        all_plies[p].material + ',' +
+                        all_plies[p].material.name + ',' +
                         csv_number(height_of(i, n_heights));
                 for (unsigned int k = 1; k < n_columns; ++k, ++sum)
                   {

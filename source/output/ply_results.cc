@@ -57,8 +57,8 @@ namespace Biface
       return sentences;
     std::set<std::string> bare;
     for (const PlyDescription &ply : layup.get_plies())
-      if (!ply.strengths && bare.insert(ply.material).second)
-        sentences.push_back("The material '" + ply.material +
+      if (!ply.material.strengths && bare.insert(ply.material.name).second)
+        sentences.push_back("The material '" + ply.material.name +
                             "' has no strengths (X_t to S): its plies have "
                             "no failure index.");
     return sentences;
@@ -156,7 +156,7 @@ namespace Biface
   PlyState::failure_stress(const Ply &ply) const
   {
     return rotate_about_normal(
-      ply.rubber ? cauchy_stress(stress, strain) : stress, -ply.angle);
+      ply.laws.rubber ? cauchy_stress(stress, strain) : stress, -ply.angle);
   }
 
 
@@ -168,7 +168,7 @@ namespace Biface
     const unsigned int ply = is_outer ? laminate.get_plies().size() - 1 : 0;
     const PlyState     state(laminate, ply, is_outer ? 1. : 0., E, {});
     stress      = state.stress;
-    true_stress = (laminate.get_plies()[ply].rubber
+    true_stress = (laminate.get_plies()[ply].laws.rubber
                      ? cauchy_stress(state.stress, state.strain)
                      : state.stress);
   }
@@ -231,7 +231,7 @@ namespace Biface
     append(strain, 2);
     append(stress, 1);
 
-    const auto &strengths = layup.get_plies()[ply.number].strengths;
+    const auto &strengths = layup.get_plies()[ply.number].material.strengths;
     for (const FailureCriterion &criterion : criteria.requested())
       values.push_back(
         strengths ? criterion.index(state.failure_stress(ply), *strengths)

@@ -197,7 +197,7 @@ namespace Biface
         double          low = laminate.thickness(), high = 0, height = 0;
         for (const Ply &ply : laminate.get_plies())
           {
-            if (mesh.get_layup().get_plies()[ply.number].has_fibers)
+            if (mesh.get_layup().get_plies()[ply.number].material.has_fibers)
               {
                 low  = std::min(low, height);
                 high = std::max(high, height + ply.thickness);

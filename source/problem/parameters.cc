@@ -341,7 +341,7 @@ namespace Biface
       for (const MaterialParameters &material : materials)
         if (material.name == ply.material)
           {
-            if (!(material.get_thermal_conductivity() > 0))
+            if (!(material.of_ply().conductivity > 0))
               throw InputError(
                 "Material " + material.name + "/Thermal conductivity",
                 number_to_string(material.thermal_conductivity),
@@ -594,14 +594,9 @@ namespace Biface
         const std::vector<double> lines =
           mesh.intervals[0].on(made->end(0)).lines();
         std::string angled;
-        for (unsigned int p = 0; p < layup.get_plies().size(); ++p)
+        for (const PlyDescription &ply : layup.get_plies())
           {
-            const PlyDescription &ply      = layup.get_plies()[p];
-            const auto            material = std::find_if(
-              materials.begin(), materials.end(), [&](const auto &m) {
-                return m.name == ply.material;
-              });
-            if (material->is_isotropic())
+            if (!ply.material.has_fibers)
               continue;
             for (unsigned int i = 0; i + 1 < lines.size() && angled.empty();
                  ++i)

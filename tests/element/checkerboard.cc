@@ -10,6 +10,7 @@
 #include <map>
 
 #include <biface/laminate/layup.h>
+#include <biface/laminate/material_parameters.h>
 
 #include "one_cell.h"
 #include <tests.h>

@@ -13,6 +13,7 @@
 
 #include <biface/element/nonlinear_plies.h>
 #include <biface/laminate/layup.h>
+#include <biface/laminate/material_parameters.h>
 
 #include "one_cell.h"
 #include "some_vector.h"

@@ -62,7 +62,8 @@ namespace
             const double v =
               numbers::PI / 4 * 0.36 / (ply.cord_pitch * ply.thickness);
             stiffness = std::max(
-              stiffness, (material.laws(v).stiffness - ply.stiffness).norm());
+              stiffness,
+              (material.laws(v).stiffness - ply.laws.stiffness).norm());
             thickness = std::max(
               thickness, std::abs(ply.thickness * ply.cord_pitch - 1.1));
             modulus = std::max(modulus, std::abs(ply.thickness - 1.1));

@@ -63,7 +63,7 @@ main()
 
   // stresses across the thickness, which only a program can give
   Ply ply{{}, 2, 0, {}};
-  ply.stiffness            = Material::isotropic(1, 0.2).stiffness("ply");
+  ply.laws.stiffness       = Material::isotropic(1, 0.2).stiffness("ply");
   ply.initial_stress[0][2] = 3;
   ply.initial_stress[1][2] = 5;
   ply.initial_stress[2][2] = 7;

@@ -60,7 +60,7 @@ namespace
     std::vector<Ply> plies;
     double           angle = 0;
     for (const double t : thicknesses)
-      plies.push_back({Material::isotropic(E, nu).stiffness("material"),
+      plies.push_back({{Material::isotropic(E, nu).stiffness("material")},
                        t,
                        angle += 0.3,
                        {}});

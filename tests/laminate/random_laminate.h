@@ -41,7 +41,7 @@ random_plies(std::mt19937 &generator)
         ratio(generator) * std::sqrt(material.E_1 / material.E_3);
       material.nu_23 =
         ratio(generator) * std::sqrt(material.E_2 / material.E_3);
-      plies[p] = {material.stiffness("random"),
+      plies[p] = {{material.stiffness("random")},
                   thickness(generator),
                   angle(generator),
                   {},

@@ -21,9 +21,11 @@ main()
         const auto B      = Material::isotropic(stiff, 0.3).stiffness("stiff");
         bool       finite = true, positive = true;
         for (const std::vector<Ply> &plies :
-             {std::vector<Ply>{{A, 1, 0.1, {}, 0}, {B, 1e-3, 0.2, {}, 1}},
-              {{B, 1e-3, 0, {}, 0}, {A, 1, 0, {}, 1}, {B, 1e-3, 0, {}, 2}},
-              {{A, 1, 0, {}, 0}, {B, 0.1, 0, {}, 1}, {A, 1, 0, {}, 2}}})
+             {std::vector<Ply>{{{A}, 1, 0.1, {}, 0}, {{B}, 1e-3, 0.2, {}, 1}},
+              {{{B}, 1e-3, 0, {}, 0},
+               {{A}, 1, 0, {}, 1},
+               {{B}, 1e-3, 0, {}, 2}},
+              {{{A}, 1, 0, {}, 0}, {{B}, 0.1, 0, {}, 1}, {{A}, 1, 0, {}, 2}}})
           {
             const Laminate     laminate(plies,
                                     ThicknessLaw::symmetric,

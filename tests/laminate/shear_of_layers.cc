@@ -6,6 +6,7 @@
 // the shear forces Q_k is that of the wall.
 
 #include <biface/laminate/layup.h>
+#include <biface/laminate/material_parameters.h>
 
 #include <cord_ply.h>
 #include <tests.h>

@@ -4,6 +4,7 @@
 // moduli in this direction.
 
 #include <biface/laminate/layup.h>
+#include <biface/laminate/material_parameters.h>
 
 #include <cord_ply.h>
 #include <tests.h>

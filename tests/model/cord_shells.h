@@ -15,6 +15,7 @@
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/supports.h>
+#include <biface/model/state/state.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
@@ -34,7 +35,8 @@ cord_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
            const std::string                        &plies,
            const std::string                        &reference,
            const Biface::Supports                   &supports = {},
-           const std::vector<Biface::NamedPoint>    &points   = {})
+           const std::vector<Biface::NamedPoint>    &points   = {},
+           const std::string                        &layers   = "one")
 {
   using namespace Biface;
 
@@ -46,6 +48,7 @@ cord_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
   Layup::Parameters layup;
   layup.plies     = parse_plies("plies", plies);
   layup.reference = parse_thickness_position("reference", reference);
+  layup.layers    = parse_layers("layers", layers);
   return std::make_unique<ShellMesh>(MPI_COMM_WORLD,
                                      std::move(surface),
                                      grid,
@@ -109,20 +112,27 @@ torus(const unsigned int n_cells,
 }
 
 
-/** The sums of nodal forces and of their moments about the origin. */
+/** The sums of nodal forces on all faces and of their moments about the
+ * origin. */
 struct Total
 {
   dealii::Tensor<1, 3> force, moment;
 
   Total(const Biface::ShellMesh &mesh, const Biface::LA::Vector &nodal_forces)
+    : Total(mesh, nodal_forces, Biface::State(mesh).displacement)
+  {}
+
+  /** @param displacement in which the moments are taken. */
+  Total(const Biface::ShellMesh  &mesh,
+        const Biface::LA::Vector &nodal_forces,
+        const Biface::LA::Vector &displacement)
   {
     for (const Biface::Node &node : mesh.nodes)
       if (node.locally_owned)
-        for (unsigned int face = 0; face < 2; ++face)
+        for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
           {
             const dealii::Tensor<1, 3> x =
-              node.surface.position +
-              node.face_heights[face] * node.surface.frame[2];
+              mesh.position_of_any_face(displacement, node, face);
             const dealii::Tensor<1, 3> f = node.surface.from_frame(
               mesh.force_on_any_face(nodal_forces, node, face));
             force += f;

@@ -90,6 +90,18 @@ main(int argc, char *argv[])
         "alpha_1 min",
         {{0, 0, 0, 0, -30, 0}});
 
+  // on a sandwich, whose faces carry it
+  check("follower moment on layers",
+        {"Materials=steel, foam",
+         "Material foam/Type=isotropic",
+         "Material foam/E=100",
+         "Material foam/nu=0",
+         "Laminate/Plies=steel: 0.02 @ 0, foam: 0.06 @ 0, steel: 0.02 @ 0",
+         "Laminate/Layers=one per ply",
+         "Loads/Edge moments=alpha_1 max: 15 follower"},
+        "alpha_1 min",
+        {{0, 0, 0, 0, -30, 0}});
+
   // the lever arm of dead forces is the deformed one
   for (const std::string load : {"Loads/Point forces=end: 0 1 8",
                                  "Loads/Edge forces=alpha_1 max: 1 0 2 outer",

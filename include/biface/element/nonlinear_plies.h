@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/element/modes.h>
+#include <biface/laminate/cord_law.h>
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/relaxation.h>
 

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <biface/laminate/cord_law.h>
-#include <biface/laminate/material_law.h>
+#include <biface/laminate/ply_material.h>
 #include <biface/laminate/ply_points.h>
 #include <biface/laminate/relaxation.h>
 #include <biface/laminate/resultants.h>
@@ -21,6 +20,8 @@
 
 namespace Biface
 {
+  struct CordPoint;
+
   /**
    * How the thickness strain @f$E_{33}@f$, which is constant over the
    * thickness, enters the constitutive law.
@@ -50,9 +51,7 @@ namespace Biface
   /** A ply at one position of the shell. */
   struct Ply
   {
-    /** The stiffness in the axes of the ply; where it is not linear, the
-     * initial one. Unit: force/area. */
-    dealii::SymmetricTensor<4, 3> stiffness;
+    PlyLaws laws;
     /** The thickness of the ply. Unit: length. */
     double thickness;
     /** The angle of axis 1 of the ply from @f$\mathbf e_1@f$ toward
@@ -63,19 +62,8 @@ namespace Biface
     /** The position of the ply in the layup, from 0 at the inner face. */
     unsigned int number = 0;
     /** The distance of the cords, 0 if they are not described. Unit: length. */
-    double cord_pitch = 0;
-    /** The law that the cords, along axis 1, add to the law of the material;
-     * null for none. */
-    std::shared_ptr<const CordLaw> cords = {};
-    /** The law of the material, which is isotropic, without cords; null for the
-     * linear one with the stiffness. */
-    std::shared_ptr<const MaterialLaw> rubber = {};
-    /** The relaxation of the stresses; null for none. */
-    std::shared_ptr<const Relaxation> relaxation = {};
-    /** The density. Unit: mass/volume. */
-    double density = 0;
-    /** The tangent of the angle by which strains lag behind stresses. */
-    double loss_factor = 0;
+    double      cord_pitch = 0;
+    PlyMaterial material   = {};
     /** The start and the end of the part that belongs to a layer, as fractions
      * of the thickness of the ply of the layup. */
     double begin = 0, end = 1;
@@ -163,6 +151,14 @@ namespace Biface
     double
     membrane_stiffness() const;
 
+    /** The stiffness against strains along a coordinate that are linear
+     * between the faces, with no thickness stress and no strain across: the
+     * force on the face p by the strain of the face q. Where plies are not
+     * linear, the initial one. Unit: force/length.
+     * @param a 0 or 1, the coordinate. */
+    std::array<std::array<double, 2>, 2>
+    stiffness_along(const unsigned int a) const;
+
     /** The area at the height @p z above the inner face, relative to that of
      * the middle surface; 1 with the integrals of a plate. */
     double
@@ -219,11 +215,7 @@ namespace Biface
     bool
     is_slack(const Resultants::Vector &E,
              const unsigned int        ply,
-             const double              z) const
-    {
-      return plies[ply].cords &&
-             plies[ply].cords->is_slack(cord_strain(E, ply, z));
-    }
+             const double              z) const;
 
     /**
      * The resultants @f$\mathbf H_0@f$ of the initial ply stresses,

@@ -11,27 +11,15 @@
 #include <vector>
 
 #include <biface/laminate/cord_and_rubber.h>
-#include <biface/laminate/cord_law.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
 #include <biface/laminate/material_law.h>
+#include <biface/laminate/ply_material.h>
 #include <biface/laminate/relaxation.h>
 
 namespace Biface
 {
   class EntryDeclarations;
-
-
-  /** The laws of a ply at one position, see Ply. */
-  struct PlyLaws
-  {
-    /** The stiffness in the axes of the ply. Unit: force/area. */
-    dealii::SymmetricTensor<4, 3>      stiffness;
-    std::shared_ptr<const CordLaw>     cords;
-    std::shared_ptr<const MaterialLaw> rubber;
-    std::shared_ptr<const Relaxation>  relaxation;
-  };
-
 
   /** The parameters of a named material. */
   struct MaterialParameters
@@ -113,6 +101,11 @@ namespace Biface
     void
     check() const;
 
+    /** What does not depend on the position of a ply. Throws InputError if a
+     * constant is not admissible. */
+    PlyMaterial
+    of_ply() const;
+
     /**
      * The laws of a ply of the material. Throws InputError if a constant is not
      * admissible.
@@ -126,27 +119,12 @@ namespace Biface
          const dealii::SymmetricTensor<2, 3> &initial_stress =
            dealii::SymmetricTensor<2, 3>()) const;
 
-    /** The density, 0 if not given. Unit: mass/volume. Throws InputError if
-     * it is negative. */
-    double
-    get_density() const;
-
-    /** The loss factor, 0 if not given. Throws InputError if it is
-     * negative. */
-    double
-    get_loss_factor() const;
-
-    /** The conductivity of heat, 0 if not given. Throws InputError if it is
-     * negative. */
-    double
-    get_thermal_conductivity() const;
-
+  private:
     /** The strengths, if given. Throws InputError if only some of them are
      * given. */
     std::optional<Strengths>
     get_strengths() const;
 
-  private:
     /** The laws without relaxation. */
     PlyLaws
     elastic_laws(const double                         cord_fraction,

@@ -32,24 +32,33 @@ namespace Biface
         if (linearized)
           n_linearized = terms.size();
       }
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      elements.push_back({&mesh.cells[c], c});
+    for (const ForceTerm *term : terms)
+      {
+        unsigned int index = 0;
+        for (const Cell *cell : term->elements())
+          elements.push_back({cell, index++, term});
+      }
   }
 
 
   void
   ShellEquations::add_forces(const unsigned int     begin,
                              const unsigned int     end,
-                             const unsigned int     c,
+                             const Element         &element,
                              const State           &state,
                              const Loads           &loads,
                              ForceTerm::CellForces &forces) const
   {
-    const Cell &cell = mesh.cells[c];
-    const auto  add  = [&](const unsigned int               begin,
+    const Cell        &cell = *element.cell;
+    const unsigned int c    = element.index;
+    const auto         add  = [&](const unsigned int               begin,
                          const unsigned int               end,
                          const State                     &state,
                          const MixedElement::NodalVector &V) {
       for (unsigned int t = begin; t < end; ++t)
-        if (terms[t]->acts_on(c, state, loads))
+        if (acts_on(*terms[t], element, state, loads))
           terms[t]->add({c, cell, V, state, loads}, forces);
     };
 
@@ -67,7 +76,7 @@ namespace Biface
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             forces.force[i] -= forces.tangent[i][j] * dV[j];
         // the first term: the internal forces
-        if (begin == 0 && cell.is_layer)
+        if (begin == 0 && acts_on(internal, element, *base, loads))
           internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
         forces.square = forces.force.norm_square();
       }
@@ -77,14 +86,14 @@ namespace Biface
 
 
   void
-  ShellEquations::sum_forces(const unsigned int     c,
+  ShellEquations::sum_forces(const Element         &element,
                              const State           &state,
                              const Loads           &loads,
                              ForceTerm::CellForces &forces) const
   {
     forces.clear();
-    add_forces(0, n_linearized, c, state, loads, forces);
-    add_forces(n_linearized, terms.size(), c, state, loads, forces);
+    add_forces(0, n_linearized, element, state, loads, forces);
+    add_forces(n_linearized, terms.size(), element, state, loads, forces);
   }
 
 
@@ -125,13 +134,16 @@ namespace Biface
 
     double                square = 0;
     ForceTerm::CellForces forces;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const Element &element : elements)
       {
-        sum_forces(c, state, loads, forces);
+        sum_forces(element, state, loads, forces);
         square += forces.square;
-        matrix->add(c, forces.tangent, forces.force, rhs);
+        if (element.owner)
+          matrix->add(*element.cell, forces.tangent, forces.force, rhs);
+        else
+          matrix->add(element.index, forces.tangent, forces.force, rhs);
         if (forces.load.norm_square() > 0)
-          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
+          mesh.add_nodal_forces(*element.cell, forces.load, load);
       }
     matrix->compress();
     rhs.compress(VectorOperation::add);
@@ -166,13 +178,13 @@ namespace Biface
     ForceTerm::CellForces forces;
     // linearized forces need their tangent
     forces.with_tangent = state.linearization_point != nullptr;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const Element &element : elements)
       {
-        sum_forces(c, state, loads, forces);
+        sum_forces(element, state, loads, forces);
         square += forces.square;
-        mesh.add_nodal_forces(mesh.cells[c], forces.force + forces.load, sum);
+        mesh.add_nodal_forces(*element.cell, forces.force + forces.load, sum);
         if (forces.load.norm_square() > 0)
-          mesh.add_nodal_forces(mesh.cells[c], forces.load, load);
+          mesh.add_nodal_forces(*element.cell, forces.load, load);
       }
     sum.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
@@ -228,7 +240,7 @@ namespace Biface
             terms[t]->acts_on(c, state, loads))
           {
             forces.clear();
-            add_forces(t, t + 1, c, state, loads, forces);
+            add_forces(t, t + 1, elements[c], state, loads, forces);
             square += forces.square;
             matrix->add(c, forces.tangent, forces.force, sum);
           }
@@ -377,14 +389,15 @@ namespace Biface
     LA::Vector direction = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces(rates, direction);
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const Element &element : elements)
       {
-        const Cell &cell = mesh.cells[c];
+        const Cell &cell = *element.cell;
         const auto  V    = mesh.cell_values(state.displacement, cell);
         MixedElement::NodalVector force;
         for (const ForceTerm *term : terms)
-          if (term->acts_on(c, state, loads))
-            term->add_load_derivative({c, cell, V, state, loads}, rates, force);
+          if (acts_on(*term, element, state, loads))
+            term->add_load_derivative(
+              {element.index, cell, V, state, loads}, rates, force);
         if (force.norm_square() > 0)
           mesh.add_nodal_forces(cell, force, direction);
       }
@@ -435,14 +448,14 @@ namespace Biface
 
     ForceTerm::CellForces forces;
     forces.with_tangent = state.linearization_point != nullptr;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const Element &element : elements)
       for (unsigned int t = 0; t < terms.size(); ++t)
         {
           forces.clear();
-          add_forces(t, t + 1, c, state, loads, forces);
+          add_forces(t, t + 1, element, state, loads, forces);
           const MixedElement::NodalVector force = forces.force + forces.load;
           if (force.norm_square() > 0)
-            mesh.add_nodal_forces(mesh.cells[c], force, *of_terms[t]);
+            mesh.add_nodal_forces(*element.cell, force, *of_terms[t]);
         }
     result.compress();
     return result;

@@ -133,6 +133,19 @@ namespace Biface
   }
 
 
+  void
+  TangentMatrix::add(const Cell                      &element,
+                     const MixedElement::NodalMatrix &tangent,
+                     const MixedElement::NodalVector &force,
+                     LA::Vector                      &global_vector)
+  {
+    element.to_nodes(tangent, matrix_of_nodes);
+    element.to_nodes(force, of_nodes);
+    add_with_constraints(
+      element, matrix_of_nodes.data(), of_nodes.data(), global_vector);
+  }
+
+
   namespace
   {
     /** Add the rows of a cell to the values of a matrix.

@@ -60,6 +60,8 @@ namespace Biface
       "beyond the edge. 'dead' is a couple of forces on the faces "
       "with constant directions; 'follower' does work on the angle "
       "by which the line between the faces rotates about the edge. "
+      "With several 'Laminate/Layers' the forces act on the faces of "
+      "all layers, as the stresses of a plane section do. "
       "Several moments on one edge add up.",
       Unit("force, as moment/length of the edge on the reference surface"));
     for (const auto face : {Resultants::inner, Resultants::outer})
@@ -401,22 +403,22 @@ namespace Biface
     for (const EdgeForce &item : edge_forces)
       add_edge_force(mesh, item, nodal_forces[item.force.factor]);
 
-    for (const VertexMoment &moment : vertex_moments(edge_moments, false, mesh))
+    for (const SideMoment &moment : side_moments(edge_moments, false, mesh))
       {
         // a couple with constant directions, which is that of the undeformed
         // director
-        const Cell  &cell = mesh.cells[moment.cell];
-        Tensor<1, 3> director;
-        director[2] = cell.geometry.vertices[moment.vertex].thickness;
-        const FollowerCouple      couple(moment.moment, moment.axis, director);
         MixedElement::NodalVector force;
-        for (const auto face : {Resultants::inner, Resultants::outer})
-          MixedElement::add_face_force(MixedElement::face_sign[face] *
-                                         couple.force,
-                                       moment.vertex,
-                                       face,
-                                       force);
-        mesh.add_nodal_forces(cell, force, nodal_forces[moment.factor]);
+        for (const unsigned int vertex : moment.vertices)
+          {
+            Tensor<1, 3> director;
+            director[2] = moment.section.geometry.vertices[vertex].thickness;
+            moment.add_couple(
+              FollowerCouple(moment.moment, moment.axis, director).force,
+              vertex,
+              force);
+          }
+        mesh.add_nodal_forces(
+          moment.section, force, nodal_forces[moment.factor]);
       }
 
     for (const auto face : {Resultants::inner, Resultants::outer})

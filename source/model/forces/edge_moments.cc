@@ -30,12 +30,103 @@ namespace Biface
   }
 
 
-  std::vector<VertexMoment>
-  vertex_moments(const std::vector<EdgeMoment> &moments,
-                 const bool                     follower,
-                 const ShellMesh               &mesh)
+  namespace
   {
-    std::vector<VertexMoment> result;
+    /** The contributions of the half differences over the layers at a vertex
+     * to that of a section, see SideMoment.
+     * @param wall its position in ShellMesh::cells.
+     * @param a the coordinate along which the section is loaded. */
+    std::vector<double>
+    contributions_to_section(const ShellMesh   &mesh,
+                             const unsigned int wall,
+                             const unsigned int vertex,
+                             const unsigned int a)
+    {
+      struct Part
+      {
+        const Cell                          *layer;
+        std::array<double, 2>                heights;
+        std::array<std::array<double, 2>, 2> stiffness;
+      };
+      std::vector<Part> parts;
+      double            stiffness = 0, first_moment = 0;
+      const auto [begin, end] = mesh.layers_of(wall);
+      for (unsigned int c = begin; c < end; ++c)
+        {
+          const Cell     &layer = mesh.cells[c];
+          const Laminate &laminate =
+            mesh.strips[layer.strip].at_lines[vertex % 2];
+          parts.push_back(
+            {&layer, laminate.face_heights(), laminate.stiffness_along(a)});
+          const Part &part = parts.back();
+          for (unsigned int p = 0; p < 2; ++p)
+            for (unsigned int q = 0; q < 2; ++q)
+              {
+                stiffness += part.stiffness[p][q];
+                first_moment += part.stiffness[p][q] * part.heights[q];
+              }
+        }
+      const double neutral = first_moment / stiffness;
+
+      const unsigned int  n = mesh.n_layers();
+      std::vector<double> result(n);
+      double              rigidity = 0;
+      for (const Part &part : parts)
+        {
+          // the forces on the faces for the unit curvature
+          std::array<double, 2> force{};
+          for (unsigned int p = 0; p < 2; ++p)
+            {
+              for (unsigned int q = 0; q < 2; ++q)
+                force[p] += part.stiffness[p][q] * (part.heights[q] - neutral);
+              rigidity += force[p] * (part.heights[p] - neutral);
+            }
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const Cell::Contribution &by =
+                part.layer->contributions[vertex * n + k];
+              result[k] += (force[1] + force[0]) * by.mean +
+                           (force[1] - force[0]) * by.half_difference;
+            }
+        }
+      const double thickness =
+        mesh.cells[wall].geometry.vertices[vertex].thickness;
+      for (double &value : result)
+        value *= thickness / (2 * rigidity);
+      return result;
+    }
+
+
+    Cell
+    section_of(const ShellMesh &mesh, const BoundarySegment &segment)
+    {
+      Cell               section = mesh.cells[segment.cell];
+      const unsigned int n       = mesh.n_layers();
+      if (n == 1)
+        return section;
+      const unsigned int a =
+        (segment.edge == Edge::alpha_1_min || segment.edge == Edge::alpha_1_max
+           ? 0
+           : 1);
+      for (const unsigned int vertex : segment.vertices)
+        {
+          const std::vector<double> of_layers =
+            contributions_to_section(mesh, segment.cell, vertex, a);
+          for (unsigned int k = 0; k < n; ++k)
+            section.contributions[vertex * n + k].half_difference =
+              of_layers[k];
+        }
+      return section;
+    }
+  } // namespace
+
+
+  std::vector<SideMoment>
+  side_moments(const std::vector<EdgeMoment> &moments,
+               const bool                     follower,
+               const ShellMesh               &mesh)
+  {
+    std::vector<SideMoment> result;
     for (const EdgeMoment &moment : moments)
       {
         if (moment.follower != follower)
@@ -60,14 +151,24 @@ namespace Biface
           }
         for (const BoundarySegment &segment : mesh.boundary)
           if (segment.edge == moment.edge)
-            for (const unsigned int vertex : segment.vertices)
-              result.push_back({segment.cell,
-                                vertex,
-                                moment.moment * segment.length / 2,
-                                axis,
-                                moment.factor});
+            result.push_back({section_of(mesh, segment),
+                              segment.vertices,
+                              moment.moment * segment.length / 2,
+                              axis,
+                              moment.factor});
       }
     return result;
+  }
+
+
+  void
+  SideMoment::add_couple(const Tensor<1, 3>        &force,
+                         const unsigned int         vertex,
+                         MixedElement::NodalVector &forces)
+  {
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      MixedElement::add_face_force(
+        MixedElement::face_sign[face] * force, vertex, face, forces);
   }
 
 
@@ -93,20 +194,30 @@ namespace Biface
 
   FollowerMoments::FollowerMoments(const ShellMesh               &mesh,
                                    const std::vector<EdgeMoment> &edge_moments)
+    : moments(side_moments(edge_moments, true, mesh))
+  {}
+
+
+  std::vector<const Cell *>
+  FollowerMoments::elements() const
   {
-    for (const VertexMoment &moment : vertex_moments(edge_moments, true, mesh))
-      moments[moment.cell].push_back(moment);
+    std::vector<const Cell *> sections;
+    for (const SideMoment &moment : moments)
+      sections.push_back(&moment.section);
+    return sections;
   }
 
 
   FollowerCouple
-  FollowerMoments::couple(const CellState &at, const VertexMoment &moment)
+  FollowerMoments::couple(const CellState   &at,
+                          const SideMoment  &moment,
+                          const unsigned int vertex)
   {
     Tensor<1, 3> director;
     for (unsigned int i = 0; i < 3; ++i)
-      director[i] = 2 * at.V[MixedElement::dof(
-                          moment.vertex, i, MixedElement::half_difference)];
-    director[2] += at.cell.geometry.vertices[moment.vertex].thickness;
+      director[i] =
+        2 * at.V[MixedElement::dof(vertex, i, MixedElement::half_difference)];
+    director[2] += at.cell.geometry.vertices[vertex].thickness;
     return FollowerCouple(moment.moment, moment.axis, director);
   }
 
@@ -114,13 +225,13 @@ namespace Biface
   void
   FollowerMoments::add(const CellState &at, CellForces &forces) const
   {
-    for (const VertexMoment &moment : moments.at(at.index))
+    const SideMoment &moment = moments[at.index];
+    const double      factor = factor_at(at.loads.factors, moment.factor);
+    for (const unsigned int vertex : moment.vertices)
       {
-        const FollowerCouple couple = this->couple(at, moment);
-        const double factor = factor_at(at.loads.factors, moment.factor);
-        const auto   dof    = [&](const unsigned int i) {
-          return MixedElement::dof(
-            moment.vertex, i, MixedElement::half_difference);
+        const FollowerCouple couple = this->couple(at, moment, vertex);
+        const auto           dof    = [&](const unsigned int i) {
+          return MixedElement::dof(vertex, i, MixedElement::half_difference);
         };
         // opposite forces on the faces do work on the half difference alone
         for (unsigned int i = 0; i < 3; ++i)
@@ -139,16 +250,11 @@ namespace Biface
                                        const LoadRates           &rates,
                                        MixedElement::NodalVector &force) const
   {
-    for (const VertexMoment &moment : moments.at(at.index))
-      {
-        const FollowerCouple couple = this->couple(at, moment);
-        for (const auto face : {Resultants::inner, Resultants::outer})
-          MixedElement::add_face_force(
-            MixedElement::face_sign[face] *
-              factor_at(rates.factors, moment.factor) * couple.force,
-            moment.vertex,
-            face,
-            force);
-      }
+    const SideMoment &moment = moments[at.index];
+    for (const unsigned int vertex : moment.vertices)
+      moment.add_couple(factor_at(rates.factors, moment.factor) *
+                          couple(at, moment, vertex).force,
+                        vertex,
+                        force);
   }
 } // namespace Biface

@@ -98,7 +98,7 @@ namespace Biface
             bottom += ply.thickness;
             volumes(i, ply.number) +=
               areas[i] * ply.thickness * laminate.area_ratio(middle);
-            sum += ply.thickness * plies[ply.number].conductivity;
+            sum += ply.thickness * plies[ply.number].material.conductivity;
           }
         // a ply that does not exist here is a thin layer that conducts like the
         // others, so that the grid of the section stays regular

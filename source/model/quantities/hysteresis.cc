@@ -81,7 +81,7 @@ namespace Biface
                   laminate.area_ratio(z) *
                   (laminate.stress(E, p, z) * laminate.strain(F, p, z));
         }
-      return plies[p].loss_factor * work;
+      return plies[p].material.loss_factor * work;
     }
 
 
@@ -214,7 +214,7 @@ namespace Biface
             const CellStrains  of_all   = product(all.matrix(), j, strains);
             const CellStrains  of_first = product(first.matrix(), j, strains);
             for (unsigned int p = 0; p < plies.size(); ++p)
-              if (plies[p].loss_factor > 0)
+              if (plies[p].material.loss_factor > 0)
                 for (unsigned int g = 0; g < n_points; ++g)
                   {
                     const double area = values.back() / n_points;
@@ -242,7 +242,7 @@ namespace Biface
             ply.energy += energies.at(i, p);
             ply.of_first_harmonics += energies.at(i, p, true);
           }
-        if (plies[p].relaxes)
+        if (plies[p].material.relaxes)
           {
             result.of_relaxation += ply.energy;
             ply.of_first_harmonics = std::numeric_limits<double>::quiet_NaN();

@@ -217,7 +217,7 @@ namespace Biface
     const auto &plies = mesh.get_layup().get_plies();
     worst.linear_law =
       std::any_of(plies.begin(), plies.end(), [](const PlyDescription &ply) {
-        return !ply.is_hyperelastic;
+        return !ply.material.is_hyperelastic;
       });
     return worst;
   }

@@ -185,12 +185,32 @@ namespace Biface
     }
 
   private:
+    /** One of ShellMesh::cells, or of ForceTerm::elements(). */
+    struct Element
+    {
+      const Cell *cell;
+      /** See ForceTerm::CellState. */
+      unsigned int index;
+      /** The only term that acts on it; null for a cell of the mesh. */
+      const ForceTerm *owner = nullptr;
+    };
+
+    bool
+    acts_on(const ForceTerm &term,
+            const Element   &element,
+            const State     &state,
+            const Loads     &loads) const
+    {
+      return element.owner ? element.owner == &term
+                           : term.acts_on(element.index, state, loads);
+    }
+
     /** Add the forces of the terms in a range, which linear theory linearizes
-     * either all or not at all, on a cell. */
+     * either all or not at all, on an element. */
     void
     add_forces(const unsigned int     begin,
                const unsigned int     end,
-               const unsigned int     cell,
+               const Element         &element,
                const State           &state,
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
@@ -214,9 +234,9 @@ namespace Biface
                    const Loads &loads,
                    double      &square) const;
 
-    /** Compute the forces of all terms on a cell. */
+    /** Compute the forces of all terms on an element. */
     void
-    sum_forces(const unsigned int     cell,
+    sum_forces(const Element         &element,
                const State           &state,
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
@@ -231,6 +251,8 @@ namespace Biface
     /** All terms, starting with those that linear theory linearizes. */
     std::vector<const ForceTerm *> terms;
     unsigned int                   n_linearized = 0;
+    /** The cells of the mesh in their order, then the elements of terms. */
+    std::vector<Element> elements;
 
     /** The supports, as constraints on increments. */
     dealii::AffineConstraints<double> constraints;

@@ -56,6 +56,13 @@ namespace Biface
         const MixedElement::NodalVector &cell_vector,
         LA::Vector                      &global_vector);
 
+    /** The same for any element between the nodes of a cell. */
+    void
+    add(const Cell                      &element,
+        const MixedElement::NodalMatrix &cell_matrix,
+        const MixedElement::NodalVector &cell_vector,
+        LA::Vector                      &global_vector);
+
     /** Whether the matrix has entries for all couplings. */
     bool
     has(const std::vector<ForceTerm::Coupling> &couplings) const;

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <map>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -36,36 +36,52 @@ namespace Biface
   parse_edge_moments(const std::string &entry, const std::string &text);
 
 
-  /** A moment along an edge, lumped at a vertex of a cell. */
-  struct VertexMoment
+  /** A moment along the side of a cell on an edge, lumped at its vertices. */
+  struct SideMoment
   {
-    unsigned int cell;
-    /** The number of the vertex in the cell. */
-    unsigned int vertex;
-    /** The moment, per unit of the load factor. Unit: force times length. */
+    /** The wall beside the edge, whose half differences at the vertices of the
+     * side are those of its section: the thickness of the wall times half the
+     * weighted mean of the displacements of all faces of the layers whose
+     * weights are the forces that a plane section with the unit moment exerts
+     * on these faces, by the initial stiffness of the plies. Where
+     * displacements are linear over the wall, they are those of its two
+     * faces. */
+    Cell section;
+    /** The numbers of the vertices in the cell. */
+    std::array<unsigned int, 2> vertices;
+    /** The moment at each vertex, per unit of the load factor. Unit: force
+     * times length. */
     double moment;
     /** The axis of the moment in the frame of the node: the moment pushes the
      * outer face outward beyond the edge, in the direction
      * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
     dealii::Tensor<1, 3> axis;
-    /** The position of the load factor in Loads::factors. */
+    /** The position of the factor of the moment in Loads::factors. */
     unsigned int factor;
+
+    /** Add a force on the outer face at a vertex, and the opposite one on the
+     * inner face. */
+    static void
+    add_couple(const dealii::Tensor<1, 3> &force,
+               const unsigned int          vertex,
+               MixedElement::NodalVector  &forces);
   };
 
 
   /** The moments along edges on the cells of this rank.
    * @param follower whether to return follower or dead moments. */
-  std::vector<VertexMoment>
-  vertex_moments(const std::vector<EdgeMoment> &moments,
-                 const bool                     follower,
-                 const ShellMesh               &mesh);
+  std::vector<SideMoment>
+  side_moments(const std::vector<EdgeMoment> &moments,
+               const bool                     follower,
+               const ShellMesh               &mesh);
 
 
   /**
    * The couple of opposite forces on the outer and the inner face of a moment
    * about a fixed axis @f$\boldsymbol\omega@f$ that does work on the angle by
-   * which the director @f$\mathbf d@f$ (from the inner to the outer face)
-   * rotates about it, whatever its length:
+   * which the director @f$\mathbf d@f$ (from the inner to the outer face, of
+   * a section of several layers see SideMoment) rotates about it, whatever its
+   * length:
    * @f$\mathbf F = M\,\boldsymbol\omega\times\mathbf d/|\mathbf d_\perp|^2@f$,
    * where @f$\mathbf d_\perp@f$ is the part of the director normal to the axis.
    * It has a potential, so that its derivative is symmetric.
@@ -89,13 +105,8 @@ namespace Biface
     FollowerMoments(const ShellMesh               &mesh,
                     const std::vector<EdgeMoment> &edge_moments);
 
-    bool
-    acts_on(const unsigned int cell,
-            const State &,
-            const Loads &) const override
-    {
-      return moments.count(cell) > 0;
-    }
+    std::vector<const Cell *>
+    elements() const override;
 
     void
     add(const CellState &at, CellForces &forces) const override;
@@ -106,12 +117,13 @@ namespace Biface
                         MixedElement::NodalVector &force) const override;
 
   private:
-    /** The couple of a moment for the load factor 1. */
+    /** The couple at a vertex of a moment for the load factor 1. */
     static FollowerCouple
-    couple(const CellState &at, const VertexMoment &moment);
+    couple(const CellState   &at,
+           const SideMoment  &moment,
+           const unsigned int vertex);
 
-    /** The moments by the position of their cell in ShellMesh::cells. */
-    std::map<unsigned int, std::vector<VertexMoment>> moments;
+    const std::vector<SideMoment> moments;
   };
 } // namespace Biface
 

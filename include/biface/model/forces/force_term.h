@@ -58,7 +58,8 @@ namespace Biface
     /** A cell with everything its forces may depend on. */
     struct CellState
     {
-      /** The position of the cell in ShellMesh::cells. */
+      /** The position of the cell in ShellMesh::cells, or in elements() if it
+       * is one of them. */
       unsigned int index;
       const Cell  &cell;
       /** The nodal displacements of the cell in the state, see
@@ -101,6 +102,16 @@ namespace Biface
             const Loads & /*loads*/) const
     {
       return false;
+    }
+
+    /** Elements on cells of this rank that the mesh does not have, whose faces
+     * are displaced in another way by the unknowns of the nodes, see
+     * Cell::contributions. The term acts on all of them, beside the cells that
+     * it names by acts_on(), and no other term does. */
+    virtual std::vector<const Cell *>
+    elements() const
+    {
+      return {};
     }
 
     /** Add the contribution of the term to a cell on which it acts. */
