@@ -26,9 +26,9 @@ namespace Biface
     /** A point at which the curve turns at once, not by and by. */
     struct Kink
     {
-      /** Of the point. */
+      /** The position of the point among the points. */
       unsigned int index;
-      /** By which the polygon turns, in radians; not negative. */
+      /** The angle by which the polygon turns, in radians; not negative. */
       double angle;
     };
 

@@ -35,8 +35,8 @@ namespace Biface
     {
       /** Where the rounding begins and ends. */
       double begin, end;
-      /** Of the fifth degree over the fraction between begin and end: the
-       * coefficients of its powers. */
+      /** The coefficients of the powers of a polynomial of the fifth degree
+       * over the fraction of the way from begin to end. Unit: length. */
       std::array<dealii::Tensor<1, 2>, 6> coefficients;
     };
 

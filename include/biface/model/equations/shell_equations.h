@@ -185,13 +185,14 @@ namespace Biface
     }
 
   private:
-    /** One of ShellMesh::cells, or of ForceTerm::elements(). */
+    /** An element of ShellMesh::cells or of ForceTerm::elements(). */
     struct Element
     {
       const Cell *cell;
-      /** See ForceTerm::CellState. */
+      /** The position of the element, see ForceTerm::CellState. */
       unsigned int index;
-      /** The only term that acts on it; null for a cell of the mesh. */
+      /** The only term that acts on the element; null for a cell of the mesh.
+       */
       const ForceTerm *owner = nullptr;
     };
 

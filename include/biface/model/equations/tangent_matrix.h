@@ -56,7 +56,8 @@ namespace Biface
         const MixedElement::NodalVector &cell_vector,
         LA::Vector                      &global_vector);
 
-    /** The same for any element between the nodes of a cell. */
+    /** Add the matrix and the vector of an element between the nodes of a
+     * cell. */
     void
     add(const Cell                      &element,
         const MixedElement::NodalMatrix &cell_matrix,
