@@ -3,6 +3,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/edge_moments.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {

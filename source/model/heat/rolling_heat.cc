@@ -104,7 +104,7 @@ namespace Biface
         // others, so that the grid of the section stays regular
         for (unsigned int p = 0; p < plies.size(); ++p)
           section.conductivity(i, p) = volumes(i, p) > 0
-                                         ? plies[p].conductivity
+                                         ? plies[p].material.conductivity
                                          : sum / laminate.thickness();
       }
 
