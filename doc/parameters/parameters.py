@@ -25,6 +25,9 @@ end
 Any consistent set of units works, such as mm, N and MPa, but angles are always in
 degrees. Entries that are not set have their defaults, and unknown ones are refused. On
 the command line, `--set "Section/Entry=value"` takes precedence over the file.
+
+A backslash at the end of a line, or of its comment, joins it with the next one; comments
+between the lines of an entry are left out. A list must not end with a comma.
 """
 
 # sections whose name the user chooses

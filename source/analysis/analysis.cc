@@ -142,9 +142,8 @@ namespace Biface
         results,
         checkpoint != nullptr);
       checkpoints.write(record);
-      ResultsCheck      check(equations, simulation.get_contact());
-      const StepCounter counter(
-        parameters.stages, parameters.last_stage(), progress);
+      ResultsCheck             check(equations, simulation.get_contact());
+      const StepCounter        counter(parameters, progress);
       const LoadSteppingResult result = simulation.run(
         [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");

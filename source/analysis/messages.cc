@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include <biface/analysis/messages.h>
 #include <biface/base/version.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/problem/expected_cost.h>
 #include <biface/stepping/controls/make_control.h>
 
 namespace Biface
@@ -46,45 +48,54 @@ namespace Biface
   }
 
 
-  StepCounter::StepCounter(const std::vector<Stage> &stages,
-                           const unsigned int        last_stage,
-                           const Progress           &progress)
-    : stages(stages), at_begin(done(progress))
+  StepCounter::StepCounter(const Parameters &parameters,
+                           const Progress   &progress)
   {
-    for (unsigned int i = 0; i <= last_stage; ++i)
+    for (unsigned int i = 0; i <= parameters.last_stage(); ++i)
       {
-        const Stage &stage = stages[i];
-        planned += stage.n_steps;
+        const Stage &stage = parameters.stages[i];
+        steps.of_stages.push_back(stage.n_steps);
+        iterations.of_stages.push_back(stage.n_steps *
+                                       expected_iterations(parameters, stage));
         if (!make_control(stage)->has_equal_steps())
           predictable = false;
       }
+    for (Amount *amount : {&steps, &iterations})
+      amount->at_begin = amount->done(progress);
   }
 
 
   double
-  StepCounter::done(const Progress &progress) const
+  StepCounter::Amount::done(const Progress &progress) const
   {
     double sum = 0;
     for (unsigned int i = 0; i < progress.stage; ++i)
-      sum += stages[i].n_steps;
-    const Stage &stage = stages[progress.stage];
+      sum += of_stages[i];
     if (progress.stage_begun)
-      sum += stage.n_steps * progress.control.done;
+      sum += of_stages[progress.stage] * progress.control.done;
     return sum;
+  }
+
+
+  double
+  StepCounter::Amount::left(const Progress &progress) const
+  {
+    return std::max(0.,
+                    std::accumulate(of_stages.begin(), of_stages.end(), 0.) -
+                      done(progress));
   }
 
 
   std::string
   StepCounter::line(const StepReport &report, const Progress &progress) const
   {
-    const double now     = done(progress);
     const double seconds = timer.wall_time();
 
     std::string text = "  step " + std::to_string(report.step);
     if (predictable)
       text += " of " + std::to_string(report.step +
-                                      static_cast<unsigned int>(std::lround(
-                                        std::max(0., planned - now))));
+                                      static_cast<unsigned int>(
+                                        std::lround(steps.left(progress))));
     text += ":";
     char part[256];
     if (report.loads.factors[0] != 0)
@@ -129,12 +140,12 @@ namespace Biface
               (n == 1 ? " negative pivot" : " negative pivots");
     // in proportion to the steps since the start of this run: a restart has not
     // spent the time of the others
-    if (predictable && now > at_begin && planned > now)
+    const double done = iterations.done(progress) - iterations.at_begin;
+    const double left = iterations.left(progress);
+    if (predictable && done > 0 && left > 0)
       {
-        std::snprintf(part,
-                      sizeof(part),
-                      ", about %.2g s left",
-                      seconds * (planned - now) / (now - at_begin));
+        std::snprintf(
+          part, sizeof(part), ", about %.2g s left", seconds * left / done);
         text += part;
       }
     return text;
@@ -187,10 +198,11 @@ namespace Biface
     const auto loads = [&](const LoadLevel &point) {
       return "pressure " + number_to_string(point.pressure) + ", load factor " +
              number_to_string(point.factors[0]) +
-             (result.in_contact ? ", approach " + number_to_string(point.travel)
-                                : "");
+             (result.in_use.contact
+                ? ", approach " + number_to_string(point.travel)
+                : "");
     };
-    std::string text = explain(result.cause, result.in_contact) +
+    std::string text = explain(result.cause, result.in_use) +
                        " The last converged step is at " +
                        loads(result.reached);
     if (result.cause != FailureCause::too_many_steps)

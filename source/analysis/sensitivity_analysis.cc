@@ -823,13 +823,16 @@ namespace Biface
   void
   SensitivityAnalysis::lose(const Step &step, const Failure &failure)
   {
+    InUse in_use            = step.run.stage.in_use();
+    in_use.iterative_solver = parameters.linear_solver.is_iterative();
     for (const auto &perturbed : perturbed_runs)
       perturbed->state = perturbed->before;
     lost_stages.insert(step.run.progress.stage);
     out << "  Warning: the derivatives in " << step.run.stage.name
         << " and in stages that start from its end are left out: "
-        << failure.message << ". Possible remedies: "
-        << advice(failure.cause, step.run.stage.contact) << std::endl;
+        << failure.message
+        << ". Possible remedies: " << advice(failure.cause, in_use)
+        << std::endl;
   }
 
 

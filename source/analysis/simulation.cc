@@ -300,18 +300,23 @@ namespace Biface
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
     BucklingAnalysis buckling_analysis(
       equations, contact, *linear_solver, timer);
-    LoadStepping load_stepping(parameters.load_stepping,
+    LoadStepping       load_stepping(parameters.load_stepping,
                                equations,
                                contact,
                                model.heat.get(),
                                newton,
                                predictor ? *predictor
-                               : nested  ? *nested
-                                         : none,
+                                     : nested  ? *nested
+                                               : none,
                                buckling_analysis,
                                make_analyses(buckling_analysis),
                                out);
-    return load_stepping.run(
-      parameters.stages, progress, state, ends, observer);
+    LoadSteppingResult result =
+      load_stepping.run(parameters.stages, progress, state, ends, observer);
+    result.in_use.iterative_solver = parameters.linear_solver.is_iterative();
+    if (result.worst)
+      result.worst->gradient_factor =
+        parameters.laminate.shear_law_of_layers().gradient_factor;
+    return result;
   }
 } // namespace Biface

@@ -44,6 +44,87 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** A line of a file without its comment. */
+    struct FileLine
+    {
+      std::string content;
+      /** Whether there is nothing but a comment. */
+      bool is_comment = false;
+      /** Whether a backslash joins it with the next one. */
+      bool goes_on = false;
+
+      explicit FileLine(const std::string &text)
+      {
+        const auto hash = text.find('#');
+        content         = Utilities::trim(text.substr(0, hash));
+        is_comment      = (content.empty() && hash != std::string::npos);
+        if (!content.empty() && content.back() == '\\')
+          {
+            content.pop_back();
+            goes_on = true;
+          }
+        else if (!is_comment && hash != std::string::npos &&
+                 Utilities::trim(text).back() == '\\')
+          {
+            content += ' ';
+            goes_on = true;
+          }
+      }
+
+      /** Whether it begins a setting or a section, or ends one. */
+      bool
+      is_statement() const
+      {
+        std::istringstream words(content);
+        std::string        word;
+        words >> word;
+        for (char &c : word)
+          c = std::tolower(static_cast<unsigned char>(c));
+        return (word == "set" && content.find('=') != std::string::npos) ||
+               word == "subsection" || (word == "end" && !(words >> word));
+      }
+    };
+  } // namespace
+
+
+  std::string
+  join_lines(const std::string &source, const std::string &text)
+  {
+    std::vector<std::string> result;
+    std::istringstream       lines(text);
+    std::string              joined;
+    // the last line that goes on; 0 if there is none
+    unsigned int before = 0;
+    for (std::string physical; std::getline(lines, physical);)
+      {
+        const FileLine line(physical);
+        result.emplace_back();
+        if (line.is_comment)
+          continue;
+        if (before > 0 && line.is_statement())
+          throw InputError(parameter_place(source, before) +
+                           "the backslash at the end of the line joins it "
+                           "with " +
+                           quoted(line.content) +
+                           ", which is not a part of it; delete the "
+                           "backslash.");
+        joined += line.content;
+        before = (line.goes_on ? result.size() : 0);
+        if (!line.goes_on)
+          result.back().swap(joined);
+      }
+    if (before > 0)
+      result.back() = joined;
+
+    std::string all;
+    for (const std::string &line : result)
+      all += line + '\n';
+    return all;
+  }
+
+
   std::vector<ParameterLine>
   scan_parameter_text(const std::string &text)
   {
@@ -51,23 +132,9 @@ namespace Biface
     std::string                section;
     unsigned int               depth = 0;
     std::istringstream         lines(text);
-    std::string                physical, content;
-    while (std::getline(lines, physical))
+    for (std::string content; std::getline(lines, content);)
       {
-        // a backslash joins a line with the next one
-        physical = Utilities::trim(physical);
-        if (!physical.empty() && physical.back() == '\\')
-          {
-            content.append(physical, 0, physical.size() - 1);
-            if (lines.peek() != std::istringstream::traits_type::eof())
-              {
-                result.emplace_back();
-                continue;
-              }
-          }
-        else
-          content += physical;
-        content = Utilities::trim(content.substr(0, content.find('#')));
+        content = Utilities::trim(content);
 
         ParameterLine     line;
         const std::size_t end = content.find_first_of(" \t");
@@ -84,7 +151,6 @@ namespace Biface
               line.value = Utilities::trim(rest.substr(equals + 1));
           }
         result.push_back(line);
-        content.clear();
 
         // deeper sections are refused by check_parameter_text()
         if (line.keyword == "subsection" && ++depth <= max_depth)
@@ -221,14 +287,8 @@ namespace Biface
           }
         if (!changed)
           continue;
-        // the setting may span several lines; it has the number of the last one
         physical[number] = line.keyword + " " + line.name +
                            (set ? " = " + line.value : std::string());
-        for (unsigned int i = number - 1;
-             i > 0 && !Utilities::trim(physical[i]).empty() &&
-             Utilities::trim(physical[i]).back() == '\\';
-             --i)
-          physical[i].clear();
       }
 
     if (!found.empty())
@@ -267,6 +327,12 @@ namespace Biface
           throw InputError(where + "the entry " + quoted(name) + " is " +
                            quoted(line.value) +
                            ", but a value must not contain a brace.");
+        if (!line.value.empty() && line.value.back() == ',')
+          throw InputError(where + InputError(name,
+                                              line.value,
+                                              "a list must not end with a "
+                                              "comma")
+                                     .what());
         // splitting a list takes quadratic time
         if (line.value.size() > 100000)
           throw InputError(where + "the entry " + quoted(name) + " has " +

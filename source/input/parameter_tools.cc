@@ -220,14 +220,15 @@ namespace Biface
       }
     for (std::string &item : items)
       item = dealii::Utilities::trim(item);
-    if (items.back().empty())
-      items.pop_back();
+    if (items.size() == 1 && items[0].empty())
+      return {};
     for (const std::string &item : items)
       if (item.empty())
-        throw InputError(entry,
-                         text,
-                         std::string("there must be an item before each '") +
-                           separator + "'");
+        throw InputError(
+          entry,
+          text,
+          std::string("there must be an item before and after each '") +
+            separator + "'");
     return items;
   }
 

@@ -207,8 +207,11 @@ namespace Biface
         "Warning: an error of the interpolation of rigid motions, " +
         beside_reaction(forces.interpolation, forces.largest_reaction) +
         ", is part of the balance of forces (line 'interpolation' of "
-        "forces.csv); smaller cells reduce it, and 'Element/Interpolation = "
-        "Cartesian' with cells of 10 degrees or less has none.");
+        "forces.csv); smaller cells reduce it" +
+        (equations.mesh.interpolation == Interpolation::Cartesian
+           ? "."
+           : ", and 'Element/Interpolation = Cartesian' with cells of 10 "
+             "degrees or less has none."));
     if (!checked_cells &&
         equations.mesh.interpolation == Interpolation::Cartesian)
       {

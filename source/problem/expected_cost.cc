@@ -77,6 +77,46 @@ namespace Biface
   } // namespace
 
 
+  double
+  expected_iterations(const Parameters &parameters, const Stage &stage)
+  {
+    // of runs of the files in prm/; in a wheel that rolls, stresses that relax
+    // couple all nodes of a circle
+    constexpr double of_step = 5, relaxing = 10, heat_rounds = 3, adaptive = 3,
+                     of_derivative = 0.5;
+
+    double     result = of_step;
+    const bool rolls  = stage.rolls(LoadLevel());
+    if (rolls && std::any_of(parameters.materials.begin(),
+                             parameters.materials.end(),
+                             [](const MaterialParameters &material) {
+                               return material.relaxes();
+                             }))
+      result *= relaxing;
+    if (rolls && parameters.heat.temperatures ==
+                   RollingHeat::Parameters::Temperatures::coupled)
+      result *= heat_rounds;
+    if (stage.control == ControlKind::arc_length)
+      result *= adaptive;
+    // two perturbed runs each
+    return result + 2 * of_derivative * parameters.sensitivities.changes.size();
+  }
+
+
+  namespace
+  {
+    /** The iterations that take as long as the modes and buckling loads at the
+     * end of a stage. */
+    double
+    iterations_at_end(const Stage &stage)
+    {
+      constexpr double of_mode = 0.5;
+      const double     n       = stage.n_modes + stage.n_buckling;
+      return n > 0 ? 1 + of_mode * n : 0.;
+    }
+  } // namespace
+
+
   ExpectedCost::ExpectedCost(const Parameters &parameters,
                              const ChartGrid  &grid,
                              const MPI_Comm    communicator)
@@ -88,8 +128,9 @@ namespace Biface
                      rank = 0.17 * gibibyte;
     // factors grow faster than the unknowns of a node
     constexpr double growth_with_layers = 1.6;
-    // seconds of an iteration, and iterations of a step
-    constexpr double of_ten_thousand = 0.07, growth = 1.15, n_iterations = 5;
+    // seconds of an iteration
+    constexpr double of_ten_thousand = 0.07, growth = 1.15,
+                     both_triangles = 1.8;
 
     const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
     const double       n_nodes  = n_nodes_of(grid);
@@ -104,18 +145,22 @@ namespace Biface
         is_symmetric &&
         !(stage.contact && parameters.contact.friction.coefficient != "0");
     const bool is_small =
-      is_symmetric || parameters.linear_solver.type ==
-                        LinearSolver::Parameters::Type::iterative;
+      is_symmetric || parameters.linear_solver.is_iterative();
     const double of_node = (is_small ? symmetric : unsymmetric) *
                            std::pow(per_node / 6, growth_with_layers);
     memory = n_ranks * rank + n_nodes * (mesh * (n_copies - 1) + of_node);
 
-    double n_steps = 0;
+    double n_iterations = 0;
     for (unsigned int s = 0; s <= parameters.last_stage(); ++s)
-      n_steps += parameters.stages[s].n_steps;
-    seconds = n_steps * n_iterations * of_ten_thousand *
-              std::pow(n_nodes * per_node / 1e4, growth) /
-              std::pow(n_ranks, 0.7);
+      {
+        const Stage &stage = parameters.stages[s];
+        n_steps += stage.n_steps;
+        n_iterations += stage.n_steps * expected_iterations(parameters, stage) +
+                        iterations_at_end(stage);
+      }
+    seconds =
+      n_iterations * of_ten_thousand * (is_small ? 1. : both_triangles) *
+      std::pow(n_nodes * per_node / 1e4, growth) / std::pow(n_ranks, 0.7);
   }
 
 
@@ -125,9 +170,11 @@ namespace Biface
     char number[32];
     std::snprintf(number, sizeof(number), "%.2g", memory / gibibyte);
     return std::string("about ") + number + " GiB of memory and a time of " +
-           (seconds < 100    ? "seconds"
-            : seconds < 5000 ? "minutes"
-                             : "hours");
+           (seconds < 60     ? "seconds"
+            : seconds < 3600 ? "minutes"
+                             : "hours") +
+           " for " + number_to_string(n_steps) +
+           (n_steps == 1 ? " step" : " steps");
   }
 
 

@@ -112,9 +112,10 @@ namespace Biface
                       Patterns::Integer(1, 1000),
                       "Number of stages. Each has a section 'Stage 1', "
                       "'Stage 2', ... and starts from the end of the "
-                      "previous one, or of that in 'Start from'. A smaller "
-                      "number on the command line ends the run earlier: the "
-                      "other sections are ignored.",
+                      "previous one, or of that in 'Start from'. A number "
+                      "smaller than that of the sections ends the run "
+                      "earlier: the other sections are ignored, which a note "
+                      "says.",
                       RestartChange::always);
     stages.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
@@ -568,6 +569,9 @@ namespace Biface
                               "support tilt the plate, the part across the "
                               "axis is missing.");
       }
+
+    if (const std::string warning = travel_beyond_supports(); !warning.empty())
+      sentences.push_back(warning);
 
     std::vector<std::string> of_pressure;
     const PressureLoad       defaults;

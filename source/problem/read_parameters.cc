@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -25,6 +26,39 @@ namespace Biface
 {
   using namespace dealii;
 
+  std::string
+  override_text(const Override &given)
+  {
+    const std::string &setting = given.setting;
+    const std::string  option  = given.source.substr(0, given.source.find(' '));
+    const std::string  value =
+      given.source.substr(std::min(option.size() + 1, given.source.size()));
+    const std::string form   = "it must have the form 'Section/Entry=value'";
+    const auto        equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError(option, value, form);
+    const std::vector<std::string> path =
+      Utilities::split_string_list(setting.substr(0, equals), '/');
+    if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
+      throw InputError(option, value, form);
+    // characters that would end the line or continue it in the next one
+    if (setting.find_first_of("\n\r#") != std::string::npos ||
+        Utilities::trim(setting).back() == '\\')
+      throw InputError(option,
+                       value,
+                       "it must be a single line without '#' and without a "
+                       "backslash at the end");
+
+    std::string text;
+    for (unsigned int i = 0; i + 1 < path.size(); ++i)
+      text += "subsection " + path[i] + "\n";
+    text += "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
+    for (unsigned int i = 0; i + 1 < path.size(); ++i)
+      text += "end\n";
+    return text;
+  }
+
+
   namespace
   {
     /** A text of settings. */
@@ -33,45 +67,11 @@ namespace Biface
       /** Its name in error messages. */
       std::string name;
       std::string text;
-      /** The number of stages according to it and the sources before it. */
-      unsigned int n_stages = 1;
+      /** The number of the last section of a stage that it may have. */
+      unsigned int last_section = 1;
       /** Whether it is a file of plies. */
       bool is_plies_file = false;
     };
-
-
-    /** A setting as the text of a parameter file. */
-    std::string
-    override_text(const Override &given)
-    {
-      const std::string &setting = given.setting;
-      const std::string option = given.source.substr(0, given.source.find(' '));
-      const std::string value =
-        given.source.substr(std::min(option.size() + 1, given.source.size()));
-      const std::string form   = "it must have the form 'Section/Entry=value'";
-      const auto        equals = setting.find('=');
-      if (equals == std::string::npos || equals == 0)
-        throw InputError(option, value, form);
-      const std::vector<std::string> path =
-        Utilities::split_string_list(setting.substr(0, equals), '/');
-      if (path.empty() || std::find(path.begin(), path.end(), "") != path.end())
-        throw InputError(option, value, form);
-      // characters that would end the line or continue it in the next one
-      if (setting.find_first_of("\n\r#") != std::string::npos ||
-          Utilities::trim(setting).back() == '\\')
-        throw InputError(option,
-                         value,
-                         "it must be a single line without '#' and without a "
-                         "backslash at the end");
-
-      std::string text;
-      for (unsigned int i = 0; i + 1 < path.size(); ++i)
-        text += "subsection " + path[i] + "\n";
-      text += "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
-      for (unsigned int i = 0; i + 1 < path.size(); ++i)
-        text += "end\n";
-      return text;
-    }
 
 
     /** The number in the name of a section "Stage N"; none if it is another
@@ -88,8 +88,21 @@ namespace Biface
     }
 
 
-    /** Remove the sections of stages beyond the last one if a later source has
-     * reduced the number of stages. @return their names. */
+    /** Whether a source sets an entry outside of all sections. */
+    bool
+    sets(const Source &source, const std::string &entry)
+    {
+      const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
+      return std::any_of(
+        lines.begin(), lines.end(), [&](const ParameterLine &line) {
+          return line.keyword == "set" && line.section.empty() &&
+                 line.name == entry;
+        });
+    }
+
+
+    /** Remove the sections of stages beyond the last one that is run.
+     * @return their names. */
     std::set<std::string>
     remove_surplus_stages(Source &source, const unsigned int n_stages)
     {
@@ -104,7 +117,7 @@ namespace Biface
           const ParameterLine &line = lines[number];
           if (line.keyword == "subsection" && line.section.empty())
             if (const auto stage = number_of_stage(line.name))
-              if (*stage > n_stages && *stage <= source.n_stages)
+              if (*stage > n_stages && *stage <= source.last_section)
                 {
                   in_surplus = true;
                   removed.insert(line.name);
@@ -297,8 +310,8 @@ namespace Biface
       ParameterHandler         names_only;
       unsigned int             n_stages = 1;
       std::vector<std::string> materials{"cord"}, bodies;
-      names_only.add_parameter(
-        "Number of stages", n_stages, "", Patterns::Integer(1, 1000));
+      const std::string        entry = "Number of stages";
+      names_only.add_parameter(entry, n_stages, "", Patterns::Integer(1, 1000));
       names_only.add_parameter(
         "Materials", materials, "", Patterns::List(Patterns::Anything(), 1));
       names_only.add_parameter(
@@ -314,8 +327,16 @@ namespace Biface
               used_old_names.push_back(old);
           check_parameter_text(source.name, source.text);
           parse_parameter_text(names_only, source.name, source.text, true);
-          source.n_stages = n_stages;
+          source.last_section = n_stages;
         }
+      // who gives the number asks for these stages, also of a file with more;
+      // an option for a stage that is not run is a mistake
+      if (!file_name.empty() && std::any_of(sources.begin(),
+                                            sources.end(),
+                                            [&](const Source &source) {
+                                              return sets(source, entry);
+                                            }))
+        sources[0].last_section = std::numeric_limits<unsigned int>::max();
 
       check_names(file_name, "Materials", materials);
       check_names(file_name, "Bodies", bodies);
@@ -399,7 +420,9 @@ namespace Biface
     {
       std::vector<Source> sources;
       if (!file_name.empty())
-        sources.push_back({file_name, read_file(file_name, communicator)});
+        sources.push_back(
+          {file_name,
+           join_lines(file_name, read_file(file_name, communicator))});
       for (const Override &setting : overrides)
         sources.push_back({setting.source, override_text(setting)});
       read_plies_files(file_name, communicator, sources);

@@ -11,12 +11,25 @@ namespace Biface
     const char smaller_steps[] =
       "smaller steps (more 'Steps' in the stage, or 'Step control/Maximum "
       "cuts')";
-    const char turning_points[] =
-      "if the shell snaps through or buckles, 'Control = displacement' or "
-      "'arc length', which pass turning points of the load";
     const char zone_edge[] =
       "smaller cells at the edge of the contact zone, or a smaller "
       "'Contact/Regularization'";
+
+
+    /** The controls that pass turning points and are not in use, after a
+     * semicolon. */
+    std::string
+    turning_points(const InUse &in_use)
+    {
+      const std::string start = "; if the shell snaps through or buckles, ";
+      if (in_use.arc_length_control)
+        return {};
+      if (in_use.displacement_control)
+        return start + "'Control = arc length', which also passes turning "
+                       "points of the displacement";
+      return start + "'Control = displacement' or 'arc length', which pass "
+                     "turning points of the load";
+    }
 
 
     std::string
@@ -44,6 +57,9 @@ namespace Biface
           case FailureCause::linear_iterations:
             return "The Krylov method did not solve a linear system as "
                    "accurately as the step needs.";
+          case FailureCause::nonlocal_iterations:
+            return "The stresses that relax around the axle change too much "
+                   "in the step.";
           case FailureCause::control:
             return "The prescribed displacement or force does not change with "
                    "the loads.";
@@ -58,30 +74,35 @@ namespace Biface
 
 
   std::string
-  advice(const FailureCause cause, const bool in_contact)
+  advice(const FailureCause cause, const InUse &in_use)
   {
     const std::string contact =
-      (in_contact ? std::string("; ") + zone_edge : std::string());
+      (in_use.contact ? std::string("; ") + zone_edge : std::string());
     switch (cause)
       {
         case FailureCause::too_many_iterations:
           return std::string("more 'Newton/Maximum iterations' if the "
                              "residual still decreases; ") +
-                 smaller_steps + "; " + turning_points + contact;
+                 smaller_steps + turning_points(in_use) + contact;
         case FailureCause::divergence:
-          return std::string(smaller_steps) + "; " + turning_points + contact;
+          return smaller_steps + turning_points(in_use) + contact;
         case FailureCause::contact_cycle:
           return std::string(zone_edge) + "; " + smaller_steps;
         case FailureCause::singular_tangent:
           return std::string("more entries in 'Supports' (the start of the "
-                             "run lists free rigid motions); ") +
-                 turning_points + "; other plies or moduli";
+                             "run lists free rigid motions)") +
+                 turning_points(in_use) + "; other plies or moduli";
         case FailureCause::out_of_memory:
-          return "fewer cells, 'Linear solver/Type = iterative', or more "
-                 "machines";
+          return std::string("fewer cells, ") +
+                 (in_use.iterative_solver
+                    ? ""
+                    : "'Linear solver/Type = iterative', ") +
+                 "or more machines";
         case FailureCause::linear_iterations:
           return "more 'Linear solver/Maximum iterations', or 'Linear "
                  "solver/Type = direct'";
+        case FailureCause::nonlocal_iterations:
+          return smaller_steps;
         case FailureCause::control:
           return "another 'Control point' or 'Control component'; for a "
                  "force, a stage of prescribed motion before, in which the "
@@ -98,9 +119,9 @@ namespace Biface
 
 
   std::string
-  explain(const FailureCause cause, const bool in_contact)
+  explain(const FailureCause cause, const InUse &in_use)
   {
-    return meaning(cause) + " Possible remedies: " + advice(cause, in_contact) +
+    return meaning(cause) + " Possible remedies: " + advice(cause, in_use) +
            '.';
   }
 } // namespace Biface

@@ -75,7 +75,7 @@ namespace Biface
         if (!failure)
           {
             failure.emplace();
-            failure->cause   = FailureCause::linear_iterations;
+            failure->cause   = FailureCause::nonlocal_iterations;
             failure->message = "the stresses that relax around the axle were "
                                "not solved for in " +
                                std::to_string(max_iterations) + " iterations";

@@ -268,10 +268,10 @@ namespace Biface
   LoadStepping::failure_at(const StageRun &run, const LoadLevel &tried) const
   {
     LoadSteppingResult failure;
-    failure.success    = false;
-    failure.in_contact = run.stage.contact;
-    failure.reached    = run.progress.reached;
-    failure.tried      = tried;
+    failure.success = false;
+    failure.in_use  = run.stage.in_use();
+    failure.reached = run.progress.reached;
+    failure.tried   = tried;
     return failure;
   }
 

@@ -281,11 +281,22 @@ namespace Biface
       const std::string &name = study_file;
       const std::string  folder =
         std::filesystem::path(name).parent_path().string();
-      const std::string text = read_file(name, communicator);
+      const std::string text = join_lines(name, read_file(name, communicator));
       ParameterHandler  prm;
       parameters.add_parameters(prm);
       check_parameter_text(name, text);
       parse_parameter_text(prm, name, text);
+      // the others change the base file
+      std::vector<Override> of_base;
+      for (const Override &given : options.overrides)
+        if (Utilities::trim(given.setting).rfind("Study/", 0) == 0)
+          {
+            const std::string changed = override_text(given);
+            check_parameter_text(given.source, changed);
+            parse_parameter_text(prm, given.source, changed);
+          }
+        else
+          of_base.push_back(given);
       if (!options.output.empty())
         parameters.directory = options.output;
 
@@ -308,7 +319,7 @@ namespace Biface
       base_overrides = {{"Checkpoint/Write=false", "--study"}};
       for (const Override &setting : parameters.settings)
         base_overrides.push_back(setting);
-      for (const Override &setting : options.overrides)
+      for (const Override &setting : of_base)
         base_overrides.push_back(setting);
       read_parameters(base_file, base_overrides, communicator, base, base_prm);
 

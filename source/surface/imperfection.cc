@@ -8,6 +8,7 @@
 #include <biface/input/grid_data.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
+#include <biface/surface/greatest_deviation.h>
 #include <biface/surface/imperfection.h>
 
 namespace Biface
@@ -61,8 +62,11 @@ namespace Biface
       "The deviation of the stress-free shell from the surface, along the "
       "outward normal: a number or a formula of the position x, y, z on the "
       "surface, of alpha_1, alpha_2 and of the 'Tables', such as 0.05*mode + "
-      "0.1*dent. It is zero where supports hold the shell along the normal. "
-      "Displacements are counted from the surface, so that they contain it.",
+      "0.1*dent. It is zero where supports hold the shell along the normal, "
+      "and at most " +
+        number_to_string(GreatestDeviation::allowed) +
+        " of the smaller radius of curvature. "
+        "Displacements are counted from the surface, so that they contain it.",
       Unit("length"));
     add_parsed(
       prm,

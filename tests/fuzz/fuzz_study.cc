@@ -36,8 +36,9 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
     StudyParameters          study;
     dealii::ParameterHandler prm;
     study.add_parameters(prm);
-    check_parameter_text("study.prm", input);
-    parse_parameter_text(prm, "study.prm", input);
+    const std::string text = join_lines("study.prm", input);
+    check_parameter_text("study.prm", text);
+    parse_parameter_text(prm, "study.prm", text);
     if (study.sampling.type == Sampling::Type::file)
       return;
     const auto samples = study.sampling.samples("", MPI_COMM_SELF);

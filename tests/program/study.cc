@@ -202,6 +202,17 @@ main(int argc, char *argv[])
     }
   study("grid.prm", "stopped", {"--restart", "--set", "Stage 2/Travel=9"});
   study("grid.prm", "nowhere", {"--restart"});
+  const Ended checked = run({"--study",
+                             "--check",
+                             "grid.prm",
+                             "--set",
+                             "Study/Values=p: 0.12, 0.15, 0.16; angle: 50",
+                             "--set",
+                             "Stage 2/Travel=9"},
+                            "nowhere",
+                            MPI_COMM_WORLD);
+  if (is_root())
+    std::cout << "other values: " << checked.err << checked.out;
 
   write_study("failing.prm",
               "set Settings = " + coarse +

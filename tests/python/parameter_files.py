@@ -12,6 +12,13 @@ check(study["Study/Outputs"].endswith("mean_pressure, footprint_length, "
                                       "footprint_width, max_fiber_tension, "
                                       "strain_energy @ inflation"),
       f"continued lines are not joined: {study['Study/Outputs']}")
+file = scratch() / "joined.prm"
+file.write_text("subsection Laminate\n  set Plies = ud: 1 @ 0,  # inner \\\n    # outer\n"
+                "    ud: 2 @ 0   # last\nend\n# alone \\\nset Materials = ud\n")
+joined = biface.read_parameters(file)
+check(joined["Laminate/Plies"] == "ud: 1 @ 0, ud: 2 @ 0",
+      f"a comment hides the next line: {joined['Laminate/Plies']}")
+check(joined["Materials"] == "ud", "a comment alone hides the next line")
 file = scratch() / "changed.prm"
 biface.write_parameters(file, {**COARSE, "Stage 2/Travel": 10.5}, TIRE)
 check(biface.read_parameters(file)["Stage 2/Travel"] == "10.5", "a change is not read")

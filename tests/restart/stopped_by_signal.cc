@@ -18,9 +18,13 @@ namespace
     std::filesystem::remove_all("cut");
     const Ended stopped = run(words, "cut", MPI_COMM_WORLD, text, signal);
     std::cout << stopped.code << '\n' << stopped.err;
-    check_true("the table is printed",
-               stopped.out.find("max contact pressure") != std::string::npos);
     const unsigned int n_steps = read_table("cut/history.csv").size() - 1;
+    // other lines begin with "Step" or with two blanks
+    const auto table = stopped.out.find("\nstep ");
+    check_true("the table is printed",
+               table != std::string::npos &&
+                 stopped.out.find("\n   " + std::to_string(n_steps) + "  ",
+                                  table) != std::string::npos);
     std::cout << n_steps << " steps\n";
     const std::string series = text_of("cut/shell.pvd");
     check_true("the series for ParaView is complete",

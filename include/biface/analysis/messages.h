@@ -26,30 +26,35 @@ namespace Biface
   class StepCounter
   {
   public:
-    /** @param stages the stages of the run, kept by reference.
-     * @param last_stage the last one of them that is run.
-     * @param progress the progress at the start. */
-    StepCounter(const std::vector<Stage> &stages,
-                const unsigned int        last_stage,
-                const Progress           &progress);
+    /** @param progress the progress at the start. */
+    StepCounter(const Parameters &parameters, const Progress &progress);
 
     /** The line of a step, such as "step 3 of 21: ...; 2.1 s so far, about 12 s
-     * left". The total number of steps and the remaining time are given if each
-     * step is a given fraction of its stage. */
+     * left". The total number of steps and the remaining time, which follows
+     * from expected_iterations(), are given if each step is a given fraction of
+     * its stage. */
     std::string
     line(const StepReport &report, const Progress &progress) const;
 
   private:
-    /** The number of completed steps of those planned by the stages, including
-     * fractions. */
-    double
-    done(const Progress &progress) const;
+    /** A quantity of which each stage has its part. */
+    struct Amount
+    {
+      std::vector<double> of_stages;
+      double              at_begin = 0;
 
-    const std::vector<Stage> &stages;
-    const double              at_begin;
-    double                    planned     = 0;
-    bool                      predictable = true;
-    dealii::Timer             timer;
+      /** What is completed, fractions of stages included. */
+      double
+      done(const Progress &progress) const;
+
+      double
+      left(const Progress &progress) const;
+    };
+
+    /** The planned steps, and their iterations. */
+    Amount        steps, iterations;
+    bool          predictable = true;
+    dealii::Timer timer;
   };
 
 

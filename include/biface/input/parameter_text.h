@@ -12,6 +12,22 @@
 
 namespace Biface
 {
+  /**
+   * The text of a parameter file with each entry in one line, and without
+   * comments. A backslash at the end of a line joins it with the next one, also
+   * if one of the two stands before or in a comment; a line that is a comment
+   * hides nothing but itself. Lines keep their numbers: an entry is in its last
+   * line.
+   *
+   * Throws InputError if what follows a backslash is another setting or
+   * section.
+   *
+   * @param source the name of the text in error messages.
+   */
+  std::string
+  join_lines(const std::string &source, const std::string &text);
+
+
   /** A line of a parameter file. */
   struct ParameterLine
   {
@@ -28,7 +44,8 @@ namespace Biface
   };
 
 
-  /** The lines of a parameter file by their numbers, which start at 1. */
+  /** The lines of a parameter file by their numbers, which start at 1.
+   * @param text see join_lines(). */
   std::vector<ParameterLine>
   scan_parameter_text(const std::string &text);
 
@@ -37,12 +54,13 @@ namespace Biface
    * Refuse what ParameterHandler would silently misinterpret: an entry that is
    * set twice, of which it takes the last value; braces, which it takes for a
    * list of alternatives; included files, which every rank would read; numbers
-   * that would overflow; unclosed sections.
+   * that would overflow; sections within too many others. Also refuse a list
+   * that ends with a comma, which may have lost its last items.
    *
    * Throws InputError.
    *
    * @param source the name of the text in error messages.
-   * @param text the text of a complete parameter file.
+   * @param text the text of a complete parameter file, see join_lines().
    */
   void
   check_parameter_text(const std::string &source, const std::string &text);

@@ -122,9 +122,9 @@ namespace Biface
 
   /**
    * Split a list at a separator, except within parentheses or double quotes.
-   * The last item may be followed by a separator; an empty text has no items.
+   * An empty text has no items.
    *
-   * Throws InputError if another item is empty, or if there are more than
+   * Throws InputError if an item is empty, or if there are more than
    * @p limit items. This is checked before any of them is read, since reading
    * may cost far more than the text.
    */

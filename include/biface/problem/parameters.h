@@ -104,7 +104,8 @@ namespace Biface
     check() const;
 
     /** Warnings about input that is valid but probably unintended: loads that
-     * no stage applies, and symmetry supports with angle plies. */
+     * no stage applies, symmetry supports with angle plies, and a foundation
+     * that would travel beyond an edge that is held. */
     std::vector<std::string>
     warnings() const;
 
@@ -150,6 +151,11 @@ namespace Biface
     /** Check the bodies and the stages in which they are. */
     void
     check_bodies() const;
+
+    /** A warning if the foundation would travel beyond an edge that is held;
+     * empty otherwise. */
+    std::string
+    travel_beyond_supports() const;
 
     /** Check that an imperfection is used with nothing that needs a perfect
      * shell. */
@@ -220,6 +226,12 @@ namespace Biface
     std::string setting;
     std::string source;
   };
+
+
+  /** A setting as the text of a parameter file. Throws InputError if it does
+   * not have the form "Section/Entry=value" in a single line. */
+  std::string
+  override_text(const Override &given);
 
 
   /**

@@ -21,6 +21,8 @@ namespace Biface
     out_of_memory,
     /** The Krylov method did not reach its tolerance. */
     linear_iterations,
+    /** That for the nonlocal part of a linear system did not. */
+    nonlocal_iterations,
     /** The controlled quantity does not depend on the loads. */
     control,
     /** The maximum number of steps is reached. */
@@ -37,18 +39,30 @@ namespace Biface
   };
 
 
+  /** The settings of a stage in which a step fails: no remedy names them again.
+   */
+  struct InUse
+  {
+    /** Whether the stage has contact. */
+    bool contact = false;
+    /** Whether the 'Control' of the stage is 'displacement' or 'arc length'. */
+    bool displacement_control = false;
+    bool arc_length_control   = false;
+    /** Whether the 'Type' of the linear solver is 'iterative'. */
+    bool iterative_solver = false;
+  };
+
+
   /** Possible remedies for a failure, as part of a sentence that names entries
-   * of the parameter file.
-   * @param in_contact whether the stage has contact. */
+   * of the parameter file. */
   std::string
-  advice(const FailureCause cause, const bool in_contact);
+  advice(const FailureCause cause, const InUse &in_use);
 
 
   /** The meaning of a failure and possible remedies: sentences for the user
-   * that name entries of the parameter file.
-   * @param in_contact whether the stage has contact. */
+   * that name entries of the parameter file. */
   std::string
-  explain(const FailureCause cause, const bool in_contact);
+  explain(const FailureCause cause, const InUse &in_use);
 } // namespace Biface
 
 #endif

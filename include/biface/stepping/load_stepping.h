@@ -41,8 +41,9 @@ namespace Biface
     /** Whether the run was stopped on request, which is not a success. */
     bool stopped = false;
     /** The cause of a failure, if a step failed after all attempts. */
-    FailureCause cause      = FailureCause::too_many_iterations;
-    bool         in_contact = false;
+    FailureCause cause = FailureCause::too_many_iterations;
+    /** The settings of the stage of the failure. */
+    InUse in_use;
     /** The loads of the last converged step, and those at the start of the last
      * attempt beyond it. */
     LoadLevel reached;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <biface/model/state/state.h>
+#include <biface/solver/failure.h>
 #include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_control.h>
 #include <biface/stepping/stage_loads.h>
@@ -63,6 +64,16 @@ namespace Biface
     rolls(const LoadLevel &start) const
     {
       return start.rolls() || end(start).rolls() || prescribes_axle_moment();
+    }
+
+    /** The settings that are no remedy if a step of the stage fails. */
+    InUse
+    in_use() const
+    {
+      return {contact,
+              control == ControlKind::displacement,
+              control == ControlKind::arc_length,
+              false};
     }
 
     /** Whether the stage has a foundation that may move. */

@@ -20,7 +20,7 @@ namespace Biface
   struct StudyOptions
   {
     std::string file_name;
-    /** Changes of entries of the base file. */
+    /** Changes of entries of the section 'Study', and of the base file. */
     std::vector<Override> overrides;
     /** The directory of the results; empty for that of the file. */
     std::string output;

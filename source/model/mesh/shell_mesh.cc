@@ -22,6 +22,7 @@
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/supports.h>
+#include <biface/surface/greatest_deviation.h>
 #include <biface/surface/imperfection.h>
 #include <biface/surface/reference_surface.h>
 
@@ -493,16 +494,18 @@ namespace Biface
   void
   ShellMesh::deviate_by(const Imperfection &deviation)
   {
-    LA::Vector V = owned_vector();
+    LA::Vector        V = owned_vector();
+    GreatestDeviation greatest;
     agree_on_errors(communicator, [&]() {
       for (const Node &node : nodes)
-        if (node.locally_owned)
+        if (node.locally_owned && !holds_normal(node, constraints))
           {
             const double w = deviation(node.surface.position, node.alpha);
-            V(node.dof(2, MixedElement::mean)) =
-              holds_normal(node, constraints) ? 0. : w;
+            V(node.dof(2, MixedElement::mean)) = w;
+            greatest.add(w, node.surface.curvature, node.alpha);
           }
     });
+    greatest.check(*surface, communicator);
     V.compress(VectorOperation::insert);
     constraints.distribute(V);
     imperfection = ghosted_vector();

@@ -281,6 +281,8 @@ namespace Biface
   {
     // a fifth of the strain away the stiffness is a fifth of the initial one
     constexpr double small = 0.2;
+    // that of walls with several layers
+    constexpr double large_factor = 8;
     const bool       at_the_end =
       worst.linear_law && worst.compression.value < 0.8 * least_stable_strain;
     return "the shell is compressed most " + place(worst.compression) +
@@ -302,8 +304,11 @@ namespace Biface
                   digits(worst.short_wave->direction) +
                   " degrees from alpha_1 is " +
                   digits(worst.short_wave->stiffness.value) +
-                  " of that without load. A 'Laminate/Gradient factor' of 8, "
-                  "or larger cells, may help."
+                  " of that without load. " +
+                  (worst.gradient_factor < large_factor
+                     ? "A 'Laminate/Gradient factor' of 8, or larger cells, "
+                       "may help."
+                     : "Larger cells may help.")
               : "");
   }
 } // namespace Biface

@@ -78,14 +78,32 @@ def parse_parameters(text: str) -> Parameters:
     return result
 
 
+def join(lines, first):
+    """A line with all that backslashes join with it, at the end of lines or of their
+    comments, and the number of the next line. Comments between them are left out."""
+    whole, end, goes_on = "", first, True
+    while goes_on and end < len(lines):
+        line = lines[end].strip()
+        end += 1
+        if line.startswith("#"):
+            if end == first + 1:
+                return line, end
+            continue
+        content, _, comment = (part.rstrip() for part in line.partition("#"))
+        goes_on = content.endswith("\\") or comment.endswith("\\")
+        if content.endswith("\\"):
+            content = content.removesuffix("\\")
+        elif goes_on:
+            content += " "
+        whole += content if goes_on else line
+    return whole, end
+
+
 def scan(lines):
     """For each entry the range of its lines, its name, value and default."""
     sections, first = [], 0
     while first < len(lines):
-        end = first + 1
-        while lines[end - 1].endswith("\\") and end < len(lines):
-            end += 1
-        line = "".join(line.lstrip().removesuffix("\\") for line in lines[first:end])
+        line, end = join(lines, first)
         if line.startswith("subsection "):
             sections.append(line[len("subsection "):].partition("#")[0].strip())
         elif re.match(r"end\b", line) and sections:

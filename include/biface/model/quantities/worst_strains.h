@@ -66,6 +66,9 @@ namespace Biface
 
     /** Whether the law of any ply is linear. */
     bool linear_law = true;
+
+    /** The factor of the gradients, see TransverseShearLaw::gradient_factor. */
+    double gradient_factor = 1;
   };
 
   /** The short wave with the least stiffness, see WorstStrains::short_wave.

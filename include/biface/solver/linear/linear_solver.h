@@ -72,6 +72,12 @@ namespace Biface
 
       Type type = Type::direct;
 
+      bool
+      is_iterative() const
+      {
+        return type == Type::iterative;
+      }
+
       /** Whether factors in single precision are tried, see MumpsSolver. */
       bool single_precision = true;
 
